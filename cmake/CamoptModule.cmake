@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+# camopt_add_module(<folder> SOURCES … HEADERS … [PUBLIC …] [PRIVATE …])
+# One library a folder, camopt::<folder>, with its headers beside its sources. PUBLIC are the folders
+# and packages its headers include, PRIVATE those only its sources need.
+
+add_library(camopt_warnings INTERFACE)
+target_compile_options(camopt_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(CAMOPT_WARNINGS_AS_ERRORS)
+  target_compile_options(camopt_warnings INTERFACE -Werror)
+endif()
+
+add_library(camopt_instrumentation INTERFACE)
+if(CAMOPT_SANITIZE)
+  target_compile_options(camopt_instrumentation INTERFACE -fsanitize=${CAMOPT_SANITIZE}
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(camopt_instrumentation INTERFACE -fsanitize=${CAMOPT_SANITIZE})
+endif()
+if(CAMOPT_COVERAGE)
+  target_compile_options(camopt_instrumentation INTERFACE --coverage)
+  target_link_options(camopt_instrumentation INTERFACE --coverage)
+endif()
+
+function(camopt_add_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE")
+  set(target camopt_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(camopt::${name} ALIAS ${target})
+  target_sources(${target} PUBLIC FILE_SET HEADERS
+    BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${name}
+    POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
+    $<BUILD_INTERFACE:camopt_warnings> $<BUILD_INTERFACE:camopt_instrumentation>)
+  set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
+endfunction()
+
+# camopt_add_test(<name> SOURCES … [LIBRARIES …] [LABELS …]): one GoogleTest program, its cases known to ctest.
+function(camopt_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main camopt_warnings
+    camopt_instrumentation)
+  target_compile_definitions(${name} PRIVATE CAMOPT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 600)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# Every choice the person who builds camopt can make.
+include(CMakeDependentOption)
+
+option(CAMOPT_BUILD_APPS "Build the camopt command line" ${PROJECT_IS_TOP_LEVEL})
+option(CAMOPT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(CAMOPT_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(CAMOPT_BUILD_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+
+# AUTO takes a library where it is found, ON insists, OFF leaves it out.
+foreach(backend IPOPT NLOPT SPQR)
+  set(CAMOPT_WITH_${backend} AUTO CACHE STRING "Use ${backend}: AUTO, ON or OFF")
+  set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
+endforeach()
+
+set(CAMOPT_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
+option(CAMOPT_COVERAGE "Instrument every target for coverage" OFF)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()

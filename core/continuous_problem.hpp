@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The problem behind the grid: constraints that hold at every cam angle, not only at samples.
+//
+// A grid Nlp is a relaxation: it keeps the rows of finitely many angles. The exchange driver solves it, asks for
+// the true continuous maxima of violation, and adds their rows, until the worst one is below tolerance.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/extremum.hpp"
+#include "core/nlp.hpp"
+
+namespace camopt {
+
+/// A local maximum over the cam angle of how much one rule is broken.
+struct Violation {
+    int rule = 0;         ///< index of the rule in the problem
+    Extremum where;       ///< the rule's own value there
+    double amount = 0.0;  ///< relative to the rule's scale; > 0 is violated, < 0 is slack
+};
+
+/// A box proved to hold at least one minimizer (or, for an infeasibility proof, every feasible point).
+struct Box {
+    Eigen::VectorXd lower, upper;
+};
+
+class ContinuousProblem {
+   public:
+    virtual ~ContinuousProblem() = default;
+
+    /// The current grid problem. Stays valid until the next refine().
+    [[nodiscard]] virtual const Nlp& grid() const = 0;
+
+    /// A starting point: satisfies the equalities; limits may be violated.
+    [[nodiscard]] virtual Eigen::VectorXd start() const = 0;
+
+    /// x with its equalities met to round-off and its peak variables set to the true continuous peaks of its
+    /// curve, so that only user limits can still be violated. cost(completed(x)) is the true objective.
+    [[nodiscard]] virtual Eigen::VectorXd completed(const Eigen::VectorXd& x) const = 0;
+
+    /// The true objective of the curve behind x; equals grid().cost(completed(x)).
+    [[nodiscard]] virtual double objective(const Eigen::VectorXd& x) const = 0;
+
+    /// The continuous local maxima of every rule at x, worst first, slack ones within `slack` included.
+    [[nodiscard]] virtual std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const = 0;
+
+    /// Adds rows at (and beside) these maxima; old rows keep their numbers. Returns how many rows were added:
+    /// 0 when every one is there already.
+    virtual int refine(std::span<const Violation> worst) = 0;
+
+    /// Bounds on x proved to hold an optimum, given that a feasible curve has objective `incumbent`.
+    [[nodiscard]] virtual Box box(double incumbent) const = 0;
+
+   protected:
+    ContinuousProblem() = default;
+    ContinuousProblem(const ContinuousProblem&) = default;
+    ContinuousProblem& operator=(const ContinuousProblem&) = default;
+};
+
+}  // namespace camopt

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A motion: displacement and its first three derivatives by the cam angle.
+//
+// Normalised form: x = cam angle / rise angle, y = displacement / lift; ' is d/dx. A DRD motion lives on
+// [0, 1], an RR motion on [0, 1 + return angle / rise angle]. No units; physical ones return in output/.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/extremum.hpp"
+
+namespace camopt {
+
+/// (y, y', y'', y''') at x. Index r of `derivative` is the r-th derivative.
+struct MotionPoint {
+    double x = 0.0;
+    std::array<double, 4> derivative{};
+};
+
+/// A curve y(x) with exact derivatives up to the third, never a numeric one.
+class Motion {
+   public:
+    virtual ~Motion() = default;
+
+    [[nodiscard]] virtual double begin() const = 0;
+    [[nodiscard]] virtual double end() const = 0;
+
+    /// The point at x in [begin, end]. Where a derivative jumps, its limit from `side`. Infinite where it is.
+    [[nodiscard]] virtual MotionPoint at(double x, Side side = Side::right) const = 0;
+
+    /// Ascending x where a derivative up to the third may jump or change its formula, begin and end included.
+    [[nodiscard]] virtual std::vector<double> breakpoints() const = 0;
+
+   protected:
+    Motion() = default;
+    Motion(const Motion&) = default;
+    Motion& operator=(const Motion&) = default;
+    Motion(Motion&&) = default;
+    Motion& operator=(Motion&&) = default;
+};
+
+}  // namespace camopt

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The optimization problem every backend sees:
+//
+//     min f(x)   subject to   x_L <= x <= x_U,   g_L <= g(x) <= g_U
+//
+// x has `variables` entries, g has `constraints` rows. Equalities are equal bounds; missing bounds are
+// +-infinity. The Lagrangian is L = sigma f(x) + lambdaᵀ g(x): at a minimum, lambda > 0 belongs to an active
+// upper bound g_U, lambda < 0 to an active lower bound g_L.
+// Sizes, bounds, patterns and flags are fixed on construction; only values are computed later.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Positions of the entries of a sparse matrix, without duplicates, in the order their values are written.
+struct SparsityPattern {
+    std::vector<int> rows;
+    std::vector<int> columns;
+    [[nodiscard]] int size() const { return static_cast<int>(rows.size()); }
+};
+
+/// What is known of one constraint row before anything is evaluated.
+struct RowKind {
+    bool linear = true;  ///< its Jacobian entries do not depend on x
+    /// A hard limit of the user's scene (a cap, a pressure angle). These rows, and no others, may be what makes
+    /// a problem infeasible; the elastic problem relaxes them in proportion to `scale`.
+    bool limit = false;
+    double scale = 1.0;  ///< size of the limit, > 0: a violation of `scale` is one of 100 %
+};
+
+struct NlpShape {
+    Eigen::VectorXd x_lower, x_upper;  ///< size variables
+    Eigen::VectorXd g_lower, g_upper;  ///< size constraints
+    std::vector<RowKind> rows;         ///< size constraints
+    SparsityPattern jacobian;          ///< constraints x variables
+    SparsityPattern hessian;           ///< lower triangle of the Lagrangian's Hessian
+    bool convex = false;               ///< f convex and the feasible set convex
+    bool linear_cost = false;          ///< the gradient of f does not depend on x
+    bool quadratic_cost = false;       ///< the Hessian of f does not depend on x (true for linear_cost too)
+
+    [[nodiscard]] int variables() const { return static_cast<int>(x_lower.size()); }
+    [[nodiscard]] int constraints() const { return static_cast<int>(g_lower.size()); }
+};
+
+class Nlp {
+   public:
+    using Vector = Eigen::VectorXd;
+    using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
+    using VectorRef = Eigen::Ref<Eigen::VectorXd>;
+
+    virtual ~Nlp() = default;
+    Nlp(const Nlp&) = delete;
+    Nlp& operator=(const Nlp&) = delete;
+
+    [[nodiscard]] const NlpShape& shape() const noexcept { return shape_; }
+
+    [[nodiscard]] virtual double cost(const ConstVectorRef& x) const = 0;
+    virtual void gradient(const ConstVectorRef& x, VectorRef out) const = 0;
+    virtual void constraints(const ConstVectorRef& x, VectorRef out) const = 0;
+    /// Values in the order of shape().jacobian.
+    virtual void jacobian(const ConstVectorRef& x, std::span<double> out) const = 0;
+    /// Values of sigma ∇²f + Σ lambda_i ∇²g_i in the order of shape().hessian (lower triangle).
+    virtual void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                         std::span<double> out) const = 0;
+
+    [[nodiscard]] virtual std::string variable_name(int index) const = 0;
+    [[nodiscard]] virtual std::string row_name(int index) const = 0;
+
+   protected:
+    Nlp() = default;
+    explicit Nlp(NlpShape shape) : shape_(std::move(shape)) {}
+    NlpShape shape_;
+};
+
+}  // namespace camopt

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// A scene: what must move, how good, found how. SI units and radians; plain values with the defaults of a scene
+// file, so that a scene can be written in a few lines of C++ without any file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace camopt {
+
+enum class MotionType { drd, rr };
+enum class EndJerk { free, zero };
+enum class DesignKind { automatic, ordinates, coefficients, states };
+enum class TieBreak { none, rms_jerk };
+
+/// An exact point of the motion. `at`: x, in units of the rise. Normalised values; at least one is given.
+struct SetPoint {
+    double at = 0.0;
+    std::optional<double> displacement, velocity, acceleration;
+};
+
+struct MotionSpec {
+    MotionType type = MotionType::drd;
+    double lift = 1e-3;                   ///< m, or rad where lift_is_angle; > 0
+    bool lift_is_angle = false;           ///< a swinging or indexing output
+    double rise = 3.14159265358979323846;  ///< cam angle of the rise, rad, in (0, 2π]
+    std::optional<double> return_angle;   ///< RR: cam angle of the return, rad; default: rise
+    std::optional<double> speed;          ///< rad/s, > 0; only time-domain limits and outputs need it
+    bool symmetric = false;               ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
+    std::vector<SetPoint> via;
+
+    /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR.
+    [[nodiscard]] double length() const {
+        return type == MotionType::drd ? 1.0 : 1.0 + return_angle.value_or(rise) / rise;
+    }
+};
+
+struct SplineSpec {
+    int degree = 3;                   ///< 3 or 5
+    int segments = 12;                ///< uniform segments over the whole motion; ignored where breakpoints are given
+    std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
+    std::optional<int> continuity;    ///< highest continuous derivative, 2 … degree − 1; default degree − 1
+    EndJerk end_jerk = EndJerk::free; ///< zero: y''' = 0 at both ends, degree 5 only
+    DesignKind design = DesignKind::automatic;
+
+    [[nodiscard]] int smoothness() const { return continuity.value_or(degree - 1); }
+};
+
+/// The figures the peaks are divided by: those of a law of the catalogue, or numbers.
+struct Reference {
+    std::string law = "modified_sine";  ///< used where a number below is absent
+    std::optional<double> velocity, acceleration, jerk, rms_acceleration, rms_jerk;
+    bool numeric = false;               ///< true: `law` plays no part, every number needed must be given
+};
+
+struct ObjectiveSpec {
+    double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
+    double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
+    Reference reference;
+    TieBreak tie_break = TieBreak::rms_jerk;
+};
+
+/// A hard limit on a peak, kept together with the way the user wrote it.
+struct PeakLimit {
+    double normalised = 0.0;  ///< on the normalised peak, > 0
+    std::string key;          ///< as written, e.g. "limits.velocity_mm_s"
+    double given = 0.0;       ///< in the unit of the key
+    std::string unit;         ///< "", "mm/s", "deg/s^2", …
+    /// given / normalised: what one unit of the normalised peak is in the unit of the key.
+    [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
+};
+
+struct LimitSpec {
+    std::optional<PeakLimit> velocity, acceleration, jerk;
+};
+
+using OptionValue = std::variant<bool, long long, double, std::string>;
+
+struct SolverSpec {
+    std::string name = "auto";
+    double tolerance = 1e-9;    ///< feasibility and optimality of the solve, relative
+    double gap = 1e-7;          ///< proved relative gap below which the verdict is optimal
+    double max_seconds = 60.0;  ///< wall time of the whole solve; then the best feasible point is kept
+    int starts = 1;             ///< convex scenes need one
+    unsigned seed = 0;
+    std::map<std::string, OptionValue> options;  ///< the backend's own, checked against its registry
+};
+
+struct Scene {
+    std::string title;
+    MotionSpec motion;
+    SplineSpec spline;
+    ObjectiveSpec objective;
+    LimitSpec limits;
+    SolverSpec solver;
+};
+
+/// Throws InputError naming the first member that is out of its range, what was found and what is allowed.
+/// The scene reader names file, line and column first; this is the gate for scenes built in C++.
+void validate(const Scene& scene);
+
+[[nodiscard]] const char* name_of(MotionType value);
+[[nodiscard]] const char* name_of(EndJerk value);
+[[nodiscard]] const char* name_of(DesignKind value);
+[[nodiscard]] const char* name_of(TieBreak value);
+
+}  // namespace camopt

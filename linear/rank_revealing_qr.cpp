@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "linear/rank_revealing_qr.hpp"
