@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Which rows of a sparse system E x = e are independent, which follow from the others, and which contradict them.
+// Which rows of a sparse system E x = e are independent, which follow from the others, and which contradict
+// them.
 //
 // QR of Eᵀ with column pivoting after each row of E is scaled to unit length. A dependent row i satisfies
-// E_i = Σ_k combination_k E_{independent k}; its mismatch is e_i − Σ_k combination_k e_k (in the row's own units).
+// E_i = Σ_k combination_k E_{independent k}; its mismatch is e_i − Σ_k combination_k e_k (in the row's own
+// units), set to exactly 0 where it is below tolerance · max(‖E_i‖, |e_i|, |combination_k e_k|). A zero row
+// is dependent with an empty combination and the mismatch e_i. Of rows that could replace each other the
+// earlier ones stay independent (up to some thousand rows; beyond that whichever the fill-reducing order
+// meets first).
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+
 #include <utility>
 #include <vector>
 
@@ -14,8 +20,9 @@ namespace camopt {
 
 struct DependentRow {
     int row = 0;
-    std::vector<std::pair<int, double>> combination;  ///< (independent row, factor), factors above the tolerance only
-    double mismatch = 0.0;                            ///< 0 (to tolerance): redundant; else contradictory
+    std::vector<std::pair<int, double>>
+        combination;        ///< (independent row, factor), factors above the tolerance only
+    double mismatch = 0.0;  ///< 0 (to tolerance): redundant; else contradictory
 };
 
 struct RowDependence {
@@ -23,9 +30,9 @@ struct RowDependence {
     std::vector<DependentRow> dependent;  ///< ascending by row
 };
 
-/// `tolerance`: relative size below which a pivot counts as zero; the default leaves room for products of many
-/// well-scaled rows. Uses SuiteSparseQR where this build has it, Eigen::SparseQR otherwise.
-/// Throws ModelError where sizes differ or an entry is not finite.
+/// `tolerance`: relative size below which a pivot counts as zero; the default leaves room for products of
+/// many well-scaled rows. Uses SuiteSparseQR where this build has it, Eigen::SparseQR otherwise. Throws
+/// ModelError where sizes differ or an entry is not finite.
 [[nodiscard]] RowDependence analyse_rows(const Eigen::SparseMatrix<double>& matrix,
                                          const Eigen::VectorXd& right_side, double tolerance = 1e-10);
 
