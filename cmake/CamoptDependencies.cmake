@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Required: Eigen for everything, fmt for messages. Optional ones become the variables
-# CAMOPT_HAVE_IPOPT, CAMOPT_HAVE_NLOPT, CAMOPT_HAVE_SPQR and imported targets.
+# Required: Eigen for everything, fmt for messages, toml++ for input/, nlohmann-json for output/, CLI11 for apps/.
+# Optional ones become the variables CAMOPT_HAVE_IPOPT, CAMOPT_HAVE_NLOPT, CAMOPT_HAVE_SPQR and imported targets.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json 3.10 REQUIRED)
+if(CAMOPT_BUILD_APPS)
+  find_package(CLI11 REQUIRED)
+endif()
 if(CAMOPT_BUILD_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)

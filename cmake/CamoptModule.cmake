@@ -21,6 +21,20 @@ if(CAMOPT_COVERAGE)
   target_link_options(camopt_instrumentation INTERFACE --coverage)
 endif()
 
+# camopt_header_only(<target> <result>): true for an imported package without a library. An installed camopt does
+# not ask its consumers for those.
+function(camopt_header_only target result)
+  set(${result} FALSE PARENT_SCOPE)
+  if(TARGET ${target})
+    get_target_property(type ${target} TYPE)
+    get_target_property(imported ${target} IMPORTED)
+    get_target_property(libraries ${target} INTERFACE_LINK_LIBRARIES)
+    if(imported AND type STREQUAL "INTERFACE_LIBRARY" AND NOT libraries)
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endif()
+endfunction()
+
 function(camopt_add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE")
   set(target camopt_${name})
@@ -31,7 +45,16 @@ function(camopt_add_module name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${name}
     POSITION_INDEPENDENT_CODE ON)
-  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
+  set(private "")
+  foreach(library IN LISTS arg_PRIVATE)
+    camopt_header_only(${library} header_only)
+    if(header_only)
+      list(APPEND private $<BUILD_INTERFACE:${library}>)
+    else()
+      list(APPEND private ${library})
+    endif()
+  endforeach()
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${private}
     $<BUILD_INTERFACE:camopt_warnings> $<BUILD_INTERFACE:camopt_instrumentation>)
   set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
 endfunction()
