@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The problem behind the grid: constraints that hold at every cam angle, not only at samples.
 //
-// A grid Nlp is a relaxation: it keeps the rows of finitely many angles. The exchange driver solves it, asks for
-// the true continuous maxima of violation, and adds their rows, until the worst one is below tolerance.
+// A grid Nlp is a relaxation: it keeps the rows of finitely many angles. The exchange driver solves it, asks
+// for the true continuous maxima of violation, and adds their rows, until the worst one is below tolerance.
 #pragma once
-
-#include <Eigen/Core>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/extremum.hpp"
 #include "core/nlp.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -20,6 +21,7 @@ struct Violation {
     int rule = 0;         ///< index of the rule in the problem
     Extremum where;       ///< the rule's own value there
     double amount = 0.0;  ///< relative to the rule's scale; > 0 is violated, < 0 is slack
+    bool limit = false;   ///< a limit of the user's scene, not a peak variable that lags behind its curve
 };
 
 /// A box proved to hold at least one minimizer (or, for an infeasibility proof, every feasible point).
@@ -28,7 +30,7 @@ struct Box {
 };
 
 class ContinuousProblem {
-   public:
+ public:
     virtual ~ContinuousProblem() = default;
 
     /// The current grid problem. Stays valid until the next refine().
@@ -51,10 +53,12 @@ class ContinuousProblem {
     /// 0 when every one is there already.
     virtual int refine(std::span<const Violation> worst) = 0;
 
-    /// Bounds on x proved to hold an optimum, given that a feasible curve has objective `incumbent`.
-    [[nodiscard]] virtual Box box(double incumbent) const = 0;
+    /// Bounds on x proved to hold an optimum of the problem whose limits are relaxed by `relaxation` times
+    /// their scales, given that it has a curve with objective `incumbent` (infinity: nothing known, then the
+    /// box holds every feasible curve). Entries nothing bounds are ±infinity.
+    [[nodiscard]] virtual Box box(double incumbent, double relaxation) const = 0;
 
-   protected:
+ protected:
     ContinuousProblem() = default;
     ContinuousProblem(const ContinuousProblem&) = default;
     ContinuousProblem& operator=(const ContinuousProblem&) = default;

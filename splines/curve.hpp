@@ -1,49 +1,53 @@
 // SPDX-License-Identifier: MIT
 // A piecewise polynomial motion y(x) of degree p on breakpoints x_0 < … < x_n with continuity C^k.
 //
-// On segment i, with t = x − x_i:  y = Σ_{m=0}^{p} a_{i,m} t^m.  Its B-spline form is over clamped knots: end knots
-// p + 1 fold, interior breakpoints p − k fold. No units: x in rises, y in lifts. Outside [x_0, x_n]: InputError.
+// On segment i, with t = x − x_i:  y = Σ_{m=0}^{p} a_{i,m} t^m.  Its B-spline form is over clamped knots: end
+// knots p + 1 fold, interior breakpoints p − k fold. No units: x in rises, y in lifts. Outside [x_0, x_n]:
+// InputError.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "core/motion.hpp"
+#include "splines/space.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
 
 namespace camopt {
 
 class SplineCurve final : public Motion {
-   public:
-    /// pieces: (degree + 1) x segments, column i holds a_{i,0} … a_{i,p}. The caller promises the continuity (to
-    /// round-off); throws InputError for sizes that do not match or breakpoints that do not ascend.
-    SplineCurve(int degree, int continuity, std::vector<double> breakpoints, Eigen::MatrixXd pieces);
+ public:
+    /// pieces: (degree + 1) x segments, column i holds a_{i,0} … a_{i,p}. The caller promises the continuity
+    /// (to round-off); throws InputError for sizes that do not match or values that are not finite.
+    SplineCurve(SplineSpace space, Eigen::MatrixXd pieces);
 
-    /// From B-spline control points over the clamped knots of (degree, continuity, breakpoints).
-    [[nodiscard]] static SplineCurve from_coefficients(int degree, int continuity, std::vector<double> breakpoints,
+    /// From B-spline control points over the clamped knots of the space.
+    [[nodiscard]] static SplineCurve from_coefficients(const SplineSpace& space,
                                                        const Eigen::VectorXd& coefficients);
 
-    [[nodiscard]] int degree() const { return degree_; }
-    [[nodiscard]] int continuity() const { return continuity_; }
-    [[nodiscard]] int segments() const { return static_cast<int>(pieces_.cols()); }
+    [[nodiscard]] const SplineSpace& space() const { return space_; }
+    [[nodiscard]] int degree() const { return space_.degree(); }
+    [[nodiscard]] int continuity() const { return space_.continuity(); }
+    [[nodiscard]] int segments() const { return space_.segments(); }
     [[nodiscard]] const Eigen::MatrixXd& pieces() const { return pieces_; }
 
-    [[nodiscard]] double begin() const override { return breakpoints_.front(); }
-    [[nodiscard]] double end() const override { return breakpoints_.back(); }
+    [[nodiscard]] double begin() const override { return space_.begin(); }
+    [[nodiscard]] double end() const override { return space_.end(); }
     [[nodiscard]] MotionPoint at(double x, Side side = Side::right) const override;
-    [[nodiscard]] std::vector<double> breakpoints() const override { return breakpoints_; }
+    [[nodiscard]] std::vector<double> breakpoints() const override { return space_.breakpoints(); }
 
     /// The r-th derivative at x, any r >= 0 (zero above the degree), as seen from `side`.
     [[nodiscard]] double derivative(double x, int order, Side side = Side::right) const;
-    /// Coefficients (ascending powers of t) of the r-th derivative on segment i; degree − r + 1 of them, at least 1.
+    /// Coefficients (ascending powers of t) of the r-th derivative on segment i; degree − r + 1 of them, at
+    /// least 1.
     [[nodiscard]] Eigen::VectorXd derivative_polynomial(int segment, int order) const;
 
-    [[nodiscard]] std::vector<double> knots() const;
+    [[nodiscard]] std::vector<double> knots() const { return space_.knots(); }
     /// Control points over knots(), by the blossom of the local polynomial.
     [[nodiscard]] Eigen::VectorXd coefficients() const;
 
-   private:
-    int degree_, continuity_;
-    std::vector<double> breakpoints_;
+ private:
+    SplineSpace space_;
     Eigen::MatrixXd pieces_;
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The place where curve and cam meet: a CamModel as a ContinuousProblem.
+//
+// x = design entries and parameters in optimizer units (grid_nlp.hpp). Rules hold at every cam angle: the
+// continuous maxima of linear rules are found exactly, since on a segment they are polynomials.
+#pragma once
+
+#include "core/continuous_problem.hpp"
+#include "objectives/equality_projection.hpp"
+#include "objectives/grid_nlp.hpp"
+#include "objectives/model.hpp"
+
+#include <map>
+#include <memory>
+
+namespace camopt {
+
+class CamProblem final : public ContinuousProblem {
+ public:
+    /// The first grid: every rule at the breakpoints (both sides where its derivative jumps) and, where it is
+    /// curved between them, at the middles.
+    explicit CamProblem(CamModel model);
+    /// The same with a grid already refined for another cost over the same rules (the tie-break).
+    CamProblem(CamModel model, std::vector<RuleSample> samples);
+
+    [[nodiscard]] const Nlp& grid() const override { return *grid_; }
+    [[nodiscard]] Eigen::VectorXd start() const override;
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    int refine(std::span<const Violation> worst) override;
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+
+    [[nodiscard]] const CamModel& model() const { return *model_; }
+    [[nodiscard]] const std::vector<RuleSample>& samples() const { return samples_; }
+    [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const;
+    /// Design entries of x in their own units.
+    [[nodiscard]] Eigen::VectorXd design_values(const Eigen::VectorXd& x) const;
+
+ private:
+    void start_grid();
+    bool add_sample(int rule, double at, Side side);
+    void rebuild();
+    [[nodiscard]] Eigen::VectorXd parameter_values(const SplineCurve& curve) const;
+
+    std::shared_ptr<const CamModel> model_;
+    std::vector<RuleSample> samples_;
+    /// Samples of each rule by (segment, x), to find neighbours and repetitions.
+    std::vector<std::map<std::pair<int, double>, int>> places_;
+    std::unique_ptr<GridNlp> grid_;
+    std::unique_ptr<EqualityProjection> projection_;
+};
+
+}  // namespace camopt

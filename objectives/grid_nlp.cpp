@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/grid_nlp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace camopt {
+
+namespace {
+
+// A root mean square of a motion that moves is of order one; this bound only keeps the division away from
+// zero.
+constexpr double least_rms = 1e-4;
+
+/// Calls visit(row, column, value) for the lower triangle of a symmetric matrix.
+template <typename Visit>
+void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
+    for (int column = 0; column < matrix.outerSize(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
+            if (entry.row() >= column) visit(static_cast<int>(entry.row()), column, entry.value());
+        }
+    }
+}
+
+/// The form in the optimizer's units, divided by reference².
+QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
+    QuadraticForm form = mean_square_form(model.design, order);
+    Eigen::VectorXd scale(model.design.size());
+    for (int j = 0; j < scale.size(); ++j) scale[j] = variable_scale(model, j);
+    const double factor = 1.0 / (reference * reference);
+    const Eigen::SparseMatrix<double> rows_scaled = scale.asDiagonal() * form.matrix;
+    form.matrix = rows_scaled * scale.asDiagonal();
+    form.matrix *= factor;
+    form.linear = factor * scale.cwiseProduct(form.linear);
+    form.constant *= factor;
+    return form;
+}
+
+}  // namespace
+
+double variable_scale(const CamModel& model, int index) {
+    const int design_size = model.design.size();
+    return index < design_size ? model.entry_scale[model.design.order(index)]
+                               : model.parameters[index - design_size].reference;
+}
+
+GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples)
+    : model_(std::move(model)), samples_(std::move(samples)) {
+    const int variables = design_size() + static_cast<int>(model_->parameters.size());
+    shape_.x_lower = Eigen::VectorXd::Constant(variables, -infinity);
+    shape_.x_upper = Eigen::VectorXd::Constant(variables, infinity);
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const bool rms = model_->parameters[p].kind == Parameter::Kind::rms;
+        shape_.x_lower[design_size() + static_cast<int>(p)] = rms ? least_rms : 0.0;
+    }
+    add_rows();
+    add_cost_terms();
+    fix_patterns();
+}
+
+void GridNlp::add_rows() {
+    const CamModel& model = *model_;
+    std::vector<double> lower;
+    std::vector<double> upper;
+    for (const Equality& equality : model.design.equalities()) {
+        Row row{equality.row.columns, equality.row.weights, equality.row.offset, -1, {}};
+        double largest = 0.0;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            row.weights[k] *= variable_scale(model, row.columns[k]);
+            largest = std::max(largest, std::abs(row.weights[k]));
+        }
+        for (double& weight : row.weights) weight /= largest;
+        row.offset /= largest;
+        rows_.push_back(std::move(row));
+        lower.push_back(0.0);
+        upper.push_back(0.0);
+        shape_.rows.push_back({true, false, 1.0});
+    }
+    for (const ParameterRow& source : model.parameter_rows) {
+        Row row;
+        for (std::size_t k = 0; k < source.parameters.size(); ++k) {
+            row.columns.push_back(design_size() + source.parameters[k]);
+            row.weights.push_back(source.weights[k]);
+        }
+        rows_.push_back(std::move(row));
+        lower.push_back(-infinity);
+        upper.push_back(source.upper);
+        shape_.rows.push_back({true, source.limit, source.scale});
+    }
+    first_sample_row_ = static_cast<int>(rows_.size());
+    for (int k = 0; k < static_cast<int>(samples_.size()); ++k) {
+        add_sample_row(k);
+        const PointRule& rule = *model.rules[samples_[k].rule];
+        lower.push_back(-infinity);
+        upper.push_back(0.0);
+        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
+    }
+    shape_.g_lower = Eigen::Map<Eigen::VectorXd>(lower.data(), static_cast<Eigen::Index>(lower.size()));
+    shape_.g_upper = Eigen::Map<Eigen::VectorXd>(upper.data(), static_cast<Eigen::Index>(upper.size()));
+}
+
+void GridNlp::add_sample_row(int sample) {
+    const RuleSample& place = samples_[sample];
+    const PointRule& rule = *model_->rules[place.rule];
+    Row row;
+    row.sample = sample;
+    for (int order = 0; order < 4; ++order) {
+        const AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        if (order == 0) {
+            row.columns = derivative.columns;
+            row.map.resize(4, static_cast<Eigen::Index>(derivative.columns.size()));
+        }
+        for (std::size_t k = 0; k < derivative.columns.size(); ++k) {
+            row.map(order, static_cast<Eigen::Index>(k)) =
+                derivative.weights[k] * variable_scale(*model_, derivative.columns[k]);
+        }
+        row.map_offset[order] = derivative.offset;
+    }
+    for (const int parameter : rule.parameters()) row.columns.push_back(design_size() + parameter);
+    if (rule.linear()) {
+        const RuleValue affine = rule.evaluate(
+            {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
+        const Eigen::VectorXd weights = row.map.transpose() * affine.gradient.head<4>();
+        row.weights.assign(weights.begin(), weights.end());
+        const Eigen::VectorXd by_parameter = affine.gradient.tail(affine.gradient.size() - 4);
+        row.weights.insert(row.weights.end(), by_parameter.begin(), by_parameter.end());
+        row.offset = affine.value + affine.gradient.head<4>().dot(row.map_offset);
+        row.map.resize(0, 0);
+        row.sample = -1;
+    }
+    rows_.push_back(std::move(row));
+}
+
+void GridNlp::add_cost_terms() {
+    linear_cost_ = Eigen::VectorXd::Zero(shape_.variables());
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        const int variable = design_size() + static_cast<int>(p);
+        if (parameter.kind == Parameter::Kind::peak) {
+            linear_cost_[variable] = parameter.weight;
+        } else {
+            rms_.push_back(
+                {variable, parameter.weight, scaled_form(*model_, parameter.order, parameter.reference)});
+        }
+    }
+    if (model_->energy_weight > 0.0) {
+        energy_ = scaled_form(*model_, 3, model_->jerk_reference);
+        energy_->matrix *= model_->energy_weight;
+        energy_->linear *= model_->energy_weight;
+        energy_->constant *= model_->energy_weight;
+    }
+    shape_.linear_cost = rms_.empty() && !energy_;
+    shape_.quadratic_cost = rms_.empty();
+    shape_.convex = std::ranges::all_of(model_->rules, [](const auto& rule) { return rule->linear(); });
+}
+
+void GridNlp::fix_patterns() {
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+        for (const int column : rows_[i].columns) {
+            shape_.jacobian.rows.push_back(i);
+            shape_.jacobian.columns.push_back(column);
+        }
+    }
+    std::map<std::pair<int, int>, int> slots;
+    const auto claim = [&](int row, int column) {
+        const std::pair<int, int> place{std::max(row, column), std::min(row, column)};
+        const auto [found, fresh] = slots.try_emplace(place, static_cast<int>(slots.size()));
+        if (fresh) {
+            shape_.hessian.rows.push_back(place.first);
+            shape_.hessian.columns.push_back(place.second);
+        }
+        hessian_slots_.push_back(found->second);
+    };
+    for (const RmsTerm& term : rms_) {
+        visit_lower(term.form.matrix, [&](int row, int column, double) { claim(row, column); });
+        for (int j = 0; j < design_size(); ++j) claim(term.variable, j);
+        claim(term.variable, term.variable);
+    }
+    if (energy_) visit_lower(energy_->matrix, [&](int row, int column, double) { claim(row, column); });
+    for (const Row& row : rows_) {
+        if (row.sample < 0) continue;
+        for (std::size_t a = 0; a < row.columns.size(); ++a) {
+            for (std::size_t b = 0; b <= a; ++b) claim(row.columns[a], row.columns[b]);
+        }
+    }
+}
+
+double GridNlp::cost(const ConstVectorRef& x) const {
+    double value = linear_cost_.dot(x);
+    const auto design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        value += 0.5 * term.weight * (term.form.value(design) / x[term.variable] + x[term.variable]);
+    }
+    return energy_ ? value + energy_->value(design) : value;
+}
+
+void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
+    out = linear_cost_;
+    const Eigen::VectorXd design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        const double q = x[term.variable];
+        out.head(design_size()) += term.weight / q * (term.form.matrix * design + term.form.linear);
+        out[term.variable] += 0.5 * term.weight * (1.0 - term.form.value(design) / (q * q));
+    }
+    if (energy_) out.head(design_size()) += 2.0 * (energy_->matrix * design + energy_->linear);
+}
+
+RuleValue GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
+    const RuleSample& place = samples_[row.sample];
+    const PointRule& rule = *model_->rules[place.rule];
+    const Eigen::Index local = row.map.cols();
+    Eigen::VectorXd entries(local);
+    for (Eigen::Index k = 0; k < local; ++k) entries[k] = x[row.columns[k]];
+    const Eigen::Vector4d state = row.map_offset + row.map * entries;
+    Eigen::VectorXd q(static_cast<Eigen::Index>(rule.parameters().size()));
+    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] = x[row.columns[local + k]];
+    return rule.evaluate({place.at, {state[0], state[1], state[2], state[3]}}, q);
+}
+
+void GridNlp::constraints(const ConstVectorRef& x, VectorRef out) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
+        if (row.sample >= 0) {
+            out[static_cast<Eigen::Index>(i)] = rule_value(row, x).value;
+            continue;
+        }
+        double value = row.offset;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) value += row.weights[k] * x[row.columns[k]];
+        out[static_cast<Eigen::Index>(i)] = value;
+    }
+}
+
+void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
+    std::size_t next = 0;
+    for (const Row& row : rows_) {
+        if (row.sample >= 0) {
+            const Eigen::VectorXd partials = rule_value(row, x).gradient;
+            const Eigen::VectorXd by_entry = row.map.transpose() * partials.head<4>();
+            next =
+                static_cast<std::size_t>(std::ranges::copy(by_entry, out.begin() + next).out - out.begin());
+            for (Eigen::Index k = 4; k < partials.size(); ++k) out[next++] = partials[k];
+        } else {
+            next = static_cast<std::size_t>(std::ranges::copy(row.weights, out.begin() + next).out -
+                                            out.begin());
+        }
+    }
+}
+
+void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                      std::span<double> out) const {
+    std::ranges::fill(out, 0.0);
+    std::size_t next = 0;
+    const auto add = [&](double value) { out[hessian_slots_[next++]] += value; };
+    const Eigen::VectorXd design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        const double q = x[term.variable];
+        const double factor = sigma * term.weight / q;
+        visit_lower(term.form.matrix, [&](int, int, double value) { add(factor * value); });
+        const Eigen::VectorXd slope = term.form.matrix * design + term.form.linear;
+        for (int j = 0; j < design_size(); ++j) add(-factor / q * slope[j]);
+        add(factor / (q * q) * term.form.value(design));
+    }
+    if (energy_) visit_lower(energy_->matrix, [&](int, int, double value) { add(2.0 * sigma * value); });
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
+        if (row.sample < 0) continue;
+        // (y … y''', q) as a linear map of the row's columns: B on top of the identity.
+        const Eigen::Index local = row.map.cols();
+        const Eigen::Index parameters = static_cast<Eigen::Index>(row.columns.size()) - local;
+        Eigen::MatrixXd full = Eigen::MatrixXd::Zero(4 + parameters, local + parameters);
+        full.topLeftCorner(4, local) = row.map;
+        full.bottomRightCorner(parameters, parameters).setIdentity();
+        const Eigen::MatrixXd curved =
+            lambda[static_cast<Eigen::Index>(i)] * full.transpose() * rule_value(row, x).hessian * full;
+        for (Eigen::Index a = 0; a < curved.rows(); ++a) {
+            for (Eigen::Index b = 0; b <= a; ++b) add(curved(a, b));
+        }
+    }
+}
+
+std::string GridNlp::variable_name(int index) const {
+    return index < design_size() ? model_->design.name(index)
+                                 : model_->parameters[index - design_size()].name;
+}
+
+std::string GridNlp::row_name(int index) const {
+    const int equalities = static_cast<int>(model_->design.equalities().size());
+    if (index < equalities) return model_->design.equalities()[index].name;
+    if (index < first_sample_row_) return model_->parameter_rows[index - equalities].name;
+    const RuleSample& place = samples_[index - first_sample_row_];
+    return fmt::format("{} at x = {:.9g}{}", model_->rules[place.rule]->name(), place.at,
+                       place.side == Side::left ? "-" : "");
+}
+
+}  // namespace camopt

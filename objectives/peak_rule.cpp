@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/peak_rule.hpp"
+
+#include <array>
+
+namespace camopt {
+
+PeakRule::PeakRule(int order, int sign, int parameter, double reference)
+    : order_(order), sign_(sign), parameters_{parameter}, reference_(reference) {}
+
+std::string PeakRule::name() const {
+    constexpr std::array<const char*, 4> names = {"displacement", "velocity", "acceleration", "jerk"};
+    return std::string(sign_ > 0 ? "+" : "-") + names[order_];
+}
+
+RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
+    RuleValue result{0.0, Eigen::VectorXd::Zero(5), Eigen::MatrixXd::Zero(5, 5)};
+    result.gradient[order_] = sign_ / reference_;
+    result.gradient[4] = -1.0;
+    result.value = result.gradient[order_] * point.derivative[order_] - q[0];
+    return result;
+}
+
+}  // namespace camopt

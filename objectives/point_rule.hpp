@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A rule at one cam angle: g(y, y', y'', y'''; q) <= 0 for every x.
+//
+// A rule sees one point of the motion and a few parameters q (the peak variables, later the cam's
+// dimensions), in their normalised units, and gives its value with first and second partials. It never sees
+// the design vector: constant sparse maps do the chain rule (grid_nlp.hpp).
+#pragma once
+
+#include "core/motion.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Partials by (y, y', y'', y''', q_1 … q_m): gradient 4 + m, hessian (4 + m) x (4 + m), symmetric.
+struct RuleValue {
+    double value = 0.0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+};
+
+class PointRule {
+ public:
+    virtual ~PointRule() = default;
+    [[nodiscard]] virtual std::string name() const = 0;
+    /// Which parameters of the problem are q_1 … q_m.
+    [[nodiscard]] virtual const std::vector<int>& parameters() const = 0;
+    /// Affine in the point and in q: its continuous maxima are then found exactly.
+    [[nodiscard]] virtual bool linear() const = 0;
+    /// A hard limit of the user's scene, as opposed to a peak variable's definition.
+    [[nodiscard]] virtual bool limit() const = 0;
+    /// Size of the limit: a value of `scale` is a violation of 100 %.
+    [[nodiscard]] virtual double scale() const = 0;
+    [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;
+
+ protected:
+    PointRule() = default;
+    PointRule(const PointRule&) = default;
+    PointRule& operator=(const PointRule&) = default;
+};
+
+}  // namespace camopt

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// From a scene to what is minimized: the design vector of its motion, the peaks it weighs or caps, the
+// references.
+#pragma once
+
+#include "core/peaks.hpp"
+#include "core/scene.hpp"
+#include "objectives/model.hpp"
+
+namespace camopt {
+
+/// The peaks (and root mean squares) the objective divides by: those of the reference law, or the given
+/// numbers. Throws InputError where a positive weight meets an infinite or a missing one.
+[[nodiscard]] Peaks reference_peaks(const Scene& scene);
+
+/// The design vector of the scene's motion in the given form (not automatic).
+///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
+///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.
+[[nodiscard]] DesignVector scene_design(const Scene& scene, DesignKind kind);
+
+/// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there.
+[[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference);
+
+/// The same constraints with the mean square jerk as cost and the old objective kept at or below `most`.
+[[nodiscard]] CamModel tie_break_model(const CamModel& model, double most);
+
+}  // namespace camopt

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "splines/curve.hpp"
+
+#include "core/errors.hpp"
+#include "splines/basis.hpp"
+#include "splines/polynomial.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
+    : space_(std::move(space)), pieces_(std::move(pieces)) {
+    if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments()) {
+        throw InputError(fmt::format("pieces: found {} x {}; allowed: {} x {}", pieces_.rows(),
+                                     pieces_.cols(), degree() + 1, space_.segments()));
+    }
+    if (!pieces_.allFinite()) throw InputError("pieces: found a value that is not finite");
+}
+
+SplineCurve SplineCurve::from_coefficients(const SplineSpace& space, const Eigen::VectorXd& coefficients) {
+    if (coefficients.size() != space.dimension()) {
+        throw InputError(
+            fmt::format("coefficients: found {}; allowed: {}", coefficients.size(), space.dimension()));
+    }
+    const int p = space.degree();
+    Eigen::MatrixXd pieces(p + 1, space.segments());
+    for (int i = 0; i < space.segments(); ++i) {
+        pieces.col(i) =
+            monomials_of_basis(space, i) * coefficients.segment(space.first_basis_function(i), p + 1);
+    }
+    return {space, std::move(pieces)};
+}
+
+MotionPoint SplineCurve::at(double x, Side side) const {
+    const int segment = space_.segment_of(x, side);
+    const double t = x - space_.breakpoints()[segment];
+    MotionPoint point{x, {}};
+    Eigen::VectorXd polynomial = pieces_.col(segment);
+    for (double& value : point.derivative) {
+        value = evaluate_polynomial(polynomial, t);
+        polynomial = differentiated(polynomial);
+    }
+    return point;
+}
+
+double SplineCurve::derivative(double x, int order, Side side) const {
+    const int segment = space_.segment_of(x, side);
+    return evaluate_polynomial(derivative_polynomial(segment, order), x - space_.breakpoints()[segment]);
+}
+
+Eigen::VectorXd SplineCurve::derivative_polynomial(int segment, int order) const {
+    Eigen::VectorXd polynomial = pieces_.col(segment);
+    for (int r = 0; r < order; ++r) polynomial = differentiated(polynomial);
+    return polynomial;
+}
+
+Eigen::VectorXd SplineCurve::coefficients() const {
+    const int p = degree();
+    const int step = p - continuity();
+    Eigen::VectorXd result(space_.dimension());
+    for (int j = 0; j < result.size(); ++j) {
+        // Any segment of the support gives the same number; the middle one rounds least.
+        const int last = std::min(j / step, space_.segments() - 1);
+        const int first = j <= p ? 0 : (j - p + step - 1) / step;
+        const int segment = (first + last) / 2;
+        result[j] = blossom_weights(space_, j, segment) * pieces_.col(segment);
+    }
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The three forms of a design vector before anything is eliminated: entries, local maps, built-in rows.
+#pragma once
+
+#include "splines/design_vector.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+struct DesignEntry {
+    std::string name;
+    int order = 0;
+    int place = 0;  ///< breakpoint, or basis function for coefficients
+    bool fixed = false;
+    double value = 0.0;  ///< where fixed
+};
+
+struct CandidateRow {
+    AffineRow row;  ///< must be 0
+    std::string name;
+    bool from_condition = false;  ///< an exact point, not continuity or symmetry
+};
+
+struct DesignForm {
+    std::vector<DesignEntry> entries;
+    std::vector<LocalMap> maps;            ///< one a segment, columns count all entries
+    std::vector<CandidateRow> rows;        ///< continuity and symmetry
+    std::vector<PointCondition> leftover;  ///< end states the form could not build in
+};
+
+/// Dispatches on request.kind.
+[[nodiscard]] DesignForm raw_form(const DesignRequest& request);
+
+/// The derivative of `order` at t of the local polynomial, as a row over its columns.
+[[nodiscard]] AffineRow functional_of(const LocalMap& map, double t, int order);
+
+/// Replaces fixed entries by their values and renumbers the others.
+[[nodiscard]] LocalMap without_fixed(LocalMap map, const DesignForm& form, const std::vector<int>& new_index);
+[[nodiscard]] AffineRow without_fixed(const AffineRow& row, const DesignForm& form,
+                                      const std::vector<int>& new_index);
+
+}  // namespace camopt

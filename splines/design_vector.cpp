@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "splines/design_vector.hpp"
+
+#include "core/errors.hpp"
+#include "splines/basis.hpp"
+#include "splines/design_forms.hpp"
+#include "splines/design_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace camopt {
+
+double AffineRow::value(const Eigen::VectorXd& x) const {
+    double sum = offset;
+    for (std::size_t k = 0; k < columns.size(); ++k) sum += weights[k] * x[columns[k]];
+    return sum;
+}
+
+AffineRow combined(const AffineRow& row, double factor, const AffineRow& other) {
+    std::map<int, double> entries;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) entries[row.columns[k]] += row.weights[k];
+    for (std::size_t k = 0; k < other.columns.size(); ++k) {
+        entries[other.columns[k]] += factor * other.weights[k];
+    }
+    AffineRow sum{row.offset + factor * other.offset, {}, {}};
+    for (const auto& [column, weight] : entries) {
+        sum.columns.push_back(column);
+        sum.weights.push_back(weight);
+    }
+    return sum;
+}
+
+AffineRow functional_of(const LocalMap& map, double t, int order) {
+    AffineRow row;
+    row.columns = map.columns;
+    row.weights.assign(map.columns.size(), 0.0);
+    double power = 1.0;
+    for (Eigen::Index m = order; m < map.offset.size(); ++m) {
+        double factor = power;
+        for (int r = 0; r < order; ++r) factor *= static_cast<double>(m - r);
+        row.offset += factor * map.offset[m];
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            row.weights[k] += factor * map.matrix(m, static_cast<Eigen::Index>(k));
+        }
+        power *= t;
+    }
+    return row;
+}
+
+DesignVector DesignVector::make(const DesignRequest& request) {
+    if (request.symmetry != Symmetry::none && !request.space.is_symmetric()) {
+        throw InputError("symmetry: the breakpoints are not symmetric about the middle");
+    }
+    DesignForm form = raw_form(request);
+    DesignVector design(request.space);
+    design.kind_ = request.kind;
+    design.symmetry_ = request.symmetry;
+    design.begin_state_ = request.begin_state;
+    design.end_state_ = request.end_state;
+
+    // Entries whose value is known leave the vector; everything else moves up.
+    std::vector<int> new_index(form.entries.size(), -1);
+    for (std::size_t j = 0; j < form.entries.size(); ++j) {
+        if (form.entries[j].fixed) continue;
+        new_index[j] = static_cast<int>(design.names_.size());
+        design.names_.push_back(form.entries[j].name);
+        design.orders_.push_back(form.entries[j].order);
+        design.places_.push_back(form.entries[j].place);
+    }
+    for (LocalMap& map : form.maps) design.maps_.push_back(without_fixed(std::move(map), form, new_index));
+
+    std::vector<CandidateRow> rows;
+    for (CandidateRow& row : form.rows) {
+        rows.push_back({without_fixed(row.row, form, new_index), std::move(row.name), false});
+    }
+    std::vector<PointCondition> conditions = form.leftover;
+    conditions.insert(conditions.end(), request.conditions.begin(), request.conditions.end());
+    for (const PointCondition& condition : conditions) {
+        AffineRow row = design.functional(condition.at, condition.order, condition.side);
+        row.offset -= condition.value;
+        rows.push_back({std::move(row), condition.name, true});
+    }
+    RowSelection selection = independent_rows(std::move(rows), design.size());
+    design.equalities_ = std::move(selection.rows);
+    design.redundant_ = std::move(selection.redundant);
+    design.contradictions_ = std::move(selection.contradictions);
+    design.fixed_entries_ = std::move(selection.fixed_entries);
+    return design;
+}
+
+AffineRow DesignVector::functional(double x, int order, Side side) const {
+    const int segment = space_.segment_of(x, side);
+    return functional_of(maps_[segment], x - space_.breakpoints()[segment], order);
+}
+
+SplineCurve DesignVector::curve(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd pieces(space_.degree() + 1, space_.segments());
+    for (int i = 0; i < space_.segments(); ++i) {
+        pieces.col(i) = maps_[i].offset + maps_[i].matrix * x(maps_[i].columns);
+    }
+    return {space_, std::move(pieces)};
+}
+
+std::vector<int> DesignVector::reported_entries() const {
+    std::vector<int> entries;
+    for (int j = 0; j < size(); ++j) {
+        if (kind_ == DesignKind::ordinates) {
+            const bool mirrored = symmetry_ != Symmetry::none && 2 * places_[j] > space_.segments();
+            const bool fixed = std::ranges::find(fixed_entries_, j) != fixed_entries_.end();
+            if (mirrored || fixed || static_cast<int>(entries.size()) >= freedom()) continue;
+        }
+        entries.push_back(j);
+    }
+    return entries;
+}
+
+Eigen::VectorXd DesignVector::values_of(const SplineCurve& curve) const {
+    Eigen::VectorXd values(size());
+    const Eigen::VectorXd coefficients =
+        kind_ == DesignKind::coefficients ? curve.coefficients() : Eigen::VectorXd();
+    for (int j = 0; j < size(); ++j) {
+        values[j] = kind_ == DesignKind::coefficients
+                        ? coefficients[places_[j]]
+                        : curve.derivative(space_.breakpoints()[places_[j]], orders_[j]);
+    }
+    return values;
+}
+
+Eigen::VectorXd DesignVector::entry_bounds(const Eigen::MatrixXd& derivative_bounds) const {
+    const int last_segment = space_.segments() - 1;
+    const int p = space_.degree();
+    Eigen::VectorXd bounds(size());
+    for (int j = 0; j < size(); ++j) {
+        if (kind_ != DesignKind::coefficients) {
+            const int right = std::min(places_[j], last_segment);
+            const int left = std::max(places_[j] - 1, 0);
+            bounds[j] = std::min(derivative_bounds(orders_[j], left), derivative_bounds(orders_[j], right));
+            continue;
+        }
+        const int step = p - space_.continuity();
+        bounds[j] = std::numeric_limits<double>::infinity();
+        const int first = places_[j] <= p ? 0 : (places_[j] - p + step - 1) / step;
+        for (int i = first; i <= std::min(places_[j] / step, last_segment); ++i) {
+            const Eigen::RowVectorXd weights = blossom_weights(space_, places_[j], i);
+            double bound = 0.0;
+            double factorial = 1.0;
+            for (int m = 0; m <= p; ++m) {
+                if (m > 0) factorial *= m;
+                // 0 · ∞ is no bound either: a weight of zero asks nothing of an unbounded derivative.
+                if (weights[m] != 0.0) bound += std::abs(weights[m]) * derivative_bounds(m, i) / factorial;
+            }
+            bounds[j] = std::min(bounds[j], bound);
+        }
+    }
+    return bounds;
+}
+
+}  // namespace camopt

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Design vectors: three ways to write one spline as numbers x an optimizer can move.
+//
+//   ordinates     y at the interior breakpoints (the paper's); the end states fill in the rest. Dense.
+//   coefficients  B-spline control points, those the end states fix left out. Local.
+//   states        y, y', y'' at the breakpoints, continuity carried as sparse rows. Local, the best
+//   conditioned.
+//
+// In every form the local polynomial of segment i is affine in x:  a_i = offset_i + M_i x[columns_i].
+// What the form does not build in by itself (continuity of `states`, set points, symmetry) is a sparse row
+// E x = e. Rows that follow from the others are left out; rows that contradict them are named.
+#pragma once
+
+#include "core/scene.hpp"
+#include "splines/curve.hpp"
+#include "splines/space.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// value(x) = offset + Σ_k weights_k x[columns_k].
+struct AffineRow {
+    double offset = 0.0;
+    std::vector<int> columns;  ///< ascending, without duplicates
+    std::vector<double> weights;
+
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const;
+};
+
+/// this + factor · other, columns merged.
+[[nodiscard]] AffineRow combined(const AffineRow& row, double factor, const AffineRow& other);
+
+/// y^{(order)}(x) = value, as seen from `side`.
+struct PointCondition {
+    double at = 0.0;
+    int order = 0;
+    Side side = Side::right;
+    double value = 0.0;
+    std::string name;
+};
+
+/// odd: y(x) + y(mirror of x) = y_begin + y_end (a rise);  even: y(x) = y(mirror of x) (a rise and return).
+enum class Symmetry { none, odd, even };
+
+struct DesignRequest {
+    SplineSpace space;
+    DesignKind kind = DesignKind::states;    ///< not automatic
+    std::array<double, 3> begin_state{};     ///< y, y', y'' at the first breakpoint
+    std::array<double, 3> end_state{};       ///< and at the last
+    std::vector<PointCondition> conditions;  ///< further exact points
+    Symmetry symmetry = Symmetry::none;
+};
+
+/// A condition that follows from others (mismatch 0) or cannot hold together with them.
+struct ConditionConflict {
+    std::string condition;
+    std::vector<std::string> others;
+    double mismatch = 0.0;
+};
+
+/// One local polynomial as an affine map of x.
+struct LocalMap {
+    std::vector<int> columns;
+    Eigen::MatrixXd matrix;  ///< (degree + 1) x columns
+    Eigen::VectorXd offset;  ///< degree + 1
+};
+
+struct Equality {
+    AffineRow row;  ///< must be 0
+    std::string name;
+};
+
+class DesignVector {
+ public:
+    /// Throws InputError where the form cannot span the space (ordinates with continuity below degree − 1),
+    /// the conditions lie outside it, or symmetry meets breakpoints that are not symmetric.
+    [[nodiscard]] static DesignVector make(const DesignRequest& request);
+
+    [[nodiscard]] DesignKind kind() const { return kind_; }
+    [[nodiscard]] const SplineSpace& space() const { return space_; }
+    [[nodiscard]] int size() const { return static_cast<int>(names_.size()); }
+    [[nodiscard]] const std::string& name(int index) const { return names_[index]; }
+    /// y, y', y'' at the ends, as requested.
+    [[nodiscard]] const std::array<double, 3>& begin_state() const { return begin_state_; }
+    [[nodiscard]] const std::array<double, 3>& end_state() const { return end_state_; }
+    /// Order of derivative that entry `index` stands for: 0 for ordinates and control points, 0, 1, 2 for
+    /// states.
+    [[nodiscard]] int order(int index) const { return orders_[index]; }
+
+    [[nodiscard]] const LocalMap& local_map(int segment) const { return maps_[segment]; }
+    [[nodiscard]] AffineRow functional(double x, int order, Side side = Side::right) const;
+    [[nodiscard]] SplineCurve curve(const Eigen::VectorXd& x) const;
+
+    /// Independent rows, each 0 for an admissible x.
+    [[nodiscard]] const std::vector<Equality>& equalities() const { return equalities_; }
+    [[nodiscard]] const std::vector<ConditionConflict>& redundant() const { return redundant_; }
+    [[nodiscard]] const std::vector<ConditionConflict>& contradictions() const { return contradictions_; }
+    /// size() less the independent rows: how many numbers really are free.
+    [[nodiscard]] int freedom() const { return size() - static_cast<int>(equalities_.size()); }
+
+    /// The entries to report: for ordinates the free ones, counted from the beginning; for the other forms
+    /// all.
+    [[nodiscard]] std::vector<int> reported_entries() const;
+
+    /// The x whose curve has the given values: exact for a curve of this space.
+    [[nodiscard]] Eigen::VectorXd values_of(const SplineCurve& curve) const;
+
+    /// |x_j| <= result_j, given |a_{i,m}| m! <= derivative_bounds(m, i) for every segment i.
+    [[nodiscard]] Eigen::VectorXd entry_bounds(const Eigen::MatrixXd& derivative_bounds) const;
+
+ private:
+    explicit DesignVector(SplineSpace space) : space_(std::move(space)) {}
+
+    DesignKind kind_ = DesignKind::states;
+    SplineSpace space_;
+    std::array<double, 3> begin_state_{}, end_state_{};
+    std::vector<std::string> names_;
+    std::vector<int> orders_;
+    std::vector<int>
+        places_;  ///< breakpoint (ordinates, states) or basis function (coefficients) of an entry
+    std::vector<LocalMap> maps_;
+    std::vector<Equality> equalities_;
+    std::vector<ConditionConflict> redundant_, contradictions_;
+    Symmetry symmetry_ = Symmetry::none;
+    std::vector<int> fixed_entries_;  ///< entries one condition fixes by itself
+};
+
+}  // namespace camopt

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Exact extrema of piecewise polynomials: ends of every segment from both sides, and every stationary point
+// inside.
+#pragma once
+
+#include "core/extremum.hpp"
+#include "core/peaks.hpp"
+#include "splines/curve.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace camopt {
+
+/// Coefficients, ascending in t = x − x_i, of a function on one segment.
+using SegmentFunction = std::function<Eigen::VectorXd(int segment)>;
+
+/// Where the function may be largest or least on a segment: its two ends (seen from inside) and the
+/// stationary points, ascending.
+[[nodiscard]] std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
+                                                          const Eigen::VectorXd& polynomial);
+
+/// The local maxima over the whole space, in x order; a maximum that two segments share is given once.
+[[nodiscard]] std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFunction& function);
+
+/// The extremum of largest magnitude; `value` is that magnitude. Of equal ones (to round-off) the first.
+[[nodiscard]] Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function);
+
+/// V, A, J, Q exactly, and the root mean squares.
+[[nodiscard]] Peaks peaks_of(const SplineCurve& curve);
+
+}  // namespace camopt

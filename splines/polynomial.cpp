@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "splines/polynomial.hpp"
+
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+/// The sign change of a polynomial that is monotone on [a, b] with p(a) p(b) < 0: Newton, kept inside the
+/// bracket.
+double bracketed_root(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double a, double b) {
+    const Eigen::VectorXd slope = differentiated(coefficients);
+    const bool rising = evaluate_polynomial(coefficients, b) > 0.0;
+    double t = 0.5 * (a + b);
+    // Bisection alone ends within 60 halvings of double precision; Newton usually needs five steps.
+    constexpr int most_steps = 120;
+    for (int step = 0; step < most_steps; ++step) {
+        const double value = evaluate_polynomial(coefficients, t);
+        if (value == 0.0) return t;
+        ((value > 0.0) == rising ? b : a) = t;
+        const double newton = t - value / evaluate_polynomial(slope, t);
+        const double next = newton > a && newton < b ? newton : 0.5 * (a + b);
+        if (next == t || std::nextafter(a, b) >= b) return t;
+        t = next;
+    }
+    return t;
+}
+
+}  // namespace
+
+double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double t) {
+    double value = 0.0;
+    for (Eigen::Index m = coefficients.size() - 1; m >= 0; --m) value = value * t + coefficients[m];
+    return value;
+}
+
+Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients) {
+    if (coefficients.size() <= 1) return Eigen::VectorXd::Zero(1);
+    Eigen::VectorXd slope(coefficients.size() - 1);
+    for (Eigen::Index m = 0; m < slope.size(); ++m) {
+        slope[m] = static_cast<double>(m + 1) * coefficients[m + 1];
+    }
+    return slope;
+}
+
+Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& left,
+                        const Eigen::Ref<const Eigen::VectorXd>& right) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(left.size() + right.size() - 1);
+    for (Eigen::Index m = 0; m < left.size(); ++m) result.segment(m, right.size()) += left[m] * right;
+    return result;
+}
+
+std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double lower,
+                                 double upper) {
+    std::vector<double> changes;
+    if (coefficients.size() <= 1) return changes;
+    std::vector<double> ends = sign_changes(differentiated(coefficients), lower, upper);
+    ends.push_back(upper);
+    double a = lower;
+    double value_a = evaluate_polynomial(coefficients, a);
+    for (const double b : ends) {
+        const double value_b = evaluate_polynomial(coefficients, b);
+        if (value_a * value_b < 0.0) {
+            changes.push_back(bracketed_root(coefficients, a, b));
+        }
+        // A zero hit exactly keeps the sign from before it, so that a crossing through it is still seen.
+        if (value_b != 0.0) {
+            a = b;
+            value_a = value_b;
+        }
+    }
+    return changes;
+}
+
+}  // namespace camopt

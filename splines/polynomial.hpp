@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Polynomials in one variable, p(t) = Σ_m c_m t^m: coefficients ascending, as Eigen vectors of size >= 1.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace camopt {
+
+[[nodiscard]] double evaluate_polynomial(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double t);
+
+/// p'; the zero polynomial for a constant.
+[[nodiscard]] Eigen::VectorXd differentiated(const Eigen::Ref<const Eigen::VectorXd>& coefficients);
+
+[[nodiscard]] Eigen::VectorXd product(const Eigen::Ref<const Eigen::VectorXd>& left,
+                                      const Eigen::Ref<const Eigen::VectorXd>& right);
+
+/// Every t in (lower, upper) where p changes its sign, ascending, to round-off. Found between the sign
+/// changes of p' (recursively), so none is missed; a root where p only touches zero is not a sign change.
+[[nodiscard]] std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
+                                               double lower, double upper);
+
+}  // namespace camopt
