@@ -3,19 +3,20 @@
 //
 // Proof by weak duality. For multipliers λ (sign as in core/nlp.hpp) and a box [l, u] that holds an optimum,
 //     f* >= constant − Σ_i λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Gᵀλ,
-// where row i is g_L <= G_i x <= g_U and b_i = g_U where λ_i > 0, g_L where λ_i < 0. c is the cost's gradient at
-// the delivered point (a tangent, hence a lower bound, of a convex cost). The sum is rounded outward.
-// A proof of infeasibility is the same bound for the elastic problem: its least common violation exceeds zero.
+// where row i is g_L <= G_i x <= g_U and b_i = g_U where λ_i > 0, g_L where λ_i < 0. c is the cost's gradient
+// at the delivered point (a tangent, hence a lower bound, of a convex cost). The sum is rounded outward. A
+// proof of infeasibility is the same bound for the elastic problem: its least common violation exceeds zero.
 #pragma once
-
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/continuous_problem.hpp"
 #include "core/extremum.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -29,7 +30,7 @@ enum class ProofKind { none, duality };
 struct DualityProof {
     std::string statement;  ///< "objective" or "least_common_violation" (then bound > 0 proves infeasibility)
     std::vector<std::string> variables;
-    Eigen::VectorXd cost;          ///< c
+    Eigen::VectorXd cost;  ///< c
     double constant = 0.0;
     std::vector<std::string> rows;
     Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;  ///< G, rows x variables
@@ -39,18 +40,18 @@ struct DualityProof {
     double bound = 0.0;
 };
 
-/// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an error
-/// term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
+/// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an
+/// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
 [[nodiscard]] double recomputed_bound(const DualityProof& proof);
 
 struct Certificate {
     Verdict verdict = Verdict::failed;
-    std::string reason;                   ///< why it is not better: "no_feasible_point", "time_limit", …
-    double objective = infinity;          ///< true objective of the delivered curve
-    std::optional<double> lower_bound;    ///< proved
-    std::optional<double> gap;            ///< (objective − lower_bound) / max(1, |objective|)
-    double worst_violation = infinity;    ///< continuous, relative to each rule's scale; <= 0 is kept
-    std::optional<double> stationarity;   ///< ‖∇f + Jᵀλ + z‖∞ at the delivered point with the best multipliers
+    std::string reason;                 ///< why it is not better: "no_feasible_point", "time_limit", …
+    double objective = infinity;        ///< true objective of the delivered curve
+    std::optional<double> lower_bound;  ///< proved
+    std::optional<double> gap;          ///< (objective − lower_bound) / max(1, |objective|)
+    double worst_violation = infinity;  ///< continuous, relative to each rule's scale; <= 0 is kept
+    std::optional<double> stationarity;  ///< ‖∇f + Jᵀλ + z‖∞ at the delivered point with the best multipliers
     ProofKind proof_kind = ProofKind::none;
     std::optional<DualityProof> proof;
 };

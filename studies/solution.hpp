@@ -2,16 +2,18 @@
 // Everything known after a scene was solved: what output/ writes and what an embedder reads.
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "core/counting_nlp.hpp"
 #include "core/peaks.hpp"
 #include "core/scene.hpp"
 #include "solvers/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "splines/curve.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -25,7 +27,8 @@ struct ConstraintReport {
     bool active = false;
 };
 
-/// The least change of one limit alone, the others kept, that makes the scene feasible; none where none helps.
+/// The least change of one limit alone, the others kept, that makes the scene feasible; none where none
+/// helps.
 struct Relaxation {
     std::string key;
     double given = 0.0;
@@ -40,18 +43,13 @@ struct DesignReport {
 };
 
 struct SolverReport {
-    std::string name;           ///< the backend that ran
-    std::string choice;         ///< why "auto" took it; empty where the user named it
+    std::string name;    ///< the backend that ran
+    std::string choice;  ///< why "auto" took it; empty where the user named it
     Termination termination = Termination::not_run;
     std::string native_status;
     int iterations = 0;
     int exchange_rounds = 0;
-    std::string proof_source;   ///< whose multipliers proved the bound
-};
-
-struct EvaluationCounts {
-    long cost = 0, gradient = 0, constraints = 0, jacobian = 0, hessian = 0;
-    long profile_points = 0;  ///< no [cam]: none, ever
+    std::string proof_source;  ///< whose multipliers proved the bound
 };
 
 struct LimitCurve {  ///< the limit no curve can pass (motions/any_curve_limit.hpp)
@@ -72,7 +70,7 @@ struct Solution {
     SolverReport solver;
     EvaluationCounts evaluations;
     double seconds_total = 0.0, seconds_solve = 0.0;
-    std::vector<std::string> notes;      ///< redundant conditions by name, and other things worth a line
+    std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
 };
 
 }  // namespace camopt

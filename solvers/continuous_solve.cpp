@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/continuous_solve.hpp"
+
+#include "solvers/duality.hpp"
+#include "solvers/elastic.hpp"
+#include "solvers/structured/structured_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Rows this close to their bound may carry a multiplier when a backend gives none.
+constexpr double active_row = 1e-6;
+// The structured solver that proves a bound after another backend ran gets at most this long.
+constexpr double proof_seconds = 30.0;
+
+bool was_stopped(Termination termination) {
+    return termination == Termination::time_limit || termination == Termination::interrupted;
+}
+
+double gap_of(double objective, double bound) {
+    return (objective - bound) / std::max(1.0, std::abs(objective));
+}
+
+/// Keeps the better of the proof at hand and the one these multipliers give.
+void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
+               const std::string& source) {
+    const Nlp& grid = problem.grid();
+    if (multipliers.size() != grid.shape().constraints() || !multipliers.allFinite()) return;
+    Certificate& certificate = result.certificate;
+    const double stationarity = stationarity_of(grid, result.x, multipliers, active_row);
+    certificate.stationarity = std::min(certificate.stationarity.value_or(infinity), stationarity);
+    if (!grid.shape().convex) return;
+    DualityProof proof =
+        duality_proof(grid, result.x, multipliers, problem.box(certificate.objective, 0.0), "objective");
+    if (!std::isfinite(proof.bound)) return;
+    if (certificate.lower_bound && *certificate.lower_bound >= proof.bound) return;
+    certificate.lower_bound = proof.bound;
+    certificate.gap = gap_of(certificate.objective, proof.bound);
+    certificate.proof = std::move(proof);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = source;
+}
+
+void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+           const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
+    const auto proved = [&] { return result.certificate.gap && *result.certificate.gap <= judge.gap; };
+    const BackendResult& last = result.exchange.last;
+    if (last.row_multipliers) {
+        try_proof(result, problem, *last.row_multipliers, std::string(solver.name()));
+    } else if (!was_stopped(result.exchange.termination)) {
+        try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row), "fitted");
+    }
+    if (proved() || !problem.grid().shape().convex || control.stopped()) return;
+    if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
+    // The grid of another backend's last round is a relaxation like any other: its dual is a bound for all
+    // curves.
+    BackendOptions options;
+    options.tolerance = exchange.backend.tolerance;
+    options.max_seconds = std::min(proof_seconds, exchange.backend.max_seconds);
+    const BackendResult dual = make_structured_solver()->minimize(problem.grid(), result.x, options, control);
+    if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
+}
+
+/// Pulls a point that violates its limits a little towards one that is inside them.
+Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point, const Candidate& inside,
+                        double tolerance) {
+    if (inside.x.size() == 0 || inside.violation >= 0.0 || point.x.size() == 0) return point;
+    const double part = point.violation / (point.violation - inside.violation);
+    Candidate pulled = judged(problem, point.x + part * (inside.x - point.x));
+    return is_better(pulled, point, tolerance) ? pulled : point;
+}
+
+}  // namespace
+
+void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
+    if (!(certificate.worst_violation <= options.tolerance)) {
+        certificate.verdict = Verdict::failed;
+        certificate.reason = "no_feasible_point";
+    } else if (certificate.gap && *certificate.gap <= options.gap) {
+        certificate.verdict = Verdict::optimal;
+        certificate.reason.clear();
+    } else if (certificate.stationarity && *certificate.stationarity <= options.stationarity) {
+        certificate.verdict = Verdict::local;
+        certificate.reason = "stationary, not proved optimal";
+    } else {
+        certificate.verdict = Verdict::feasible;
+        certificate.reason = name_of(termination);
+    }
+}
+
+ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
+                                  const ExchangeOptions& exchange, const JudgeOptions& judge,
+                                  const SolveControl& control) {
+    ContinuousResult result;
+    result.exchange = minimize_by_exchange(problem, solver, problem.start(), exchange, control);
+    Candidate best = result.exchange.best;
+    if (best.violation > judge.tolerance && !control.stopped() && problem.grid().shape().convex) {
+        const Feasibility feasibility = find_feasible(problem, exchange, control);
+        if (feasibility.point.violation > judge.tolerance && feasibility.proof) {
+            result.certificate.verdict = Verdict::infeasible;
+            result.certificate.reason = "limits_contradict";
+            result.certificate.proof = feasibility.proof;
+            result.certificate.proof_kind = ProofKind::duality;
+            result.certificate.worst_violation = feasibility.point.violation;
+            result.proof_source = "structured";
+            return result;
+        }
+        best = pulled_inside(problem, best, feasibility.point, judge.tolerance);
+        if (is_better(feasibility.point, best, judge.tolerance)) best = feasibility.point;
+        // The grid may have grown: the backend's multipliers no longer belong to it.
+        result.exchange.last.row_multipliers.reset();
+    }
+    result.certificate.objective = best.objective;
+    result.certificate.worst_violation = best.violation;
+    if (best.x.size() > 0) {
+        result.x = best.x;
+        if (best.violation <= judge.tolerance) prove(result, problem, solver, exchange, judge, control);
+    }
+    settle_verdict(result.certificate, result.exchange.termination, judge);
+    if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A backend that counts what it evaluates, without the backend or the problem knowing.
+#pragma once
+
+#include "core/counting_nlp.hpp"
+#include "solvers/solver.hpp"
+
+namespace camopt {
+
+/// Wraps every problem it is given in a CountingNlp; the counts of all of them add up.
+class CountingSolver final : public Solver {
+ public:
+    explicit CountingSolver(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}
+
+    [[nodiscard]] std::string_view name() const override { return solver_->name(); }
+    [[nodiscard]] BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start,
+                                         const BackendOptions& options,
+                                         const SolveControl& control) const override;
+    [[nodiscard]] const EvaluationCounts& counts() const { return counts_; }
+
+ private:
+    std::unique_ptr<Solver> solver_;
+    mutable EvaluationCounts counts_;
+};
+
+}  // namespace camopt

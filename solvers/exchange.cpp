@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
+constexpr double adding_part = 0.1;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+bool stopped_early(Termination termination) {
+    return termination == Termination::time_limit || termination == Termination::interrupted;
+}
+
+}  // namespace
+
+Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
+    Candidate candidate{problem.completed(x), infinity, infinity};
+    if (!candidate.x.allFinite()) return {};
+    candidate.objective = problem.grid().cost(candidate.x);
+    candidate.violation = -1.0;
+    for (const Violation& violation : problem.violations(candidate.x, 1.0)) {
+        if (violation.limit) candidate.violation = std::max(candidate.violation, violation.amount);
+    }
+    return candidate;
+}
+
+bool is_better(const Candidate& left, const Candidate& right, double tolerance) {
+    const bool left_feasible = left.violation <= tolerance;
+    const bool right_feasible = right.violation <= tolerance;
+    if (left_feasible != right_feasible) return left_feasible;
+    return left_feasible ? left.objective < right.objective : left.violation < right.violation;
+}
+
+ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
+                                    const Eigen::VectorXd& start, const ExchangeOptions& options,
+                                    const SolveControl& control) {
+    const Clock::time_point begin = Clock::now();
+    ExchangeResult result;
+    result.best = judged(problem, start);
+    Eigen::VectorXd next_start = result.best.x.size() > 0 ? result.best.x : start;
+    BackendOptions backend = options.backend;
+    while (result.rounds < options.most_rounds) {
+        backend.max_seconds = options.backend.max_seconds - seconds_since(begin);
+        if (control.stopped() || backend.max_seconds <= 0.0) {
+            result.termination = control.stopped() ? Termination::interrupted : Termination::time_limit;
+            return result;
+        }
+        result.last = solver.minimize(problem.grid(), next_start, backend, control);
+        result.termination = result.last.termination;
+        result.iterations += result.last.iterations;
+        ++result.rounds;
+        const Eigen::VectorXd& x = result.last.x;
+        if (x.size() == 0 || !x.allFinite()) return result;
+        const Candidate found = judged(problem, x);
+        if (is_better(found, result.best, options.tolerance)) result.best = found;
+        if (control.progress) {
+            control.progress(fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,
+                                         result.best.objective, problem.grid().shape().constraints()));
+        }
+        if (stopped_early(result.termination) || result.termination == Termination::infeasible ||
+            result.termination == Termination::unsupported) {
+            return result;
+        }
+        const double unseen = found.objective - problem.grid().cost(x);
+        const bool settled = unseen <= options.tolerance * std::max(1.0, std::abs(found.objective)) &&
+                             found.violation <= options.tolerance;
+        std::vector<Violation> worst = problem.violations(x, 0.0);
+        std::erase_if(worst, [&](const Violation& violation) {
+            return violation.amount <= adding_part * options.tolerance;
+        });
+        // No new row means the backend leaves violated what it was told to keep: nothing more to tell it.
+        if (settled || worst.empty() || problem.refine(worst) == 0) {
+            result.converged = true;
+            return result;
+        }
+        next_start = found.x;
+    }
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve.hpp"
+
+#include "core/errors.hpp"
+#include "motions/any_curve_limit.hpp"
+#include "objectives/cam_problem.hpp"
+#include "objectives/scene_model.hpp"
+#include "solvers/continuous_solve.hpp"
+#include "solvers/counting_solver.hpp"
+#include "solvers/registry.hpp"
+#include "solvers/structured/structured_solver.hpp"
+#include "splines/extrema.hpp"
+#include "studies/relaxation.hpp"
+#include "studies/solve_without_explaining.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A limit counts as active when the motion comes this close to it, relative.
+constexpr double active_limit = 1e-6;
+// The tie-break spends this part of the tolerance; the rest is left for its own rounding.
+constexpr double tie_break_part = 0.5;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double relative_to(double objective) {
+    return std::max(1.0, std::abs(objective));
+}
+
+ExchangeOptions exchange_options(const Scene& scene) {
+    ExchangeOptions options;
+    options.tolerance = scene.solver.tolerance;
+    options.backend.tolerance = scene.solver.tolerance;
+    options.backend.max_seconds = scene.solver.max_seconds;
+    options.backend.native = scene.solver.options;
+    return options;
+}
+
+/// Among the optima within the tolerance, the one of least mean square jerk.
+void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
+               const SolveControl& control) {
+    const double objective = result.certificate.objective;
+    const double allowance = scene.solver.tolerance * relative_to(objective);
+    CamProblem tied(tie_break_model(problem.model(), objective + tie_break_part * allowance),
+                    problem.samples());
+    ExchangeOptions options;
+    options.tolerance = 0.1 * scene.solver.tolerance;
+    options.backend.tolerance = 0.1 * scene.solver.tolerance;
+    options.backend.max_seconds = scene.solver.max_seconds;
+    const ExchangeResult smoother =
+        minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
+    if (smoother.best.x.size() == 0) return;
+    const Candidate delivered = judged(problem, smoother.best.x);
+    const bool as_good =
+        delivered.objective <= objective + allowance &&
+        delivered.violation <= std::max(scene.solver.tolerance, result.certificate.worst_violation);
+    const double before = peaks_of(problem.curve(result.x)).rms_jerk;
+    if (!as_good || !(peaks_of(problem.curve(delivered.x)).rms_jerk < before)) return;
+    result.x = delivered.x;
+    Certificate& certificate = result.certificate;
+    certificate.objective = delivered.objective;
+    certificate.worst_violation = delivered.violation;
+    certificate.gap = (delivered.objective - *certificate.lower_bound) / relative_to(delivered.objective);
+}
+
+bool wants_tie_break(const Scene& scene, const Certificate& certificate) {
+    // A root-mean-square term makes the optimum unique by itself.
+    return certificate.verdict == Verdict::optimal && scene.objective.tie_break == TieBreak::rms_jerk &&
+           scene.objective.rms_acceleration == 0.0 && scene.objective.rms_jerk == 0.0;
+}
+
+std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
+    const ObjectiveSpec& objective = scene.objective;
+    // The limit knows peaks only; a root mean square beside them would make it a bound that nothing
+    // approaches.
+    if (objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
+    const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
+    const auto cap = [](const std::optional<PeakLimit>& limit) {
+        return limit ? std::optional(limit->normalised) : std::nullopt;
+    };
+    const AnyCurveLimit limit = any_curve_limit(
+        {scene.motion.type, scene.motion.length(), over(objective.velocity, reference.velocity.value),
+         over(objective.acceleration, reference.acceleration.value),
+         over(objective.jerk, reference.jerk.value), cap(scene.limits.velocity),
+         cap(scene.limits.acceleration), cap(scene.limits.jerk)});
+    if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
+        return {};
+    return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
+}
+
+void report_limit(Solution& solution, const char* name, const std::optional<PeakLimit>& limit,
+                  const Extremum& peak) {
+    if (!limit) return;
+    const double unit = limit->unit_per_normalised();
+    solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
+                                    peak.value >= limit->normalised * (1.0 - active_limit)});
+}
+
+void report_curve(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    solution.curve = problem.curve(x);
+    solution.peaks = peaks_of(*solution.curve);
+    const LimitSpec& limits = solution.scene.limits;
+    report_limit(solution, "velocity", limits.velocity, solution.peaks.velocity);
+    report_limit(solution, "acceleration", limits.acceleration, solution.peaks.acceleration);
+    report_limit(solution, "jerk", limits.jerk, solution.peaks.jerk);
+    const DesignVector& design = problem.model().design;
+    const Eigen::VectorXd values = problem.design_values(x);
+    const std::vector<int> reported = design.reported_entries();
+    solution.design.values = values(reported);
+    for (const int entry : reported) solution.design.names.push_back(design.name(entry));
+}
+
+std::string list_of(const ConditionConflict& conflict) {
+    return fmt::format("{}", fmt::join(conflict.others, "; "));
+}
+
+/// Conditions that no curve of this spline space can meet together: infeasible before anything is solved.
+void report_contradictions(Solution& solution, const DesignVector& design) {
+    solution.certificate.verdict = Verdict::infeasible;
+    solution.certificate.reason = "conditions_contradict";
+    for (const ConditionConflict& conflict : design.contradictions()) {
+        const std::string others = conflict.others.empty() ? "the end conditions" : list_of(conflict);
+        solution.notes.push_back(
+            fmt::format("{} contradicts {} (they miss each other by {:.3g}); the spline has too little "
+                        "freedom to meet all of "
+                        "them: change one, or give it more segments",
+                        conflict.condition, others, std::abs(conflict.mismatch)));
+    }
+}
+
+}  // namespace
+
+BackendChoice choose_backend(const Scene& scene) {
+    BackendChoice choice{scene.solver.name, {}, scene.spline.design};
+    if (choice.solver == "auto") {
+        choice.solver = "structured";
+        choice.reason =
+            "every rule of this scene is linear in the design vector and its cost is convex, so the "
+            "structured "
+            "interior point finds and proves the global optimum";
+    }
+    if (choice.design == DesignKind::automatic) {
+        // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
+        const bool dense = choice.solver.starts_with("nlopt.");
+        choice.design = dense ? DesignKind::coefficients : DesignKind::states;
+    }
+    return choice;
+}
+
+Solution solve_without_explaining(const Scene& scene, const SolveControl& control) {
+    const Clock::time_point begin = Clock::now();
+    validate(scene);
+    Solution solution;
+    solution.scene = scene;
+    const BackendChoice choice = choose_backend(scene);
+    CountingSolver solver(make_solver(choice.solver));
+    check_native_options(choice.solver, scene.solver.options);
+    solution.reference_peaks = reference_peaks(scene);
+    solution.any_curve_limit = limit_of(scene, solution.reference_peaks);
+    solution.solver.name = choice.solver;
+    solution.solver.choice = choice.reason;
+    solution.design.kind = choice.design;
+
+    CamProblem problem(scene_model(scene, choice.design, solution.reference_peaks));
+    const DesignVector& design = problem.model().design;
+    for (const ConditionConflict& conflict : design.redundant()) {
+        solution.notes.push_back(conflict.condition + " follows from the other conditions" +
+                                 (conflict.others.empty() ? "" : ": " + list_of(conflict)));
+    }
+    if (!design.contradictions().empty()) {
+        report_contradictions(solution, design);
+        solution.seconds_total = seconds_since(begin);
+        return solution;
+    }
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
+    const Clock::time_point solve_begin = Clock::now();
+    ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+    if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
+    solution.seconds_solve = seconds_since(solve_begin);
+
+    solution.certificate = std::move(result.certificate);
+    solution.solver.termination = result.exchange.termination;
+    solution.solver.native_status = result.exchange.last.native_status;
+    solution.solver.iterations = result.exchange.iterations;
+    solution.solver.exchange_rounds = result.exchange.rounds;
+    solution.solver.proof_source = result.proof_source;
+    solution.evaluations = solver.counts();
+    if (result.x.size() > 0) report_curve(solution, problem, result.x);
+    solution.seconds_total = seconds_since(begin);
+    return solution;
+}
+
+Solution solve(const Scene& scene, const SolveControl& control) {
+    const Clock::time_point begin = Clock::now();
+    Solution solution = solve_without_explaining(scene, control);
+    const Verdict verdict = solution.certificate.verdict;
+    if (verdict == Verdict::infeasible || solution.certificate.reason == "no_feasible_point") {
+        solution.relaxation = relaxations(scene, control);
+    }
+    solution.seconds_total = seconds_since(begin);
+    return solution;
+}
+
+}  // namespace camopt
