@@ -61,13 +61,13 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     const double length = motion.length();
     if (motion.type == MotionType::rr) {
-        conditions.push_back({1.0, 0, Side::right, 1.0, "top of the rise: y(1) = 1"});
-        conditions.push_back({1.0, 1, Side::right, 0.0, "top of the rise: y'(1) = 0"});
+        conditions.push_back({1.0, 0, Side::right, 1.0, "top of the rise: y(1) = 1", false});
+        conditions.push_back({1.0, 1, Side::right, 0.0, "top of the rise: y'(1) = 0", false});
     }
     if (scene.spline.end_jerk == EndJerk::zero) {
-        conditions.push_back({0.0, 3, Side::right, 0.0, "spline.end_jerk at x = 0"});
+        conditions.push_back({0.0, 3, Side::right, 0.0, "spline.end_jerk at x = 0", false});
         conditions.push_back(
-            {length, 3, Side::left, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", length)});
+            {length, 3, Side::left, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", length), false});
     }
     for (std::size_t i = 0; i < motion.via.size(); ++i) {
         const SetPoint& point = motion.via[i];

@@ -130,7 +130,7 @@ void add_end_conditions(DesignForm& form, const DesignRequest& request, bool at_
     const auto& state = at_begin ? request.begin_state : request.end_state;
     for (int order = from_order; order < 3; ++order) {
         form.leftover.push_back({at, order, at_begin ? Side::right : Side::left, state[order],
-                                 fmt::format("{}({:.6g}) = {:.6g}", prime[order], at, state[order])});
+                                 fmt::format("{}({:.6g}) = {:.6g}", prime[order], at, state[order]), false});
     }
 }
 

@@ -20,7 +20,7 @@ struct DesignEntry {
 struct CandidateRow {
     AffineRow row;  ///< must be 0
     std::string name;
-    bool from_condition = false;  ///< an exact point, not continuity or symmetry
+    bool from_condition = false;  ///< an exact point the user asked for, not continuity, symmetry or an end
 };
 
 struct DesignForm {

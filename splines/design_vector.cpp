@@ -83,7 +83,7 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     for (const PointCondition& condition : conditions) {
         AffineRow row = design.functional(condition.at, condition.order, condition.side);
         row.offset -= condition.value;
-        rows.push_back({std::move(row), condition.name, true});
+        rows.push_back({std::move(row), condition.name, condition.asked});
     }
     RowSelection selection = independent_rows(std::move(rows), design.size());
     design.equalities_ = std::move(selection.rows);

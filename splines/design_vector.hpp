@@ -42,6 +42,7 @@ struct PointCondition {
     Side side = Side::right;
     double value = 0.0;
     std::string name;
+    bool asked = true;  ///< by the user: worth a word when it is redundant
 };
 
 /// odd: y(x) + y(mirror of x) = y_begin + y_end (a rise);  even: y(x) = y(mirror of x) (a rise and return).

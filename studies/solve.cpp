@@ -135,7 +135,7 @@ void report_contradictions(Solution& solution, const DesignVector& design) {
             fmt::format("{} contradicts {} (they miss each other by {:.3g}); the spline has too little "
                         "freedom to meet all of "
                         "them: change one, or give it more segments",
-                        conflict.condition, others, std::abs(conflict.mismatch)));
+                        conflict.condition, others));
     }
 }
 

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "splines/design_vector.hpp"
+
+#include "core/errors.hpp"
+#include "splines/gram.hpp"
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace camopt {
+namespace {
+
+DesignRequest rise(DesignKind kind, int degree, int segments, int continuity = -1) {
+    const int smooth = continuity < 0 ? degree - 1 : continuity;
+    return {
+        SplineSpace::uniform(degree, smooth, segments, 1.0), kind, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {}, {}};
+}
+
+/// A random admissible point: the nearest one to random numbers that meets the equalities.
+Eigen::VectorXd admissible(const DesignVector& design, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(0.0, 1.0);
+    Eigen::VectorXd x(design.size());
+    for (double& value : x) value = number(random);
+    const auto rows = static_cast<Eigen::Index>(design.equalities().size());
+    if (rows == 0) return x;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, x.size());
+    Eigen::VectorXd defect(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const AffineRow& row = design.equalities()[i].row;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) matrix(i, row.columns[k]) = row.weights[k];
+        defect[i] = row.value(x);
+    }
+    return x - matrix.completeOrthogonalDecomposition().solve(defect);
+}
+
+constexpr std::array<DesignKind, 3> kinds = {DesignKind::ordinates, DesignKind::coefficients,
+                                             DesignKind::states};
+
+TEST(DesignVector, HasTheFreedomOfThePaper) {
+    for (const DesignKind kind : kinds) {
+        EXPECT_EQ(DesignVector::make(rise(kind, 3, 12)).freedom(), 12 - 3) << name_of(kind);
+        EXPECT_EQ(DesignVector::make(rise(kind, 5, 12)).freedom(), 12 - 1) << name_of(kind);
+        DesignRequest symmetric = rise(kind, 3, 12);
+        symmetric.symmetry = Symmetry::odd;
+        EXPECT_EQ(DesignVector::make(symmetric).freedom(), 12 / 2 - 2) << name_of(kind);
+    }
+    for (const int continuity : {2, 3}) {
+        const int expected = 6 + 11 * (5 - continuity) - 6;
+        EXPECT_EQ(DesignVector::make(rise(DesignKind::states, 5, 12, continuity)).freedom(), expected);
+        EXPECT_EQ(DesignVector::make(rise(DesignKind::coefficients, 5, 12, continuity)).freedom(), expected);
+    }
+}
+
+TEST(DesignVector, ReportsThePapersFreeOrdinates) {
+    DesignRequest request = rise(DesignKind::ordinates, 3, 12);
+    EXPECT_EQ(DesignVector::make(request).reported_entries().size(), 9u);
+    request.symmetry = Symmetry::odd;
+    EXPECT_EQ(DesignVector::make(request).reported_entries(), (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(DesignVector::make(rise(DesignKind::ordinates, 5, 12)).reported_entries().size(), 11u);
+}
+
+TEST(DesignVector, SixSegmentsFollowThePapersRelation) {
+    // Antisymmetric cubic, n = 6: y2 = 4 y1 + 1/12.
+    DesignRequest request = rise(DesignKind::ordinates, 3, 6);
+    request.symmetry = Symmetry::odd;
+    const DesignVector design = DesignVector::make(request);
+    for (unsigned seed = 1; seed < 5; ++seed) {
+        const Eigen::VectorXd x = admissible(design, seed);
+        EXPECT_NEAR(x[1], 4.0 * x[0] + 1.0 / 12.0, 1e-12);
+    }
+}
+
+TEST(DesignVector, CurvesMeetEndStatesAndContinuity) {
+    for (const DesignKind kind : kinds) {
+        for (const int degree : {3, 5}) {
+            const DesignVector design = DesignVector::make(rise(kind, degree, 9));
+            const SplineCurve curve = design.curve(admissible(design, 3));
+            const MotionPoint begin = curve.at(0.0);
+            const MotionPoint end = curve.at(1.0, Side::left);
+            for (int r = 0; r < 3; ++r) {
+                EXPECT_NEAR(begin.derivative[r], 0.0, 1e-9) << name_of(kind) << degree;
+                EXPECT_NEAR(end.derivative[r], r == 0 ? 1.0 : 0.0, 1e-9) << name_of(kind) << degree;
+            }
+            for (int i = 1; i < 9; ++i) {
+                for (int r = 0; r < degree; ++r) {
+                    const double x = design.space().breakpoints()[i];
+                    EXPECT_NEAR(curve.derivative(x, r, Side::left), curve.derivative(x, r, Side::right),
+                                1e-9 * std::pow(30.0, r))
+                        << name_of(kind) << degree << " order " << r;
+                }
+            }
+        }
+    }
+}
+
+TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
+    for (const DesignKind kind : kinds) {
+        for (const int degree : {3, 5}) {
+            const DesignVector design = DesignVector::make(rise(kind, degree, 7));
+            const Eigen::VectorXd x = admissible(design, 11);
+            const SplineCurve curve = design.curve(x);
+            for (int order = 0; order < 4; ++order) {
+                for (const double at : {0.0, 0.1, 2.0 / 7.0, 0.5, 0.93, 1.0}) {
+                    for (const Side side : {Side::left, Side::right}) {
+                        const double exact = curve.derivative(at, order, side);
+                        EXPECT_NEAR(design.functional(at, order, side).value(x), exact,
+                                    1e-10 * std::pow(40.0, order));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(DesignVector, FormsExchangeCurves) {
+    for (const int degree : {3, 5}) {
+        const DesignVector states = DesignVector::make(rise(DesignKind::states, degree, 8));
+        const SplineCurve curve = states.curve(admissible(states, 5));
+        for (const DesignKind kind : kinds) {
+            const DesignVector design = DesignVector::make(rise(kind, degree, 8));
+            const SplineCurve same = design.curve(design.values_of(curve));
+            for (const double at : {0.05, 0.33, 0.71}) {
+                EXPECT_NEAR(same.at(at).derivative[0], curve.at(at).derivative[0], 1e-9);
+                EXPECT_NEAR(same.at(at).derivative[2], curve.at(at).derivative[2], 1e-6);
+            }
+        }
+    }
+}
+
+TEST(DesignVector, SetPointsAreMet) {
+    for (const DesignKind kind : kinds) {
+        DesignRequest request = rise(kind, 3, 10);
+        request.conditions = {{0.5, 0, Side::right, 0.4, "half"}, {0.33, 1, Side::right, 1.5, "speed"}};
+        const DesignVector design = DesignVector::make(request);
+        EXPECT_EQ(design.freedom(), 5);
+        const SplineCurve curve = design.curve(admissible(design, 2));
+        EXPECT_NEAR(curve.at(0.5).derivative[0], 0.4, 1e-10);
+        EXPECT_NEAR(curve.at(0.33).derivative[1], 1.5, 1e-9);
+    }
+}
+
+TEST(DesignVector, NamesWhatIsRedundantAndWhatContradicts) {
+    for (const DesignKind kind : kinds) {
+        DesignRequest request = rise(kind, 3, 8);
+        request.symmetry = Symmetry::odd;
+        request.conditions = {{0.5, 0, Side::right, 0.5, "middle"}};
+        const DesignVector redundant = DesignVector::make(request);
+        ASSERT_EQ(redundant.redundant().size(), 1u) << name_of(kind);
+        EXPECT_EQ(redundant.redundant()[0].condition, "middle");
+        EXPECT_TRUE(redundant.contradictions().empty());
+
+        request.conditions[0].value = 0.6;
+        const DesignVector contradicting = DesignVector::make(request);
+        ASSERT_EQ(contradicting.contradictions().size(), 1u) << name_of(kind);
+        EXPECT_EQ(contradicting.contradictions()[0].condition, "middle");
+        EXPECT_GT(std::abs(contradicting.contradictions()[0].mismatch), 0.05);
+    }
+    DesignRequest crowded = rise(DesignKind::states, 3, 4);  // one number free, three points asked for
+    crowded.conditions = {
+        {0.25, 0, Side::right, 0.1, "a"}, {0.5, 0, Side::right, 0.5, "b"}, {0.75, 0, Side::right, 0.95, "c"}};
+    EXPECT_FALSE(DesignVector::make(crowded).contradictions().empty());
+}
+
+TEST(DesignVector, TooFewSegmentsContradictTheEnds) {
+    for (const DesignKind kind : kinds) {
+        EXPECT_FALSE(DesignVector::make(rise(kind, 3, 2)).contradictions().empty()) << name_of(kind);
+        EXPECT_FALSE(DesignVector::make(rise(kind, 3, 1)).contradictions().empty()) << name_of(kind);
+        EXPECT_TRUE(DesignVector::make(rise(kind, 3, 3)).contradictions().empty()) << name_of(kind);
+        EXPECT_TRUE(DesignVector::make(rise(kind, 5, 1)).contradictions().empty()) << name_of(kind);
+    }
+}
+
+TEST(DesignVector, RefusesFormsThatCannotSpanTheSpace) {
+    EXPECT_THROW((void)DesignVector::make(rise(DesignKind::ordinates, 5, 8, 3)), InputError);
+    DesignRequest lopsided{SplineSpace(3, 2, {0.0, 0.2, 0.5, 0.6, 1.0}),
+                           DesignKind::states,
+                           {},
+                           {1.0, 0.0, 0.0},
+                           {},
+                           Symmetry::odd};
+    EXPECT_THROW((void)DesignVector::make(lopsided), InputError);
+}
+
+TEST(Gram, IsTheIntegralOfTheSquare) {
+    for (const DesignKind kind : kinds) {
+        for (const int degree : {3, 5}) {
+            const DesignVector design = DesignVector::make(rise(kind, degree, 6));
+            const Eigen::VectorXd x = admissible(design, 9);
+            const SplineCurve curve = design.curve(x);
+            for (int order = 1; order <= 3; ++order) {
+                double integral = 0.0;  // midpoint rule, fine enough for six digits
+                constexpr int samples = 60000;
+                for (int k = 0; k < samples; ++k) {
+                    const double value = curve.derivative((k + 0.5) / samples, order);
+                    integral += value * value / samples;
+                }
+                EXPECT_NEAR(mean_square_form(design, order).value(x), integral, 1e-6 * integral);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace camopt
