@@ -98,6 +98,14 @@ struct Scene {
     SolverSpec solver;
 };
 
+/// The first thing wrong with a scene: the member ("spline.breakpoints[3]"), what was found, what is allowed.
+struct SceneFault {
+    std::string member, found, allowed;
+};
+
+/// SI units and radians. Names of laws and solvers are not looked at: those who know the catalogues check them.
+[[nodiscard]] std::optional<SceneFault> find_fault(const Scene& scene);
+
 /// Throws InputError naming the first member that is out of its range, what was found and what is allowed.
 /// The scene reader names file, line and column first; this is the gate for scenes built in C++.
 void validate(const Scene& scene);

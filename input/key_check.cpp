@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "input/key_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace camopt::input {
+namespace {
+
+constexpr std::string_view not_yet = "not available yet in this version of camopt";
+
+/// Levenshtein distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+class KeyCheck {
+ public:
+    explicit KeyCheck(const SceneSource& source) : source_(source) {}
+
+    void run() const {
+        // These two change what the other keys mean, so they are looked at before any of them.
+        if (const auto cam = source_.find("", "cam")) refuse_later(*cam, "cam");
+        if (const auto type = source_.find("motion", "type"); type && type->value().text == "program")
+            check_text(*type, "motion.type");
+        check_table(source_.root, "", "");
+    }
+
+ private:
+    const SceneSource& source_;
+
+    /// `table`: the name in the key table; `path`: as the user would write it, with indices.
+    void check_table(const Node& node, std::string_view table, const std::string& path) const {
+        for (const Member& member : node.members) {
+            const KeyMatch match = match_key(table, member.name);
+            const std::string key = joined_key(path, member.name);
+            if (!match.row) refuse_unknown(member, table, key);
+            const Given given{&member, match.row, match.spelling};
+            refuse_second_spelling(node, given, path);
+            check_value(given, key);
+        }
+        for (const KeyRow& row : scene_keys())
+            if (row.table == table && row.required() && !SceneSource::find_in(node, table, row.name))
+                source_.fail(node.place, joined_key(path, row.name),
+                             fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
+    }
+
+    [[noreturn]] void refuse_unknown(const Member& member, std::string_view table,
+                                     const std::string& key) const {
+        const std::vector<std::string> allowed = written_keys(table);
+        std::string hint = spelling_hint(member.name, allowed);
+        for (const KeyRow& row : scene_keys())
+            if (hint.empty() && match_key(row.table, member.name).row)
+                hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
+        source_.fail(member.place, key,
+                     fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));
+    }
+
+    void refuse_second_spelling(const Node& node, const Given& given, const std::string& path) const {
+        for (const Member& other : node.members) {
+            if (&other == given.member) break;
+            const KeyRow* row = match_key(given.row->table, other.name).row;
+            if (row == given.row || row->name == given.row->instead_of || row->instead_of == given.row->name)
+                source_.fail(given.member->place, joined_key(path, given.member->name),
+                             fmt::format("found beside {}, which says the same; allowed: only one of the two",
+                                         joined_key(path, other.name)));
+        }
+    }
+
+    void check_value(const Given& given, const std::string& key) const {
+        if (given.row->availability == Availability::later) refuse_later(given, key);
+        switch (given.row->type) {
+            case KeyType::text:
+                return check_text(given, key);
+            case KeyType::boolean:
+                return refuse_unless(given.value().kind == NodeKind::boolean, given, key);
+            case KeyType::integer:
+                return check_integer(given, key);
+            case KeyType::number:
+                return check_number(given, key);
+            case KeyType::numbers:
+                return check_numbers(given, key);
+            case KeyType::tables:
+                return check_tables(given, key);
+            case KeyType::text_or_table:
+                if (given.value().kind == NodeKind::text) return;
+                [[fallthrough]];
+            case KeyType::table:
+                refuse_unless(given.value().kind == NodeKind::table, given, key);
+                return check_table(given.value(), joined_key(given.row->table, given.row->name), key);
+            case KeyType::options:
+                return check_options(given, key);
+        }
+    }
+
+    void check_text(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const auto& choices = given.row->choices;
+        if (value.kind == NodeKind::text && !value.text.empty() && value.text == given.row->later_choice)
+            source_.fail_unavailable(value.place, key,
+                                     fmt::format("found {}, which is {}; allowed: {}", value.shown(), not_yet,
+                                                 given.row->allowed(*given.spelling)));
+        refuse_unless(value.kind == NodeKind::text &&
+                          (choices.empty() || std::ranges::find(choices, value.text) != choices.end()),
+                      given, key);
+    }
+
+    void check_integer(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const std::string allowed = given.row->allowed(*given.spelling);
+        if (value.kind == NodeKind::number && std::trunc(value.number) == value.number)
+            source_.fail(
+                value.place, key,
+                fmt::format("found {}, a number with a decimal point or exponent; allowed: {}, written "
+                            "without one",
+                            value.shown(), allowed));
+        const auto& choices = given.row->choices;
+        refuse_unless(value.kind == NodeKind::integer &&
+                          (choices.empty() ? given.row->range.contains(static_cast<double>(value.integer))
+                                           : std::ranges::find(choices, value.shown()) != choices.end()),
+                      given, key);
+    }
+
+    void check_number(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const Range range =
+            given.row->range.scaled(given.row->spellings.front().factor / given.spelling->factor);
+        refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
+        if (given.row->availability == Availability::needs_cam)
+            source_.fail_unavailable(
+                value.place, key,
+                fmt::format("found {}; needs a [cam] table, which is {}", value.shown(), not_yet));
+        if (given.row->availability == Availability::only_zero && value.as_number() != 0.0)
+            source_.fail_unavailable(
+                value.place, key,
+                fmt::format("found {}; this term is {}; allowed: 0", value.shown(), not_yet));
+    }
+
+    void check_numbers(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::array, given, key);
+        const std::vector<Node>& items = given.value().items;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (!items[i].is_number() || !given.row->range.contains(items[i].as_number()))
+                source_.fail(
+                    items[i].place, fmt::format("{}[{}]", key, i),
+                    fmt::format("found {}; allowed: {}", items[i].shown(), given.row->range.number_text()));
+    }
+
+    void check_tables(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::array, given, key);
+        const std::vector<Node>& items = given.value().items;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const std::string item_key = fmt::format("{}[{}]", key, i);
+            if (items[i].kind != NodeKind::table)
+                source_.fail(items[i].place, item_key,
+                             fmt::format("found {}; allowed: a table of {}", items[i].shown(),
+                                         joined(written_keys(key))));
+            check_table(items[i], joined_key(given.row->table, given.row->name), item_key);
+        }
+    }
+
+    void check_options(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::table, given, key);
+        for (const Member& option : given.value().members) {
+            const Node& value = option.value;
+            const bool scalar = value.kind == NodeKind::boolean || value.kind == NodeKind::text ||
+                                (value.is_number() && std::isfinite(value.as_number()));
+            if (!scalar)
+                source_.fail(
+                    value.place, joined_key(key, option.name),
+                    fmt::format("found {}; allowed: a text, a finite number, true or false", value.shown()));
+        }
+    }
+
+    [[noreturn]] void refuse_later(const Given& given, const std::string& key) const {
+        source_.fail_unavailable(given.member->place, key, fmt::format("found this key; it is {}", not_yet));
+    }
+
+    void refuse_unless(bool allowed, const Given& given, const std::string& key) const {
+        if (!allowed)
+            source_.fail(given.value().place, key,
+                         fmt::format("found {}; allowed: {}", given.value().shown(),
+                                     given.row->allowed(*given.spelling)));
+    }
+};
+
+}  // namespace
+
+std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates) {
+    // Two slips in a long word, one in a short one: more would suggest words that have nothing to do with it.
+    const std::size_t limit = word.size() < 5 ? 1 : 2;
+    if (word.size() > 64) return "";
+    const std::string* nearest = nullptr;
+    std::size_t least = limit + 1;
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = &candidate;
+    }
+    return nearest ? fmt::format("; did you mean '{}'?", *nearest) : "";
+}
+
+void check_keys(const SceneSource& source) {
+    KeyCheck(source).run();
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Checks a parsed scene file against the key table, in the order of the file: unknown keys, wrong types,
+// values out of range, two spellings of a quantity, missing keys. Errors: InputError, UnavailableError.
+// Internal to input/.
+#pragma once
+
+#include "input/scene_source.hpp"
+
+namespace camopt::input {
+
+void check_keys(const SceneSource& source);
+
+/// "; did you mean 'lift_mm'?" for the candidate nearest to a misspelt word, or nothing.
+[[nodiscard]] std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace camopt::input

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
+// ω in rad/s and β = rise in rad. Errors: InputError where a speed is missing or the unit does not fit the
+// lift. Internal to input/.
+#pragma once
+
+#include "core/scene.hpp"
+#include "input/scene_source.hpp"
+
+namespace camopt::input {
+
+[[nodiscard]] LimitSpec read_limits(const SceneSource& source, const MotionSpec& motion);
+
+}  // namespace camopt::input

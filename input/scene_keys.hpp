@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Every key of a scene file, one row a key: type, units, range, default, meaning.
+// The reader refuses what no row names and checks every value against its row; docs/scene_file.md is rendered
+// from it.
+#pragma once
+
+#include "core/range.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt::input {
+
+enum class KeyType {
+    text,           ///< a string; one of `choices` where there are any
+    boolean,        ///< true or false
+    integer,        ///< an integer; one of `choices` where there are any
+    number,         ///< a finite number
+    numbers,        ///< an array of finite numbers
+    table,          ///< a table with rows of its own
+    tables,         ///< an array of such tables
+    text_or_table,  ///< a string, or a table with rows of its own
+    options,        ///< a table of any keys with text, boolean or number values
+};
+
+/// What this version does with a key of the contract.
+enum class Availability {
+    now,
+    only_zero,  ///< a weight that may stand there as 0
+    needs_cam,  ///< only together with a [cam] table
+    later,      ///< refused: UnavailableError
+};
+
+/// One way to write a quantity: key = name + suffix, SI value = written value · factor.
+struct Spelling {
+    std::string_view suffix;  ///< "_mm"
+    std::string_view unit;    ///< "mm"; empty: dimensionless
+    double factor = 1.0;
+};
+
+struct KeyRow {
+    std::string_view table;  ///< "motion", "objective.reference"; empty: top level
+    std::string_view name;   ///< without the unit: "lift"
+    KeyType type = KeyType::number;
+    std::span<const Spelling> spellings;    ///< never empty; exactly one of them may be written
+    Range range;                            ///< of numbers and integers, in the unit of the first spelling
+    std::vector<std::string_view> choices;  ///< allowed texts (or integers as text)
+    std::string_view default_text;          ///< "required" where there is none
+    std::string_view meaning;
+    Availability availability = Availability::now;
+    std::string_view later_choice = {};  ///< a text of the contract that is not available yet
+    std::string_view instead_of = {};    ///< another key of the table that must not stand beside it
+
+    [[nodiscard]] bool required() const { return default_text == "required"; }
+    [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"
+    /// What is allowed, as an error message says it, in the unit of the spelling.
+    [[nodiscard]] std::string allowed(const Spelling& spelling) const;
+};
+
+/// The table, in the order of the documentation.
+[[nodiscard]] const std::vector<KeyRow>& scene_keys();
+
+struct KeyMatch {
+    const KeyRow* row = nullptr;
+    const Spelling* spelling = nullptr;
+};
+
+/// The row and spelling of a written key; row == nullptr where the table has no such key.
+[[nodiscard]] KeyMatch match_key(std::string_view table, std::string_view key);
+
+/// Every key of a table as it may be written, in order.
+[[nodiscard]] std::vector<std::string> written_keys(std::string_view table);
+
+/// The table as Markdown, one section a TOML table.
+[[nodiscard]] std::string scene_keys_markdown();
+
+}  // namespace camopt::input

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// TOML scene file → validated Scene: units converted to SI and radians, every value checked, nothing guessed.
+// Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …", the first one met (keys and values in the
+// order of the file, then what must hold between them); UnavailableError for a part of the scene contract
+// this version does not have. The keys are listed in input/scene_keys.hpp and docs/scene_file.md.
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt::input {
+
+/// The names a scene may refer to. "auto" is always a solver; a law or solver that is not listed is refused.
+struct KnownNames {
+    std::vector<std::string> laws, solvers;
+};
+
+/// `overrides`: "KEY=VALUE" with a dotted key and a TOML value (a bare word is a string), applied before
+/// anything is checked; each replaces the key and every other spelling of the same quantity, a later one an
+/// earlier one. Errors about it begin with "--set KEY=VALUE: ".
+[[nodiscard]] Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known,
+                                    std::span<const std::string> overrides = {});
+
+/// `source_name` stands in the place of FILE.
+[[nodiscard]] Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
+                               std::span<const std::string> overrides = {});
+
+}  // namespace camopt::input

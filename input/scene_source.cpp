@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "input/scene_source.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace camopt::input {
+
+std::string joined_key(std::string_view table, std::string_view key) {
+    return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
+}
+
+const Node* SceneSource::table(std::string_view path) const {
+    const Node* node = &root;
+    while (!path.empty()) {
+        const std::size_t dot = path.find('.');
+        const Member* member = node->find(path.substr(0, dot));
+        if (!member || member->value.kind != NodeKind::table) return nullptr;
+        node = &member->value;
+        path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+    }
+    return node;
+}
+
+std::optional<Given> SceneSource::find_in(const Node& table, std::string_view table_path,
+                                          std::string_view quantity) {
+    for (const Member& member : table.members) {
+        const KeyMatch match = match_key(table_path, member.name);
+        if (match.row && match.row->name == quantity) return Given{&member, match.row, match.spelling};
+    }
+    return std::nullopt;
+}
+
+std::optional<Given> SceneSource::find(std::string_view table_path, std::string_view quantity) const {
+    const Node* node = table(table_path);
+    return node ? find_in(*node, table_path, quantity) : std::nullopt;
+}
+
+std::optional<double> SceneSource::number(std::string_view table_path, std::string_view quantity) const {
+    const std::optional<Given> given = find(table_path, quantity);
+    return given ? std::optional(given->number()) : std::nullopt;
+}
+
+void SceneSource::fail(const Place& place, std::string_view key, std::string_view what) const {
+    throw InputError(error_prefix(name, place, key) + std::string(what));
+}
+
+void SceneSource::fail_unavailable(const Place& place, std::string_view key, std::string_view what) const {
+    throw UnavailableError(error_prefix(name, place, key) + std::string(what));
+}
+
+namespace {
+
+/// "via[1]" → "via", 1; "at" → "at", none.
+std::pair<std::string_view, std::optional<std::size_t>> split_index(std::string_view part) {
+    const std::size_t bracket = part.find('[');
+    if (bracket == std::string_view::npos) return {part, std::nullopt};
+    std::size_t index = 0;
+    std::from_chars(part.data() + bracket + 1, part.data() + part.size(), index);
+    return {part.substr(0, bracket), index};
+}
+
+}  // namespace
+
+void SceneSource::fail_member(std::string_view member, std::string_view what) const {
+    const Node* node = &root;
+    Place place;
+    std::string table_path;
+    std::string key;
+    for (std::string_view rest = member; !rest.empty();) {
+        const std::size_t dot = rest.find('.');
+        const auto [quantity, index] = split_index(rest.substr(0, dot));
+        std::optional<Given> given;
+        if (node) given = find_in(*node, table_path, quantity);
+        key = joined_key(key, given ? std::string_view(given->member->name) : quantity);
+        table_path = joined_key(table_path, quantity);
+        node = given ? &given->value() : nullptr;
+        if (index) {
+            key += fmt::format("[{}]", *index);
+            if (node && *index < node->items.size()) node = &node->items[*index];
+        }
+        if (node) place = node->place;
+        rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
+    }
+    fail(place, key, what);
+}
+
+}  // namespace camopt::input

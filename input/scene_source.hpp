@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A parsed scene file seen through the key table: quantities by name whatever their unit, errors with their
+// place. Internal to input/.
+#pragma once
+
+#include "input/document.hpp"
+#include "input/scene_keys.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace camopt::input {
+
+/// A quantity as it was written.
+struct Given {
+    const Member* member = nullptr;
+    const KeyRow* row = nullptr;
+    const Spelling* spelling = nullptr;
+
+    [[nodiscard]] const Node& value() const { return member->value; }
+    /// SI value of a number.
+    [[nodiscard]] double number() const { return member->value.as_number() * spelling->factor; }
+};
+
+class SceneSource {
+ public:
+    std::string name;  ///< of the file
+    Node root;
+
+    /// The value at a dotted path of tables; nullptr where it is not there or is no table.
+    [[nodiscard]] const Node* table(std::string_view path) const;
+
+    /// A quantity of a table, whatever its unit.
+    [[nodiscard]] std::optional<Given> find(std::string_view table_path, std::string_view quantity) const;
+    [[nodiscard]] static std::optional<Given> find_in(const Node& table, std::string_view table_path,
+                                                      std::string_view quantity);
+
+    [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
+
+    /// Throws InputError "PLACE: key: what".
+    [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;
+    [[noreturn]] void fail_unavailable(const Place& place, std::string_view key, std::string_view what) const;
+
+    /// Throws for a member of the Scene: its place and its key as written, or those of the nearest table.
+    [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;
+};
+
+/// "motion" + "type" = "motion.type"; at the top level just the key.
+[[nodiscard]] std::string joined_key(std::string_view table, std::string_view key);
+
+}  // namespace camopt::input
