@@ -132,9 +132,8 @@ void report_contradictions(Solution& solution, const DesignVector& design) {
     for (const ConditionConflict& conflict : design.contradictions()) {
         const std::string others = conflict.others.empty() ? "the end conditions" : list_of(conflict);
         solution.notes.push_back(
-            fmt::format("{} contradicts {} (they miss each other by {:.3g}); the spline has too little "
-                        "freedom to meet all of "
-                        "them: change one, or give it more segments",
+            fmt::format("{} contradicts {}; the spline has too little freedom to meet all of them: change "
+                        "one, or give it more segments",
                         conflict.condition, others));
     }
 }
