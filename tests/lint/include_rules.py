@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""include_rules.py ROOT: each folder includes, and links, only the folders that the design allows it."""
+
+import pathlib
+import re
+import sys
+
+import source_tree
+
+QUOTED = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
+LINKED = re.compile(r"\bcamopt::([a-z]+)\b")
+
+
+def faults_of_code(root, path):
+    folder = path.parts[0]
+    if folder not in source_tree.MAY_INCLUDE:
+        yield f"{path}: folder {folder}/ has no line in tests/lint/source_tree.py"
+        return
+    allowed = source_tree.MAY_INCLUDE[folder] | {folder}
+    for number, line in enumerate((root / path).read_text().splitlines(), 1):
+        match = QUOTED.match(line)
+        if not match:
+            continue
+        included = match.group(1)
+        target = included.split("/")[0]
+        if folder not in source_tree.EVERY_MODULE and any(
+                (base / included).is_file() for base in (root / folder, (root / path).parent)):
+            continue  # a helper of the tests or benchmarks themselves
+        if "/" not in included or ".." in included:
+            yield f"{path}:{number}: \"{included}\" must be named from the project's root"
+        elif not (root / included).is_file():
+            yield f"{path}:{number}: \"{included}\" does not exist"
+        elif target not in allowed:
+            yield f"{path}:{number}: {folder}/ must not include {target}/"
+
+
+def faults_of_links(root, path):
+    folder = path.parts[0]
+    if folder not in source_tree.EVERY_MODULE:
+        return
+    allowed = source_tree.MAY_INCLUDE[folder] | {folder}
+    for number, line in enumerate((root / path).read_text().splitlines(), 1):
+        for target in LINKED.findall(line.split("#")[0]):
+            if target not in allowed:
+                yield f"{path}:{number}: {folder}/ must not link camopt::{target}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    # Consumers of the installed package stand outside the tree.
+    code = [path for path in source_tree.code(root) if path.parts[:2] != ("tests", "package")]
+    lists = [path for path in source_tree.files(root) if path.name == "CMakeLists.txt"]
+    faults = [fault for path in code for fault in faults_of_code(root, path)]
+    faults += [fault for path in lists for fault in faults_of_links(root, path)]
+    source_tree.report("include_rules", faults, len(code))
+
+
+main()

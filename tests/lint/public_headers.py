@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""public_headers.py INSTALLED: the headers of an installed camopt stand alone. They include the standard library,
+Eigen and one another, hold no conditional compilation, and name no type of another library."""
+
+import pathlib
+import re
+import sys
+
+import source_tree
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|else)\b")
+STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|(unsupported/)?Eigen/\w+)$")
+FOREIGN = re.compile(r"\b(nlopt(_\w+)?::|nlopt_\w+|Ipopt::|TNLP\b|cholmod_\w+|SuiteSparseQR|toml::|nlohmann::|CLI::|fmt::)")
+
+
+def faults_of(root, path):
+    text = (root / path).read_text()
+    if "#pragma once" not in text:
+        yield f"{path}: no '#pragma once'"
+    for number, line in enumerate(text.splitlines(), 1):
+        where = f"{path}:{number}"
+        include = INCLUDE.match(line)
+        if include and include.group(1) == "<" and not STANDARD_OR_EIGEN.match(include.group(2)):
+            yield f"{where}: a public header must not include <{include.group(2)}>"
+        if include and include.group(1) == '"' and not (root / include.group(2)).is_file():
+            yield f"{where}: includes \"{include.group(2)}\", which is not installed"
+        if CONDITIONAL.match(line):
+            yield f"{where}: features select files, never parts of a header: {line.strip()}"
+        foreign = FOREIGN.search(line.split("//")[0])
+        if foreign:
+            yield f"{where}: names another library: {foreign.group(0)}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    headers = [path for path in source_tree.files(root) if path.suffix == ".hpp"]
+    faults = [fault for path in headers for fault in faults_of(root, path)]
+    source_tree.report("public_headers", faults, len(headers))
+
+
+main()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""self_test.py: plants one violation of each kind in a small tree and demands that the check finds it; and that
+the same tree without it passes."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent
+SPDX = "// SPDX-License-Identifier: MIT\n"
+CLEAN = {
+    "core/a.hpp": SPDX + '#pragma once\n#include <Eigen/Core>\n#include <vector>\nint a();\n',
+    "solvers/s.cpp": SPDX + '#include "core/a.hpp"\n',
+    "objectives/o.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
+    "solvers/CMakeLists.txt": "# SPDX-License-Identifier: MIT\nlink(camopt::core)\n",
+    "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
+}
+# check, file, its text, words that the message must hold
+PLANTED = [
+    ("include_rules", "solvers/s.cpp", SPDX + '#include "objectives/o.hpp"\n', "solvers/ must not include objectives/"),
+    ("include_rules", "splines/c.cpp", SPDX + '#include "profiles/p.hpp"\n', "does not exist"),
+    ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
+    ("include_rules", "gears/g.cpp", SPDX, "has no line"),
+    ("include_rules", "solvers/CMakeLists.txt", "link(camopt::splines)\n", "must not link camopt::splines"),
+    ("spdx", "core/b.cpp", "int b() { return 1; }\n", "core/b.cpp:1: no line"),
+    ("spdx", "scripts/x", "#!/bin/sh\n", "scripts/x:1: no line"),
+    ("public_headers", "core/b.hpp", "#pragma once\n#ifdef HAVE_X\n#endif\n", "features select files"),
+    ("public_headers", "core/b.hpp", "#pragma once\n#include <nlopt.h>\n", "must not include <nlopt.h>"),
+    ("public_headers", "core/b.hpp", "#pragma once\n#include <fmt/core.h>\n", "must not include <fmt/core.h>"),
+    ("public_headers", "core/b.hpp", "#pragma once\nnamespace Ipopt { } Ipopt::Index i;\n", "names another library"),
+    ("public_headers", "core/b.hpp", "#pragma once\n#include \"core/hidden.hpp\"\n", "which is not installed"),
+    ("public_headers", "core/b.hpp", "int b();\n", "no '#pragma once'"),
+    ("doc_links", "docs/x.md", "[gone](gone.md)\n", "'gone.md' does not exist"),
+    ("doc_links", "docs/x.md", "[a](../README.md#no-such)\n", "no such heading"),
+    ("doc_links", "docs/x.md", "see `core/gone.hpp`\n", "`core/gone.hpp` does not exist"),
+]
+
+
+def run(check, root):
+    done = subprocess.run([sys.executable, str(HERE / f"{check}.py"), str(root)],
+                          capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def tree(folder, contents):
+    for name, text in contents.items():
+        path = pathlib.Path(folder) / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return folder
+
+
+def main():
+    faults = 0
+    for check in sorted({planted[0] for planted in PLANTED}):
+        with tempfile.TemporaryDirectory() as folder:
+            status, text = run(check, tree(folder, CLEAN))
+            if status != 0:
+                faults += 1
+                print(f"{check} refuses a clean tree:\n{text}")
+        with tempfile.TemporaryDirectory() as folder:
+            status, text = run(check, folder)
+            if status != 1:
+                faults += 1
+                print(f"{check} passes where there is nothing to check:\n{text}")
+    for check, name, content, words in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            status, text = run(check, tree(folder, {**CLEAN, name: content}))
+            if status != 1 or words not in text:
+                faults += 1
+                print(f"{check} misses '{words}' in {name}; it said:\n{text}")
+    print(f"self_test: {faults} faults in {len(PLANTED)} planted violations")
+    sys.exit(1 if faults else 0)
+
+
+main()

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""The files of a camopt tree, for the lint checks. Python's standard library only."""
+
+import pathlib
+import sys
+
+# Which folder may include which (docs/architecture.md).
+MAY_INCLUDE = {
+    "core": set(),
+    "linear": {"core"},
+    "motions": {"core"},
+    "splines": {"core", "linear"},
+    "profiles": {"core"},
+    "objectives": {"core", "motions", "splines", "profiles"},
+    "solvers": {"core", "linear"},
+    "input": {"core"},
+    "studies": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
+    "output": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
+}
+EVERY_MODULE = set(MAY_INCLUDE)
+MAY_INCLUDE |= {
+    user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")
+}
+
+CODE = {".cpp", ".hpp"}
+LEFT_OUT = ("build", "out", "node_modules", "__pycache__", ".")
+
+
+def files(root):
+    """Every file under root that belongs to the project, as paths relative to it."""
+    root = pathlib.Path(root)
+    for entry in sorted(root.iterdir()):
+        if entry.name == ".ci" or not entry.name.startswith(LEFT_OUT):
+            if entry.is_dir():
+                yield from (path.relative_to(root) for path in sorted(entry.rglob("*"))
+                            if path.is_file() and "__pycache__" not in path.parts)
+            else:
+                yield entry.relative_to(root)
+
+
+def code(root):
+    return [path for path in files(root) if path.suffix in CODE]
+
+
+def report(check, faults, seen):
+    """Prints the faults; the exit status of a check. A check that saw nothing has failed too."""
+    for fault in faults:
+        print(fault)
+    if not seen:
+        faults = ["nothing to check"]
+        print(f"{check}: found no file to check")
+    print(f"{check}: {len(faults)} faults in {seen} files")
+    sys.exit(1 if faults else 0)
