@@ -45,7 +45,7 @@ struct CamModel {
     std::vector<std::shared_ptr<const PointRule>>
         rules;  ///< immutable, shared by a problem and its tie-break
     std::vector<ParameterRow> parameter_rows;
-    /// Weight of the mean square jerk over reference² in the cost: the tie-break's own objective.
+    /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
     double energy_weight = 0.0;
     double jerk_reference = 1.0;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.

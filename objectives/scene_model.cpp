@@ -152,17 +152,9 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     return model;
 }
 
-CamModel tie_break_model(const CamModel& model, double most) {
+CamModel tie_break_model(const CamModel& model, double energy_weight) {
     CamModel tied = model;
-    ParameterRow objective{"objective at its optimum", {}, {}, most, false, 1.0};
-    for (std::size_t p = 0; p < tied.parameters.size(); ++p) {
-        if (tied.parameters[p].weight == 0.0) continue;
-        objective.parameters.push_back(static_cast<int>(p));
-        objective.weights.push_back(tied.parameters[p].weight);
-        tied.parameters[p].weight = 0.0;
-    }
-    tied.parameter_rows.push_back(std::move(objective));
-    tied.energy_weight = 1.0;
+    tied.energy_weight = energy_weight;
     return tied;
 }
 

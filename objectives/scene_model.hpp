@@ -21,7 +21,8 @@ namespace camopt {
 /// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there.
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference);
 
-/// The same constraints with the mean square jerk as cost and the old objective kept at or below `most`.
-[[nodiscard]] CamModel tie_break_model(const CamModel& model, double most);
+/// The same problem with `energy_weight` times the mean square jerk (over its reference²) added to the cost:
+/// for a weight small enough its optimum is, among the optima of the model, the one of least ∫ s'''².
+[[nodiscard]] CamModel tie_break_model(const CamModel& model, double energy_weight);
 
 }  // namespace camopt

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -27,8 +28,10 @@ using Clock = std::chrono::steady_clock;
 
 // A limit counts as active when the motion comes this close to it, relative.
 constexpr double active_limit = 1e-6;
-// The tie-break spends this part of the tolerance; the rest is left for its own rounding.
-constexpr double tie_break_part = 0.5;
+// Weights of the tie-break, tried until the objective stays within the tolerance of its optimum.
+constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
+// The tie-break must be solved more exactly than the tolerance it may spend.
+constexpr double tie_break_accuracy = 0.1;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -36,6 +39,10 @@ double seconds_since(Clock::time_point begin) {
 
 double relative_to(double objective) {
     return std::max(1.0, std::abs(objective));
+}
+
+double mean_jerk(const CamProblem& problem, const Candidate& candidate) {
+    return peaks_of(problem.curve(candidate.x)).rms_jerk;
 }
 
 ExchangeOptions exchange_options(const Scene& scene) {
@@ -47,31 +54,33 @@ ExchangeOptions exchange_options(const Scene& scene) {
     return options;
 }
 
-/// Among the optima within the tolerance, the one of least mean square jerk.
+/// Among the optima within the tolerance, the one of least mean square jerk. On a linear program a small
+/// enough weight on the energy picks exactly that one; how small is found by trying. (To demand "objective <=
+/// optimum" as a row instead leaves a feasible set without an inside, on which an interior point loses its
+/// digits.)
 void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
                const SolveControl& control) {
     const double objective = result.certificate.objective;
     const double allowance = scene.solver.tolerance * relative_to(objective);
-    CamProblem tied(tie_break_model(problem.model(), objective + tie_break_part * allowance),
-                    problem.samples());
-    ExchangeOptions options;
-    options.tolerance = 0.1 * scene.solver.tolerance;
-    options.backend.tolerance = 0.1 * scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    const ExchangeResult smoother =
-        minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
-    if (smoother.best.x.size() == 0) return;
-    const Candidate delivered = judged(problem, smoother.best.x);
-    const bool as_good =
-        delivered.objective <= objective + allowance &&
-        delivered.violation <= std::max(scene.solver.tolerance, result.certificate.worst_violation);
-    const double before = peaks_of(problem.curve(result.x)).rms_jerk;
-    if (!as_good || !(peaks_of(problem.curve(delivered.x)).rms_jerk < before)) return;
-    result.x = delivered.x;
-    Certificate& certificate = result.certificate;
-    certificate.objective = delivered.objective;
-    certificate.worst_violation = delivered.violation;
-    certificate.gap = (delivered.objective - *certificate.lower_bound) / relative_to(delivered.objective);
+    const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
+    ExchangeOptions options = exchange_options(scene);
+    options.backend.native.clear();
+    options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
+    for (const double weight : tie_break_weights) {
+        CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
+        const ExchangeResult smoother =
+            minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
+        if (smoother.best.x.size() == 0 || control.stopped()) return;
+        const Candidate delivered = judged(problem, smoother.best.x);
+        if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
+        if (mean_jerk(problem, delivered) > mean_jerk(problem, {result.x})) return;
+        result.x = delivered.x;
+        Certificate& certificate = result.certificate;
+        certificate.objective = delivered.objective;
+        certificate.worst_violation = delivered.violation;
+        certificate.gap = (delivered.objective - *certificate.lower_bound) / relative_to(delivered.objective);
+        return;
+    }
 }
 
 bool wants_tie_break(const Scene& scene, const Certificate& certificate) {

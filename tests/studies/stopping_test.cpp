@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Time limits, iteration limits and Ctrl-C: the best feasible point so far is kept and labelled.
+#include "scenes_for_tests.hpp"
+#include "studies/solve.hpp"
+
+#include <gtest/gtest.h>
+
+namespace camopt {
+namespace {
+
+using testing_support::is_available;
+using testing_support::normalised_limit;
+using testing_support::paper_objective;
+
+class Stopping : public testing::TestWithParam<std::string> {
+ protected:
+    void SetUp() override {
+        if (!is_available(GetParam())) GTEST_SKIP() << GetParam() << " is not part of this build";
+    }
+    Scene scene() const {
+        Scene scene = paper_objective(MotionType::drd, 5, 24);
+        scene.solver.name = GetParam();
+        return scene;
+    }
+};
+
+TEST_P(Stopping, AStopRequestDeliversAFeasibleCurve) {
+    SolveControl control;
+    int polls = 0;
+    control.stop_requested = [&] { return ++polls > 3; };
+    const Solution solution = solve(scene(), control);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::feasible);
+    EXPECT_EQ(solution.certificate.reason, "interrupted");
+    ASSERT_TRUE(solution.curve);
+    EXPECT_NEAR(solution.curve->at(1.0).derivative[0], 1.0, 1e-9);
+}
+
+TEST_P(Stopping, ATimeLimitDeliversAFeasibleCurve) {
+    Scene hurried = scene();
+    hurried.solver.max_seconds = 1e-6;
+    const Solution solution = solve(hurried);
+    EXPECT_EQ(solution.certificate.reason, "time_limit");
+    EXPECT_EQ(solution.certificate.verdict, Verdict::feasible);
+    ASSERT_TRUE(solution.curve);
+}
+
+TEST_P(Stopping, AStopWithoutAFeasiblePointSaysSo) {
+    Scene capped = scene();
+    capped.limits.velocity = normalised_limit("limits.velocity", 1.3);
+    SolveControl control;
+    control.stop_requested = [] { return true; };
+    const Solution solution = solve(capped, control);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(solution.certificate.reason, "no_feasible_point");
+    EXPECT_FALSE(solution.curve);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Stopping,
+                         testing::Values("structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"),
+                         [](const auto& backend) {
+                             std::string name = backend.param;
+                             std::ranges::replace(name, '.', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace camopt
