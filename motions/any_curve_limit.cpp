@@ -75,11 +75,21 @@ class Writer {
         to.push_back(std::move(term));
     }
 
-    /// A^power times the RR half's own a or d to -power: a / A, d / A.
+    /// RR: a / A <= 1 (up) or d / A <= 1.
     void add_below_peak(std::vector<Posynomial>& to, bool up) const {
         Monomial term{1.0, std::vector<double>(static_cast<std::size_t>(count_), 0.0)};
         multiply_peak(term, -1.0);
         term.exponents[static_cast<std::size_t>(up ? up_ : down_)] = 1.0;
+        to.push_back({term});
+    }
+
+    /// A² <= 4VJ: never active, for A² = 2VJ already is all that helps; it keeps A from running away.
+    void add_peak_bound(std::vector<Posynomial>& to) const {
+        Monomial term = single(peak_, 0.25);
+        term.exponents[static_cast<std::size_t>(peak_)] = 2.0;
+        term.exponents[0] = -1.0;
+        if (half_.jerk == Role::unknown) term.exponents[static_cast<std::size_t>(jerk_)] = -1.0;
+        if (half_.jerk == Role::fixed) term.coefficient /= *half_.jerk_cap;
         to.push_back({term});
     }
 
@@ -151,6 +161,8 @@ GeometricProgram program_of(const Half& half, const Writer& writer) {
     if (half.type == MotionType::rr && half.acceleration != Role::helpful) {
         writer.add_below_peak(program.constraints, true);
         writer.add_below_peak(program.constraints, false);
+        if (half.jerk != Role::infinite && half.acceleration == Role::unknown)
+            writer.add_peak_bound(program.constraints);
     }
     cap(0, half.velocity_cap);
     cap(writer.peak_index(), half.acceleration_cap);

@@ -18,7 +18,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostIterations = 400;
+constexpr int kMostIterations = 200;
+constexpr int kMostBarrierSteps = 100;
+/// Weights of the first and the last barrier function, and the Newton decrement in their unit that counts as
+/// 0.
+constexpr double kFirstWeight = 0.1;
+constexpr double kLastBarrier = 1e-9;
+constexpr double kCentred = 1e-3;
 /// Complementarity at which even a weakly active constraint (slack ~ its root) is exact to 1e-12.
 constexpr double kLastComplementarity = 1e-26;
 /// Residuals of the conditions of optimality (logarithms, order 1) reached up to roundings.
@@ -170,22 +176,54 @@ Iterate moved(const Iterate& at, const Iterate& step, double length) {
     return {at.u + length * step.u, at.slack + length * step.slack, at.multiplier + length * step.multiplier};
 }
 
+/// f - weight Σ log(-g), infinite outside.
+double barrier(const Convex& problem, const VectorXd& u, double weight) {
+    const VectorXd slack = -problem.values(u);
+    if (!(slack.array() > 0.0).all()) return std::numeric_limits<double>::infinity();
+    return problem.objective.value(u) - weight * slack.array().log().sum();
+}
+
+/// Damped Newton on the barrier function: sure and slow, it brings the start near the central path. Returns
+/// the steps taken; `enough(u)` ends it.
+int follow_barrier(const Convex& problem, VectorXd& u, double weight) {
+    int steps = 0;
+    for (; steps < kMostBarrierSteps; ++steps) {
+        const VectorXd slack = -problem.values(u);
+        // A Newton step on the barrier is a primal-dual step whose multipliers are weight / slack.
+        const Iterate at{u, slack, weight * slack.cwiseInverse()};
+        const Residual residual = residual_at(problem, at, weight);
+        const VectorXd move = newton_step(problem, at, residual).u;
+        const double decrease = -residual.dual.dot(move);
+        if (!(decrease > kCentred * weight) || !move.allFinite()) break;
+        double length = std::min(1.0, kLongestMove / std::max(kLongestMove, move.lpNorm<Eigen::Infinity>()));
+        const double here = barrier(problem, u, weight);
+        const auto low_enough = [&] {
+            return barrier(problem, u + length * move, weight) <= here - kLeastDecrease * length * decrease;
+        };
+        while (length > kSmallestStep && !low_enough()) length *= 0.5;
+        if (length <= kSmallestStep) break;
+        u += length * move;
+    }
+    return steps;
+}
+
 struct Minimum {
     bool found = false;
     Iterate at;
     int iterations = 0;
 };
 
-/// From a strictly feasible u. `enough(u)` may end the iteration early.
+/// From a strictly feasible u. `weight` of the barrier whose minimum it is near; `enough(u)` may end the
+/// iteration early.
 template <typename Enough>
-Minimum minimise(const Convex& problem, VectorXd start, const Enough& enough) {
+Minimum minimise(const Convex& problem, VectorXd start, double weight, const Enough& enough) {
     Minimum result;
     Iterate& at = result.at;
     at.u = std::move(start);
     at.slack = -problem.values(at.u);
-    at.multiplier = (0.1 * at.slack.cwiseInverse()).cwiseMin(1e3);
+    at.multiplier = (weight * at.slack.cwiseInverse()).cwiseMin(1e3);
     double centering = 0.1;
-    for (; result.iterations < kMostIterations; ++result.iterations) {
+    for (int i = 0; i < kMostIterations; ++i, ++result.iterations) {
         const double complementarity = at.complementarity();
         const Residual now = residual_at(problem, at, 0.0);
         result.found = now.conditions() <= kAcceptedResidual && complementarity <= kAcceptedResidual;
@@ -256,7 +294,7 @@ GeometricProgramResult solve(const GeometricProgram& program) {
     const Eigen::Index n = program.variables;
     VectorXd start = VectorXd::Zero(n + 1);
     if (!program.constraints.empty()) start[n] = problem.values(start.head(n)).maxCoeff() + 1.0;
-    const Minimum first = minimise(Convex(first_phase(program)), start, [&](const VectorXd& u) {
+    const Minimum first = minimise(Convex(first_phase(program)), start, kFirstWeight, [&](const VectorXd& u) {
         return program.constraints.empty() || problem.values(u.head(n)).maxCoeff() <= -kRoomySlack;
     });
     result.iterations = first.iterations;
@@ -276,7 +314,14 @@ GeometricProgramResult solve(const GeometricProgram& program) {
         if (first.found) take(inside, first.at.multiplier);
         return result;
     }
-    const Minimum second = minimise(problem, inside, [](const VectorXd&) { return false; });
+    const auto never = [](const VectorXd&) { return false; };
+    Minimum second = minimise(problem, inside, kFirstWeight, never);
+    // Far from the central path the residual's norm can get stuck: walk along the path first, then again.
+    VectorXd centred = inside;
+    for (double weight = kFirstWeight; !second.found && weight >= kLastBarrier; weight *= 0.1) {
+        result.iterations += second.iterations + follow_barrier(problem, centred, weight);
+        second = minimise(problem, centred, weight, never);
+    }
     result.iterations += second.iterations;
     if (second.found) take(second.at.u, second.at.multiplier);
     return result;
