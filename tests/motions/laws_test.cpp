@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// The laws of the catalogue against the table of golden peaks, dense samples and central differences.
+#include "core/errors.hpp"
+#include "motions/law_catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+
+namespace camopt {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
+
+struct Golden {
+    const char* key;
+    double velocity, acceleration, jerk_up, jerk_down, torque, rms_velocity, rms_acceleration;
+};
+
+const Golden kGolden[] = {
+    {"parabolic", 2, 4, kInfinity, -kInfinity, 8, 1.1547, 4},
+    {"simple_harmonic", pi / 2, 4.9348, kInfinity, -15.503, 3.8758, 1.1107, 3.4894},
+    {"cycloidal", 2, 2 * pi, 39.478, -39.478, 8.1621, 1.2247, 4.4429},
+    {"polynomial_345", 1.875, 5.7735, 60, -30, 6.6943, 1.1952, 4.1404},
+    {"polynomial_4567", 2.1875, 7.5132, 42, -52.5, 10.7502, 1.2774, 5.0452},
+    {"polynomial_56789", 2.4609, 9.3720, 51.429, -78.75, 15.4359, 1.3469, 5.9367},
+    {"modified_sine", 1.7596, 5.5280, 69.466, -23.155, 5.4578, 1.1677, 3.9089},
+    {"modified_trapezoid", 2, 4.8881, 61.426, -61.426, 8.0900, 1.1992, 4.2332},
+    {"mcv_50", 1.2753, 8.0127, 201.381, -67.127, 5.7334, 1.0822, 4.0063},
+    {"mcv_33", 1.4041, 6.6166, 124.72, -41.573, 5.2127, 1.1117, 3.8201},
+    {"mcv_20", 1.5275, 5.9986, 94.226, -31.409, 5.1414, 1.1352, 3.7939},
+    {"cycloidal_cv50", 1.3333, 8.3776, 105.276, -105.276, 7.2552, 1.1055, 4.1888},
+    {"gutman_13", 2, 5.1302, 59.218, -59.218, 8.1249, 1.2006, 4.2477},
+    {"freudenstein_13", 2, 5.3856, 50.758, -50.758, 7.9175, 1.2106, 4.3106},
+    {"freudenstein_135", 2, 5.0603, 59.615, -59.615, 7.8501, 1.2028, 4.2518},
+    {"double_harmonic", 2.0405, 9.8696, 20.575, -42.414, 9.8948, 1.2418, 4.9348},
+};
+
+void expect_digits(double found, double printed, double half_unit) {
+    if (std::isinf(printed)) {
+        EXPECT_EQ(found, printed);
+    } else {
+        EXPECT_NEAR(found, printed, half_unit);
+    }
+}
+
+class LawTest : public ::testing::TestWithParam<Golden> {};
+
+TEST_P(LawTest, HasTheGoldenPeaks) {
+    const auto law = make_law(GetParam().key);
+    const Peaks peaks = law->peaks();
+    const JerkExtrema jerk = law->jerk_extrema();
+    expect_digits(peaks.velocity.value, GetParam().velocity, 5.1e-5);
+    expect_digits(peaks.acceleration.value, GetParam().acceleration, 5.1e-5);
+    expect_digits(jerk.positive.value, GetParam().jerk_up, 5.1e-4);
+    expect_digits(jerk.negative.value, GetParam().jerk_down, 5.1e-4);
+    expect_digits(peaks.torque.value, GetParam().torque, 5.1e-5);
+    expect_digits(peaks.rms_velocity, GetParam().rms_velocity, 5.1e-5);
+    expect_digits(peaks.rms_acceleration, GetParam().rms_acceleration, 5.1e-5);
+    EXPECT_EQ(peaks.jerk.value, std::max(jerk.positive.value, -jerk.negative.value));
+}
+
+TEST_P(LawTest, RisesFromZeroToOne) {
+    const auto law = make_law(GetParam().key);
+    EXPECT_NEAR(law->at(0).derivative[0], 0.0, 1e-14);
+    EXPECT_NEAR(law->at(1).derivative[0], 1.0, 1e-14);
+    EXPECT_NEAR(law->at(0).derivative[1], 0.0, 1e-14);
+    EXPECT_NEAR(law->at(1).derivative[1], 0.0, 1e-14);
+    EXPECT_NEAR(law->at(0.5).derivative[0], law->key() == "double_harmonic" ? 0.25 : 0.5, 1e-14);
+}
+
+TEST_P(LawTest, IsContinuousToItsStatedOrderAndNoFurther) {
+    const auto law = make_law(GetParam().key);
+    const bool turns = law->info().top == TopEnd::turning_point;
+    int continuous = 4;
+    for (const double x : law->breakpoints()) {
+        const LawDerivatives left = law->derivatives(x, Side::left), right = law->derivatives(x, Side::right);
+        for (int r = 4; r >= 0; --r) {
+            const auto i = static_cast<std::size_t>(r);
+            double jump = right[i] - left[i];
+            if (x == 0.0) jump = right[i];
+            if (x == 1.0) jump = left[i] - (r == 0 ? 1.0 : 0.0);
+            if (x == 1.0 && turns && r > 0) jump = r % 2 == 1 ? 2.0 * left[i] : 0.0;
+            if (std::abs(jump) > 1e-9) continuous = std::min(continuous, r - 1);
+        }
+    }
+    EXPECT_EQ(law->continuity(), continuous);
+}
+
+TEST_P(LawTest, DerivativesAgreeWithCentralDifferences) {
+    const auto law = make_law(GetParam().key);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> place(0.001, 0.999);
+    constexpr double kStep = 1e-5;
+    for (int k = 0; k < 300; ++k) {
+        const double x = place(random);
+        const auto breakpoints = law->breakpoints();
+        if (std::any_of(breakpoints.begin(), breakpoints.end(),
+                        [x](double b) { return std::abs(x - b) < 2.0 * kStep; })) {
+            continue;
+        }
+        const LawDerivatives low = law->derivatives(x - kStep), high = law->derivatives(x + kStep);
+        const LawDerivatives here = law->derivatives(x);
+        for (std::size_t r = 0; r < 4; ++r) {
+            const double scale = std::pow(20.0, static_cast<double>(r));
+            EXPECT_NEAR((high[r] - low[r]) / (2.0 * kStep), here[r + 1], 2e-7 * scale)
+                << "x = " << x << ", r = " << r;
+        }
+    }
+}
+
+TEST_P(LawTest, PeaksBoundDenseSamplesClosely) {
+    const auto law = make_law(GetParam().key);
+    const Peaks peaks = law->peaks();
+    constexpr int kSamples = 100000;
+    double v = 0, a = 0, j = 0, q = 0;
+    for (int i = 0; i <= kSamples; ++i) {
+        const auto y = law->at(static_cast<double>(i) / kSamples).derivative;
+        v = std::max(v, std::abs(y[1]));
+        a = std::max(a, std::abs(y[2]));
+        j = std::max(j, std::abs(y[3]));
+        q = std::max(q, std::abs(y[1] * y[2]));
+    }
+    const auto close = [](double sampled, double exact) {
+        EXPECT_LE(sampled, exact * (1.0 + 1e-12));
+        EXPECT_GE(sampled, exact * (1.0 - 2e-4));
+    };
+    close(v, peaks.velocity.value);
+    close(a, peaks.acceleration.value);
+    close(q, peaks.torque.value);
+    if (std::isfinite(peaks.jerk.value)) close(j, peaks.jerk.value);
+    const auto at = law->at(peaks.acceleration.at, peaks.acceleration.side);
+    EXPECT_NEAR(std::abs(at.derivative[2]), peaks.acceleration.value, 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, LawTest, ::testing::ValuesIn(kGolden),
+                         [](const auto& instance) { return std::string(instance.param.key); });
+
+TEST(LawCatalogue, HoldsEveryKeyOnce) {
+    ASSERT_EQ(law_catalogue().size(), std::size(kGolden));
+    for (std::size_t i = 0; i < std::size(kGolden); ++i) EXPECT_EQ(law_catalogue()[i].key, kGolden[i].key);
+}
+
+TEST(LawParameters, LimitsAreTheNeighbouringLaws) {
+    const auto sine = make_modified_sine(0.25), trapezoid = make_modified_trapezoid(0.25);
+    const auto cycloidal = make_law("cycloidal"), harmonic = make_law("simple_harmonic"),
+               parabolic = make_law("parabolic");
+    const auto nearly_harmonic = make_modified_sine(1e-7), nearly_parabolic = make_modified_trapezoid(1e-7);
+    for (int i = 1; i < 100; ++i) {
+        const double x = i / 100.0 + 1e-3;
+        for (std::size_t r = 0; r < 4; ++r) {
+            EXPECT_NEAR(sine->at(x).derivative[r], cycloidal->at(x).derivative[r], 1e-12);
+            EXPECT_NEAR(trapezoid->at(x).derivative[r], cycloidal->at(x).derivative[r], 1e-12);
+            EXPECT_NEAR(nearly_harmonic->at(x).derivative[r], harmonic->at(x).derivative[r], 1e-5);
+            EXPECT_NEAR(nearly_parabolic->at(x).derivative[r], parabolic->at(x).derivative[r], 1e-5);
+        }
+    }
+    EXPECT_TRUE(std::isfinite(make_modified_sine(kNarrowestPiece)->peaks().jerk.value));
+}
+
+std::string refusal(const auto& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no refusal";
+}
+
+TEST(LawParameters, RefusalsNameFoundAndAllowed) {
+    EXPECT_EQ(refusal([] { (void)make_modified_sine(0.3); }),
+              "modified_sine: Ta = 0.3 found, allowed 1e-09 <= Ta <= 0.25");
+    EXPECT_EQ(refusal([] { (void)make_modified_trapezoid(0.0); }),
+              "modified_trapezoid: Ta = 0 found, allowed 1e-09 <= Ta <= 0.25");
+    EXPECT_NE(refusal([] { (void)make_modified_sine(std::nan("")); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_modified_constant_velocity(0.3, 0.2); }), "no refusal");
+    EXPECT_NE(refusal([] { (void)make_modified_constant_velocity(0.1, 0.5); }), "no refusal");
+    EXPECT_EQ(refusal([] { (void)make_law("cycloid"); }),
+              "motion law: \"cycloid\" found, allowed parabolic, simple_harmonic, cycloidal, polynomial_345, "
+              "polynomial_4567, polynomial_56789, modified_sine, modified_trapezoid, mcv_50, mcv_33, mcv_20, "
+              "cycloidal_cv50, gutman_13, freudenstein_13, freudenstein_135, double_harmonic");
+    EXPECT_EQ(refusal([] { (void)make_law("cycloidal")->at(1.5); }),
+              "cycloidal: x = 1.5 found, allowed 0 <= x <= 1");
+}
+
+}  // namespace
+}  // namespace camopt
