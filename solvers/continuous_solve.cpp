@@ -16,6 +16,8 @@ namespace {
 constexpr double active_row = 1e-6;
 // The structured solver that proves a bound after another backend ran gets at most this long.
 constexpr double proof_seconds = 30.0;
+// How much further a point is pulled inside than its violation asks for.
+constexpr double pull = 1.0 + 1e-6;
 
 bool was_stopped(Termination termination) {
     return termination == Termination::time_limit || termination == Termination::interrupted;
@@ -65,13 +67,32 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
 }
 
-/// Pulls a point that violates its limits a little towards one that is inside them.
-Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point, const Candidate& inside,
-                        double tolerance) {
-    if (inside.x.size() == 0 || inside.violation >= 0.0 || point.x.size() == 0) return point;
-    const double part = point.violation / (point.violation - inside.violation);
-    Candidate pulled = judged(problem, point.x + part * (inside.x - point.x));
-    return is_better(pulled, point, tolerance) ? pulled : point;
+/// The first point of a solve: the problem's own start where it keeps the limits, else the least violating
+/// point of the elastic problem, which also proves whether there is anything to look for.
+struct FirstPoint {
+    Candidate inside;
+    std::optional<DualityProof> infeasible;
+};
+
+FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchange, const JudgeOptions& judge,
+                       const SolveControl& control) {
+    FirstPoint first{judged(problem, problem.start()), {}};
+    const bool kept = first.inside.violation <= judge.tolerance;
+    if (kept || control.stopped() || !problem.grid().shape().convex) return first;
+    Feasibility feasibility = find_feasible(problem, exchange, control);
+    if (feasibility.point.x.size() > 0) first.inside = std::move(feasibility.point);
+    if (first.inside.violation > judge.tolerance) first.infeasible = std::move(feasibility.proof);
+    return first;
+}
+
+void report_infeasible(ContinuousResult& result, FirstPoint first) {
+    Certificate& certificate = result.certificate;
+    certificate.verdict = Verdict::infeasible;
+    certificate.reason = "limits_contradict";
+    certificate.worst_violation = first.inside.violation;
+    certificate.proof = std::move(first.infeasible);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = "structured";
 }
 
 }  // namespace
@@ -92,28 +113,28 @@ void settle_verdict(Certificate& certificate, Termination termination, const Jud
     }
 }
 
+Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point, const Candidate& inside) {
+    if (point.x.size() == 0 || point.violation <= 0.0) return point;
+    if (inside.x.size() == 0 || inside.violation >= 0.0) return point;
+    const double part = point.violation / (point.violation - inside.violation);
+    // A little further than the line says, so that rounding does not leave the last unit in the last place
+    // outside.
+    const Candidate pulled = judged(problem, point.x + std::min(1.0, pull * part) * (inside.x - point.x));
+    return pulled.violation < point.violation ? pulled : point;
+}
+
 ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
                                   const ExchangeOptions& exchange, const JudgeOptions& judge,
                                   const SolveControl& control) {
     ContinuousResult result;
-    result.exchange = minimize_by_exchange(problem, solver, problem.start(), exchange, control);
-    Candidate best = result.exchange.best;
-    if (best.violation > judge.tolerance && !control.stopped() && problem.grid().shape().convex) {
-        const Feasibility feasibility = find_feasible(problem, exchange, control);
-        if (feasibility.point.violation > judge.tolerance && feasibility.proof) {
-            result.certificate.verdict = Verdict::infeasible;
-            result.certificate.reason = "limits_contradict";
-            result.certificate.proof = feasibility.proof;
-            result.certificate.proof_kind = ProofKind::duality;
-            result.certificate.worst_violation = feasibility.point.violation;
-            result.proof_source = "structured";
-            return result;
-        }
-        best = pulled_inside(problem, best, feasibility.point, judge.tolerance);
-        if (is_better(feasibility.point, best, judge.tolerance)) best = feasibility.point;
-        // The grid may have grown: the backend's multipliers no longer belong to it.
-        result.exchange.last.row_multipliers.reset();
+    FirstPoint first = first_point(problem, exchange, judge, control);
+    if (first.infeasible) {
+        report_infeasible(result, std::move(first));
+        return result;
     }
+    result.inside = first.inside;
+    result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, control);
+    const Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
     result.certificate.objective = best.objective;
     result.certificate.worst_violation = best.violation;
     if (best.x.size() > 0) {

@@ -17,15 +17,22 @@ struct ContinuousResult {
     Eigen::VectorXd x;  ///< completed; empty where there is nothing to deliver
     Certificate certificate;
     ExchangeResult exchange;
+    Candidate inside;  ///< a point within the limits (where there is one), towards which results are pulled
     std::string proof_source;  ///< whose multipliers proved the bound
 };
 
 /// The verdict for a delivered point whose lower bound (if any) is already in the certificate.
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options);
 
-/// Runs the backend by exchange, pulls a slightly violating result back inside the limits, proves what can be
-/// proved (the backend's multipliers, fitted ones, the structured solver's), and proves infeasibility on the
-/// elastic problem.
+/// A small violation left by a backend is repaired, not reported away: the point moves towards one inside the
+/// limits just as far as its violation asks for (convex problems). Unchanged where there is none or nothing
+/// to repair.
+[[nodiscard]] Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point,
+                                      const Candidate& inside);
+
+/// Looks for a point within the limits first, and where there is none proves that on the elastic problem,
+/// whichever backend was to run. Then runs the backend by exchange from that point, repairs its result, and
+/// proves what can be proved: with the backend's multipliers, fitted ones, or the structured solver's.
 [[nodiscard]] ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
                                                 const ExchangeOptions& exchange, const JudgeOptions& judge,
                                                 const SolveControl& control);

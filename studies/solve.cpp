@@ -71,7 +71,7 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         const ExchangeResult smoother =
             minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
         if (smoother.best.x.size() == 0 || control.stopped()) return;
-        const Candidate delivered = judged(problem, smoother.best.x);
+        const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
         if (mean_jerk(problem, delivered) > mean_jerk(problem, {result.x})) return;
         result.x = delivered.x;
