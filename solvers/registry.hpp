@@ -2,27 +2,33 @@
 // Which backends there are, which of them this build has, and what options each takes.
 #pragma once
 
+#include "solvers/solver.hpp"
+
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "solvers/solver.hpp"
-
 namespace camopt {
 
-/// One option of a backend. `kind`: "bool", "integer", "number" or "text"; `range` in words.
+/// One option of a backend. `kind`: "bool", "integer", "number" or "text"; `range` in words, made from the
+/// members below it, which are what a value is checked against (solvers/backend_support.hpp builds all of
+/// it).
 struct NativeOption {
     std::string name, kind, default_value, range, meaning;
+    double minimum = -infinity, maximum = infinity;  ///< of an integer or a number
+    bool minimum_excluded = false;                   ///< the number must be greater than `minimum`
+    std::vector<std::string> choices{};               ///< of a text
 };
 
 struct SolverEntry {
-    std::string name;         ///< "structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"
-    std::string method;       ///< one line: what algorithm, for which problems
-    bool available = false;   ///< built into this camopt
-    std::string version;      ///< of the library behind it, empty where absent
-    std::string remedy;       ///< where absent: which package to install
+    std::string name;        ///< "structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"
+    std::string method;      ///< one line: what algorithm, for which problems
+    bool available = false;  ///< built into this camopt
+    std::string version;     ///< of the library behind it, empty where absent
+    std::string remedy;      ///< where absent: which package to install
     bool gives_multipliers = false;
     bool needs_convex = false;
     std::vector<NativeOption> options;

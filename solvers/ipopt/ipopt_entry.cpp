@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What the registry says of Ipopt; compiled whether or not this build has it. The options here and no others
+// reach Ipopt: linear_solver is restricted to mumps because the packaged 3.11 ends the whole process on ma97.
+#include "solvers/backend_support.hpp"
+#include "solvers/ipopt/ipopt_solver.hpp"
+
+namespace camopt {
+
+SolverEntry ipopt_entry() {
+    SolverEntry entry;
+    entry.name = "ipopt";
+    entry.method =
+        "primal-dual interior point with a filter line search, exact sparse derivatives, any smooth problem";
+    entry.version = ipopt_version();
+    entry.available = !entry.version.empty();
+    entry.remedy = "install coinor-libipopt-dev and configure camopt again with CAMOPT_WITH_IPOPT=ON";
+    entry.gives_multipliers = true;
+    entry.options = {
+        text_option("linear_solver", "mumps", {"mumps"}, "sparse factorization"),
+        text_option("hessian_approximation", "exact", {"exact", "limited-memory"}, "second derivatives"),
+        text_option("mu_strategy", "adaptive", {"adaptive", "monotone"}, "how the barrier parameter falls"),
+        text_option("nlp_scaling_method", "none", {"none", "gradient-based"}, "scaling of cost and rows"),
+        text_option("fixed_variable_treatment", "make_parameter",
+                    {"make_parameter", "make_constraint", "relax_bounds"}, "variables with equal bounds"),
+        flag_option("mehrotra_algorithm", "true for convex problems with linear rows",
+                    "predictor-corrector steps without a line search"),
+        number_option("mu_init", "0.1", positive, "first barrier parameter"),
+        number_option("mu_target", "0", not_negative, "barrier parameter at which to stop"),
+        number_option("bound_push", "0.01", positive, "least distance of the start from its bounds"),
+        number_option("bound_frac", "0.01", {0.0, 0.5, true},
+                      "the same relative to the distance of the bounds"),
+        number_option("bound_relax_factor", "tolerance / 100", not_negative,
+                      "relative widening of all bounds"),
+        number_option("constr_viol_tol", "tolerance", positive, "largest violation at the end"),
+        number_option("dual_inf_tol", "tolerance", positive, "largest gradient of the Lagrangian at the end"),
+        number_option("compl_inf_tol", "tolerance / 100", positive, "largest complementarity at the end"),
+        number_option("acceptable_tol", "100 tolerance", positive,
+                      "error that is accepted when progress stalls"),
+        integer_option("acceptable_iter", "15", {0.0, 1e6},
+                       "iterations at that error before it is accepted; 0: never"),
+        number_option("mumps_pivtol", "1e-6", {0.0, 1.0}, "pivot tolerance of MUMPS"),
+        integer_option("mumps_mem_percent", "1000", {0.0, 1e6}, "spare memory of MUMPS in percent"),
+        integer_option("max_soc", "4", {0.0, 1e6}, "second-order corrections in one iteration"),
+    };
+    return entry;
+}
+
+}  // namespace camopt

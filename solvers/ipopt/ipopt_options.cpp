@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/ipopt/ipopt_options.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace camopt {
+
+namespace {
+
+class Settings {
+ public:
+    explicit Settings(Ipopt::IpoptApplication& application) : options_(*application.Options()) {}
+
+    // Ipopt answers false for an option that its version does not know or a value it does not take.
+    bool set(const char* name, const char* text) { return options_.SetStringValue(name, text); }
+    bool set(const char* name, bool flag) { return options_.SetStringValue(name, flag ? "yes" : "no"); }
+    bool set(const char* name, double number) { return options_.SetNumericValue(name, number); }
+    bool set(const char* name, int number) { return options_.SetIntegerValue(name, number); }
+
+    template <class Value>
+    void require(const char* name, Value value) {
+        if (!set(name, value))
+            throw InputError(fmt::format("this version of Ipopt refuses its option '{}'", name));
+    }
+
+    void require_native(const std::string& name, const OptionValue& value, bool is_integer) {
+        if (const auto* flag = std::get_if<bool>(&value)) return require(name.c_str(), *flag);
+        if (const auto* text = std::get_if<std::string>(&value)) return require(name.c_str(), text->c_str());
+        if (const auto* number = std::get_if<double>(&value)) return require(name.c_str(), *number);
+        const long long integer = std::get<long long>(value);
+        if (is_integer) return require(name.c_str(), static_cast<int>(integer));
+        require(name.c_str(), static_cast<double>(integer));
+    }
+
+ private:
+    Ipopt::OptionsList& options_;
+};
+
+struct Linearity {
+    bool equalities = true, inequalities = true;
+};
+
+Linearity linearity_of(const NlpShape& shape) {
+    Linearity linear;
+    for (int row = 0; row < shape.constraints(); ++row) {
+        if (shape.rows[row].linear) continue;
+        (shape.g_lower[row] == shape.g_upper[row] ? linear.equalities : linear.inequalities) = false;
+    }
+    return linear;
+}
+
+void set_tolerances(Settings& settings, const BackendOptions& options) {
+    const double tolerance = options.tolerance;
+    // The barrier leaves about one complementarity product for each active row in the cost, and Ipopt divides
+    // its error by the mean multiplier: a hundredth keeps the sum over some hundred rows below `tolerance`.
+    settings.require("tol", 0.01 * tolerance);
+    settings.require("compl_inf_tol", 0.01 * tolerance);
+    settings.require("constr_viol_tol", tolerance);
+    settings.require("dual_inf_tol", tolerance);
+    settings.require("acceptable_tol", std::min(1e-4, 100.0 * tolerance));
+    settings.require("acceptable_constr_viol_tol", std::min(1e-4, 100.0 * tolerance));
+    settings.require("acceptable_dual_inf_tol", std::min(1e-4, 100.0 * tolerance));
+    settings.require("acceptable_compl_inf_tol", std::min(1e-4, 100.0 * tolerance));
+    // The default 1e-8 would let every limit be exceeded by ten times the default tolerance.
+    settings.require("bound_relax_factor", 0.01 * tolerance);
+}
+
+}  // namespace
+
+void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& shape,
+                       const BackendOptions& options) {
+    Settings settings(application);
+    settings.require("print_level", 0);
+    settings.require("sb", true);  // no banner
+    settings.require("linear_solver", "mumps");
+    settings.require("max_iter", options.max_iterations);
+    // Problems arrive scaled; Ipopt's own scaling loosens the tolerances by a factor it does not tell.
+    settings.require("nlp_scaling_method", "none");
+    settings.require("mu_strategy", "adaptive");
+    set_tolerances(settings, options);
+
+    const Linearity linear = linearity_of(shape);
+    const bool all_linear = linear.equalities && linear.inequalities;
+    settings.require("jac_c_constant", linear.equalities);
+    settings.require("jac_d_constant", linear.inequalities);
+    settings.require("hessian_constant", all_linear && shape.quadratic_cost);
+    (void)settings.set("grad_f_constant", shape.linear_cost);  // unknown to 3.11
+    if (all_linear && shape.convex && shape.quadratic_cost) settings.require("mehrotra_algorithm", true);
+
+    for (const auto& [name, value] : options.native)
+        settings.require_native(
+            name, value, name == "acceptable_iter" || name == "mumps_mem_percent" || name == "max_soc");
+}
+
+}  // namespace camopt

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/ipopt/ipopt_solver.hpp"
+
+#include "solvers/backend_support.hpp"
+#include "solvers/ipopt/ipopt_adapter.hpp"
+#include "solvers/ipopt/ipopt_options.hpp"
+
+#include <fmt/core.h>
+
+#include <IpIpoptApplication.hpp>
+#include <IpoptConfig.h>
+#include <mutex>
+
+namespace camopt {
+
+namespace {
+
+struct Outcome {
+    Termination termination;
+    const char* word;
+};
+
+Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
+    using enum Termination;
+    switch (status) {
+        case Ipopt::Solve_Succeeded:
+            return {converged, "Solve_Succeeded"};
+        case Ipopt::Solved_To_Acceptable_Level:
+            return {acceptable, "Solved_To_Acceptable_Level"};
+        case Ipopt::Infeasible_Problem_Detected:
+            return {infeasible, "Infeasible_Problem_Detected"};
+        case Ipopt::Search_Direction_Becomes_Too_Small:
+            return {acceptable, "Search_Direction_Becomes_Too_Small"};
+        case Ipopt::Diverging_Iterates:
+            return {unbounded, "Diverging_Iterates"};
+        case Ipopt::User_Requested_Stop:
+            return {interrupted, "User_Requested_Stop"};
+        case Ipopt::Feasible_Point_Found:
+            return {converged, "Feasible_Point_Found"};
+        case Ipopt::Maximum_Iterations_Exceeded:
+            return {iteration_limit, "Maximum_Iterations_Exceeded"};
+        case Ipopt::Restoration_Failed:
+            return {numerical_failure, "Restoration_Failed"};
+        case Ipopt::Error_In_Step_Computation:
+            return {numerical_failure, "Error_In_Step_Computation"};
+        case Ipopt::Maximum_CpuTime_Exceeded:
+            return {time_limit, "Maximum_CpuTime_Exceeded"};
+        case Ipopt::Not_Enough_Degrees_Of_Freedom:
+            return {unsupported, "Not_Enough_Degrees_Of_Freedom"};
+        case Ipopt::Invalid_Problem_Definition:
+            return {unsupported, "Invalid_Problem_Definition"};
+        case Ipopt::Invalid_Option:
+            return {unsupported, "Invalid_Option"};
+        case Ipopt::Invalid_Number_Detected:
+            return {evaluation_error, "Invalid_Number_Detected"};
+        case Ipopt::Unrecoverable_Exception:
+            return {numerical_failure, "Unrecoverable_Exception"};
+        case Ipopt::NonIpopt_Exception_Thrown:
+            return {numerical_failure, "NonIpopt_Exception_Thrown"};
+        case Ipopt::Insufficient_Memory:
+            return {numerical_failure, "Insufficient_Memory"};
+        case Ipopt::Internal_Error:
+            return {numerical_failure, "Internal_Error"};
+        default:
+            return {numerical_failure, "unknown to camopt"};  // a status of a later Ipopt
+    }
+}
+
+/// Recursive, because an evaluation may itself solve something with Ipopt.
+std::recursive_mutex& ipopt_mutex() {
+    static std::recursive_mutex mutex;
+    return mutex;
+}
+
+class IpoptSolver final : public Solver {
+ public:
+    [[nodiscard]] std::string_view name() const override { return "ipopt"; }
+
+    [[nodiscard]] BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start,
+                                         const BackendOptions& options,
+                                         const SolveControl& control) const override {
+        check_backend_input(entry_, problem, start, options);
+        if (auto result = result_of_crossed_bounds(problem)) return *std::move(result);
+        SolveGuard guard(options, control);
+        const std::lock_guard lock(ipopt_mutex());
+        return solve(problem, start, options, guard);
+    }
+
+ private:
+    static BackendResult solve(const Nlp& problem, const Eigen::VectorXd& start,
+                               const BackendOptions& options, SolveGuard& guard) {
+        constexpr bool with_console = false;
+        const Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
+            new Ipopt::IpoptApplication(with_console);
+        set_ipopt_options(*application, problem.shape(), options);
+        BackendResult result;
+        Outcome outcome = outcome_of(application->Initialize(""));  // "": reads no ipopt.opt
+        if (outcome.termination == Termination::converged) {
+            const Ipopt::SmartPtr<IpoptAdapter> adapter = new IpoptAdapter(problem, start, guard);
+            outcome = outcome_of(application->OptimizeTNLP(GetRawPtr(adapter)));
+            result = adapter->result();
+        }
+        guard.rethrow();
+        result.termination = outcome.termination;
+        result.native_status = outcome.word;
+        const bool finished = outcome.termination == Termination::converged;
+        if (guard.reason() && !finished) result.termination = *guard.reason();
+        return result;
+    }
+
+    SolverEntry entry_ = ipopt_entry();
+};
+
+}  // namespace
+
+std::string ipopt_version() {
+    return IPOPT_VERSION;
+}
+
+std::unique_ptr<Solver> make_ipopt_solver() {
+    return std::make_unique<IpoptSolver>();
+}
+
+}  // namespace camopt

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Ipopt: primal-dual interior point with a filter line search, for large sparse problems, convex or not.
+// Exact sparse Jacobian and Hessian; gives multipliers.
+//
+// Ipopt 3.11 with MUMPS is not thread-safe (four threads crash in every run), so one process-wide mutex is
+// held from the creation of an application to its destruction: solves in several threads take turns. A solve
+// started by an Nlp's evaluation inside a solve of the same thread is allowed. For speed run several
+// processes.
+//
+// Ipopt's defaults that are changed are listed with their reasons in ipopt_options.cpp.
+// Source: A. Wächter, L. T. Biegler, Math. Program. 106 (2006) 25-57.
+#pragma once
+
+#include "solvers/registry.hpp"
+#include "solvers/solver.hpp"
+
+#include <memory>
+#include <string>
+
+namespace camopt {
+
+[[nodiscard]] SolverEntry ipopt_entry();
+
+/// Throws UnavailableError where this build has no Ipopt.
+[[nodiscard]] std::unique_ptr<Solver> make_ipopt_solver();
+
+/// "3.11.9"; empty where this build has no Ipopt.
+[[nodiscard]] std::string ipopt_version();
+
+}  // namespace camopt

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/registry.hpp"
+
+#include "core/errors.hpp"
+#include "solvers/backend_support.hpp"
+#include "solvers/ipopt/ipopt_solver.hpp"
+#include "solvers/nlopt/nlopt_solver.hpp"
+#include "solvers/structured/structured_solver.hpp"
+
+#include <Eigen/Core>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace camopt {
+
+namespace {
+
+SolverEntry structured_entry() {
+    SolverEntry entry;
+    entry.name = "structured";
+    entry.method = "interior point on sparse normal equations, for convex problems with linear rows";
+    entry.available = true;
+    entry.version =
+        fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+    entry.gives_multipliers = true;
+    entry.needs_convex = true;
+    return entry;
+}
+
+struct Backend {
+    SolverEntry (*entry)();
+    std::unique_ptr<Solver> (*make)();
+};
+
+/// A new backend is one line here (docs/adding_a_solver.md).
+constexpr Backend backends[] = {
+    {structured_entry, make_structured_solver},
+    {ipopt_entry, make_ipopt_solver},
+    {nlopt_slsqp_entry, make_nlopt_slsqp_solver},
+    {nlopt_cobyla_entry, make_nlopt_cobyla_solver},
+};
+
+std::size_t index_of(std::string_view name) {
+    const std::span<const SolverEntry> entries = solver_entries();
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const SolverEntry& entry) { return entry.name == name; });
+    if (found != entries.end()) return static_cast<std::size_t>(found - entries.begin());
+    std::vector<std::string_view> names;
+    for (const SolverEntry& entry : entries) names.push_back(entry.name);
+    throw InputError(fmt::format("unknown solver '{}'; allowed: {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+std::span<const SolverEntry> solver_entries() {
+    static const std::vector<SolverEntry> entries = [] {
+        std::vector<SolverEntry> all;
+        for (const Backend& backend : backends) all.push_back(backend.entry());
+        return all;
+    }();
+    return entries;
+}
+
+std::unique_ptr<Solver> make_solver(std::string_view name) {
+    return backends[index_of(name)].make();
+}
+
+void check_native_options(std::string_view solver, const std::map<std::string, OptionValue>& options) {
+    check_native_options(solver_entries()[index_of(solver)], options);
+}
+
+}  // namespace camopt
