@@ -83,8 +83,8 @@ TEST(Relaxation, AppliedWithAMillionthToSpareMakesTheSceneFeasible) {
             }
             EXPECT_GT(*relaxation.needed, relaxation.given);
             const Solution feasible = solve(eased);
-            EXPECT_EQ(feasible.certificate.verdict, Verdict::optimal)
-                << relaxation.key << ' ' << feasible.certificate.reason;
+            EXPECT_TRUE(feasible.curve) << name_of(feasible.certificate.verdict) << ' ' << relaxation.key
+                                        << ' ' << feasible.certificate.reason;
             ++applied;
             // A millionth less than needed must not do, or it was not the least.
             for (std::optional<PeakLimit>* limit :

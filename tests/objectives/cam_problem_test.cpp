@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/cam_problem.hpp"
+
+#include "objectives/curve_bounds.hpp"
+#include "objectives/scene_model.hpp"
+#include "splines/extrema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace camopt {
+namespace {
+
+Scene weighted_scene(int degree, int segments) {
+    Scene scene;
+    scene.spline.degree = degree;
+    scene.spline.segments = segments;
+    scene.objective.velocity = 0.4;
+    scene.objective.acceleration = 0.4;
+    scene.objective.jerk = 0.2;
+    return scene;
+}
+
+CamProblem problem_of(const Scene& scene, DesignKind kind = DesignKind::states) {
+    return CamProblem(scene_model(scene, kind, reference_peaks(scene)));
+}
+
+TEST(CamProblem, CompletedPointsAreFeasibleOnTheGridAndTrueBetweenIt) {
+    for (const int degree : {3, 5}) {
+        const CamProblem problem = problem_of(weighted_scene(degree, 9));
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> number(0.0, 1.0);
+        Eigen::VectorXd x(problem.grid().shape().variables());
+        for (double& value : x) value = number(random);
+        const Eigen::VectorXd completed = problem.completed(x);
+        const NlpShape& shape = problem.grid().shape();
+        Eigen::VectorXd g(shape.constraints());
+        problem.grid().constraints(completed, g);
+        for (int i = 0; i < shape.constraints(); ++i) {
+            EXPECT_LE(g[i], shape.g_upper[i] + 1e-11) << problem.grid().row_name(i);
+            EXPECT_GE(g[i], shape.g_lower[i] - 1e-11) << problem.grid().row_name(i);
+        }
+        for (const Violation& violation : problem.violations(completed, 1.0)) {
+            EXPECT_LE(violation.amount, 1e-11);
+        }
+        const Peaks peaks = peaks_of(problem.curve(completed));
+        const Peaks reference = reference_peaks(weighted_scene(degree, 9));
+        const double objective = 0.4 * peaks.velocity.value / reference.velocity.value +
+                                 0.4 * peaks.acceleration.value / reference.acceleration.value +
+                                 0.2 * peaks.jerk.value / reference.jerk.value;
+        EXPECT_NEAR(problem.objective(x), objective, 1e-12 * objective);
+    }
+}
+
+TEST(CamProblem, StartsFromTheCurveOfLeastJerkEnergy) {
+    // Least ∫ y'''² between rests is the 3-4-5 polynomial: 720 exactly. A quintic holds it, a cubic comes
+    // close.
+    const CamProblem quintic = problem_of(weighted_scene(5, 4));
+    EXPECT_NEAR(std::pow(peaks_of(quintic.curve(quintic.start())).rms_jerk, 2), 720.0, 1e-6);
+    const CamProblem cubic = problem_of(weighted_scene(3, 48));
+    const double energy = std::pow(peaks_of(cubic.curve(cubic.start())).rms_jerk, 2);
+    EXPECT_GT(energy, 720.0);
+    EXPECT_LT(energy, 722.0);
+}
+
+TEST(CamProblem, ARefinementAddsTheMaximumAndItsBracketAndKeepsOldRows) {
+    CamProblem problem = problem_of(weighted_scene(5, 6));
+    const NlpShape before = problem.grid().shape();
+    std::vector<std::string> names;
+    for (int i = 0; i < before.constraints(); ++i) names.push_back(problem.grid().row_name(i));
+    const Violation violation{0, {0.1, 0.07, Side::right}, 0.1, false};
+    EXPECT_EQ(problem.refine(std::vector{violation}), 3);
+    EXPECT_EQ(problem.grid().shape().constraints(), before.constraints() + 3);
+    for (int i = 0; i < before.constraints(); ++i) EXPECT_EQ(problem.grid().row_name(i), names[i]);
+    EXPECT_EQ(problem.refine(std::vector{violation}), 0);  // it is there already
+}
+
+TEST(CamProblem, ALimitHasItsThreeBeats) {
+    Scene scene = weighted_scene(3, 12);
+    const int rows_without = problem_of(scene).grid().shape().constraints();
+    scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
+    const CamProblem limited = problem_of(scene);
+    EXPECT_EQ(limited.grid().shape().constraints(), rows_without + 1);
+    const Eigen::VectorXd start = limited.start();  // the 3-4-5's neighbour: V near 1.875
+    double worst = -1.0;
+    for (const Violation& violation : limited.violations(start, 1.0)) {
+        if (violation.limit) worst = std::max(worst, violation.amount);
+    }
+    EXPECT_NEAR(worst, 1.875 / 1.6 - 1.0, 0.02);
+}
+
+TEST(CamProblem, TheBoxHoldsTheCurvesItPromises) {
+    for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
+        for (const int degree : {3, 5}) {
+            for (const double only : {0.0, 1.0, 2.0, 3.0}) {  // 0: all weights, else only one of them
+                Scene scene = weighted_scene(degree, 8);
+                if (only == 1.0) scene.objective.acceleration = scene.objective.jerk = 0.0;
+                if (only == 2.0) scene.objective.velocity = scene.objective.jerk = 0.0;
+                if (only == 3.0) scene.objective.velocity = scene.objective.acceleration = 0.0;
+                const CamProblem problem = problem_of(scene, kind);
+                std::mt19937 random(17);
+                std::uniform_real_distribution<double> number(-0.05, 0.05);
+                const Eigen::VectorXd start = problem.start();
+                for (int trial = 0; trial < 20; ++trial) {
+                    Eigen::VectorXd x = start;
+                    for (double& value : x) value += number(random);
+                    x = problem.completed(x);
+                    const Box box = problem.box(problem.objective(x), 0.0);
+                    for (Eigen::Index j = 0; j < x.size(); ++j) {
+                        ASSERT_LE(x[j], box.upper[j] + 1e-9)
+                            << name_of(kind) << degree << ' '
+                            << problem.grid().variable_name(static_cast<int>(j));
+                        ASSERT_GE(x[j], box.lower[j] - 1e-9)
+                            << name_of(kind) << degree << ' '
+                            << problem.grid().variable_name(static_cast<int>(j));
+                        ASSERT_TRUE(std::isfinite(box.upper[j]));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(CurveBounds, MarkovAndIntegrationHoldForRandomPolynomials) {
+    std::mt19937 random(23);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    for (const int degree : {3, 5}) {
+        const SplineSpace space(degree, 2, {0.0, 0.2, 0.7, 1.0});
+        for (int trial = 0; trial < 50; ++trial) {
+            Eigen::VectorXd c(space.dimension());
+            for (double& value : c) value = number(random);
+            c[0] = c[1] = c[2] = 0.0;
+            const SplineCurve curve = SplineCurve::from_coefficients(space, c);
+            const Peaks peaks = peaks_of(curve);
+            const MotionPoint end = curve.at(1.0, Side::left);
+            constexpr double none = std::numeric_limits<double>::infinity();
+            KnownBounds known{{none, peaks.velocity.value, none, none}, {none, none, none, none}, {}, {}};
+            known.end_state = {end.derivative[0], end.derivative[1], end.derivative[2]};
+            const Eigen::MatrixXd bounds = derivative_bounds(space, known);
+            for (int k = 0; k <= 300; ++k) {
+                const double x = k / 300.0;
+                for (int r = 0; r <= degree; ++r) {
+                    EXPECT_LE(std::abs(curve.derivative(x, r)),
+                              bounds(r, space.segment_of(x)) * (1.0 + 1e-9));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace camopt
