@@ -1,2 +1,230 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/structured_solver.hpp"
+
+#include "core/errors.hpp"
+#include "solvers/structured/infeasibility.hpp"
+#include "solvers/structured/standard_form.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using Eigen::VectorXd;
+using structured::InteriorPointLimits;
+using structured::InteriorPointResult;
+using structured::StandardForm;
+using structured::Stop;
+
+constexpr double aim = 0.1;           // of the tolerance: what is asked for is then met with room
+constexpr double acceptable = 100.0;  // times the tolerance
+constexpr double elastic_tolerance = 1e-13;
+constexpr double least_proof = 1e-11;  // scaled common violation below which double precision proves nothing
+
+const char* word(Stop stop) {
+    switch (stop) {
+        case Stop::converged:
+            return "converged";
+        case Stop::stagnated:
+            return "no further progress";
+        case Stop::breakdown:
+            return "factorization breakdown";
+        case Stop::iteration_limit:
+            return "iteration limit";
+        case Stop::time_limit:
+            return "time limit";
+        case Stop::interrupted:
+            return "interrupted";
+        case Stop::evaluation_error:
+            return "a value of the problem is not finite";
+        case Stop::suspect_infeasible:
+            return "multipliers diverge";
+        case Stop::suspect_unbounded:
+            return "point diverges";
+    }
+    return "unknown";
+}
+
+class StructuredRun {
+ public:
+    StructuredRun(const Nlp& problem, const VectorXd& start, const BackendOptions& options,
+                  const SolveControl& control)
+        : problem_(problem),
+          start_(start),
+          control_(control),
+          tolerance_(options.tolerance),
+          form_(problem, start) {
+        const StructuredOptions own = structured_options(options.native);
+        limits_.tolerance = aim * options.tolerance;
+        limits_.max_iterations = std::min(own.max_iterations, options.max_iterations);
+        limits_.patience = own.patience;
+        limits_.shift = own.regularisation;
+        limits_.correctors = own.correctors;
+        const auto budget = std::chrono::duration<double>(std::min(options.max_seconds, 1e8));
+        limits_.deadline = std::chrono::steady_clock::now() +
+                           std::chrono::duration_cast<std::chrono::steady_clock::duration>(budget);
+    }
+
+    BackendResult run();
+
+ private:
+    BackendResult refused();
+    BackendResult delivered(const InteriorPointResult& solved) const;
+    bool proved_infeasible(BackendResult& result);
+    bool proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const;
+
+    const Nlp& problem_;
+    const VectorXd& start_;
+    const SolveControl& control_;
+    double tolerance_;
+    StandardForm form_;
+    InteriorPointLimits limits_;
+    int iterations_ = 0;
+};
+
+BackendResult StructuredRun::refused() {
+    BackendResult result;
+    result.native_status = form_.detail();
+    result.x = start_;
+    if (form_.status() == StandardForm::Status::evaluation_error) {
+        result.termination = Termination::evaluation_error;
+        return result;
+    }
+    result.termination = Termination::infeasible;
+    if (form_.ray()) {
+        result.row_multipliers = form_.ray()->row_multipliers;
+        result.bound_multipliers = form_.ray()->bound_multipliers;
+    }
+    return result;
+}
+
+BackendResult StructuredRun::run() {
+    if (form_.status() != StandardForm::Status::ready) return refused();
+    const VectorXd start = form_.to_model(start_);
+    InteriorPointResult solved = interior_point(form_.model(), start, limits_, control_);
+    iterations_ = solved.iterations;
+    BackendResult result;
+    const auto hopeless = [&] {
+        return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
+               solved.stop != Stop::time_limit && solved.stop != Stop::evaluation_error &&
+               solved.errors.worst() > tolerance_;
+    };
+    if (hopeless()) {
+        if (solved.errors.primal > tolerance_ && proved_infeasible(result)) return result;
+        if (solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded) {
+            if (proved_unbounded(solved, result)) return result;
+            limits_.suspicious = false;
+            solved = interior_point(form_.model(), start, limits_, control_);
+            iterations_ += solved.iterations;
+        }
+    }
+    if (hopeless() && solved.errors.worst() > acceptable * tolerance_ && proved_unbounded(solved, result))
+        return result;
+    return delivered(solved);
+}
+
+bool StructuredRun::proved_infeasible(BackendResult& result) {
+    InteriorPointLimits limits = limits_;
+    limits.tolerance = elastic_tolerance;
+    const structured::ElasticResult elastic =
+        least_violation(form_.model(), form_.to_model(start_), limits, control_);
+    iterations_ += elastic.iterations;
+    if (elastic.x.size() == 0 || !(elastic.violation > least_proof)) return false;
+    structured::Ray ray{form_.row_multipliers(elastic.lambda, 1.0), {}};
+    const VectorXd none = VectorXd::Zero(problem_.shape().variables());
+    ray.bound_multipliers = form_.bound_multipliers(none, ray.row_multipliers);
+    const double value = form_.ray_value(ray);
+    // What remains of Cᵀλ + z on variables without the bound to carry it, times the size of the point.
+    const structured::ConvexModel& model = form_.model();
+    const VectorXd rest = model.rows.transpose() * elastic.lambda;
+    double uncertain = 0.0;
+    for (Eigen::Index j = 0; j < rest.size(); ++j)
+        if (!std::isfinite(rest[j] > 0.0 ? model.x_lower[j] : model.x_upper[j]))
+            uncertain += std::abs(rest[j]) * (1.0 + std::abs(elastic.x[j]));
+    if (!(value > least_proof) || !(value > 10.0 * uncertain)) return false;
+    result.termination = Termination::infeasible;
+    result.native_status = fmt::format("least common violation {:.3e} of the scaled rows", elastic.violation);
+    result.x = form_.to_problem(elastic.x);
+    result.row_multipliers = ray.row_multipliers / value;
+    result.bound_multipliers = ray.bound_multipliers / value;
+    result.iterations = iterations_;
+    return true;
+}
+
+bool StructuredRun::proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const {
+    if (solved.best.w.size() == 0) return false;
+    const VectorXd point = solved.best.x(form_.model().variables());
+    InteriorPointLimits limits = limits_;
+    limits.tolerance = 1e-9;
+    if (!recession(form_.model(), point, limits, control_).descends) return false;
+    result = delivered(solved);
+    result.termination = Termination::unbounded;
+    result.native_status = "a direction of unlimited descent exists";
+    return true;
+}
+
+BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const {
+    BackendResult result;
+    result.iterations = iterations_;
+    const double error = solved.errors.worst();
+    result.native_status = fmt::format("{}: errors primal {:.1e}, dual {:.1e}, gap {:.1e}", word(solved.stop),
+                                       solved.errors.primal, solved.errors.dual, solved.errors.gap);
+    if (error <= tolerance_)
+        result.termination = Termination::converged;
+    else if (solved.stop == Stop::iteration_limit)
+        result.termination = Termination::iteration_limit;
+    else if (solved.stop == Stop::time_limit)
+        result.termination = Termination::time_limit;
+    else if (solved.stop == Stop::interrupted)
+        result.termination = Termination::interrupted;
+    else if (solved.stop == Stop::evaluation_error)
+        result.termination = Termination::evaluation_error;
+    else
+        result.termination =
+            error <= acceptable * tolerance_ ? Termination::acceptable : Termination::numerical_failure;
+    if (solved.best.w.size() == 0) {
+        result.x = start_;
+        return result;
+    }
+    result.x = form_.to_problem(solved.best.x(form_.model().variables()));
+    result.row_multipliers = form_.row_multipliers(solved.best.lambda, form_.cost_scale());
+    VectorXd gradient(result.x.size());
+    problem_.gradient(result.x, gradient);
+    if (!gradient.allFinite()) gradient.setZero();
+    result.bound_multipliers = form_.bound_multipliers(gradient, *result.row_multipliers);
+    return result;
+}
+
+class StructuredSolver final : public Solver {
+ public:
+    std::string_view name() const override { return "structured"; }
+    BackendResult minimize(const Nlp& problem, const VectorXd& start, const BackendOptions& options,
+                           const SolveControl& control) const override {
+        const NlpShape& shape = problem.shape();
+        if (start.size() != shape.variables())
+            throw ModelError(fmt::format("structured: the start has {} entries, the problem {} variables",
+                                         start.size(), shape.variables()));
+        const bool linear =
+            std::all_of(shape.rows.begin(), shape.rows.end(), [](const RowKind& row) { return row.linear; });
+        if (!shape.convex || !linear) {
+            BackendResult result;
+            result.termination = Termination::unsupported;
+            result.native_status =
+                linear ? "the problem is not known to be convex" : "a constraint row is not linear";
+            result.x = start;
+            return result;
+        }
+        return StructuredRun(problem, start, options, control).run();
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_structured_solver() {
+    return std::make_unique<StructuredSolver>();
+}
+
+}  // namespace camopt

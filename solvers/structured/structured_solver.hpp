@@ -1,12 +1,48 @@
 // SPDX-License-Identifier: MIT
 // camopt's own interior point for convex problems with linear constraints; needs nothing but Eigen.
+//
+//     min f(x)   subject to   x_L <= x <= x_U,   g_L <= G x + g_0 <= g_U,   f convex and twice differentiable
+//
+// Taken: shape().convex with every row linear; anything else ends as Termination::unsupported. Bounds may be
+// equal (fixed variables, equalities), one-sided or absent; redundant consistent rows do no harm.
+// The cost is evaluated only at points strictly between the bounds of x (where f is not quadratic).
+//
+// converged: primal, dual and gap errors of the scaled problem are <= options.tolerance (it aims at a tenth
+// of it); acceptable: <= 100 times that. Both multipliers are always given. infeasible: row_multipliers λ and
+// bound_multipliers z are a Farkas ray instead,
+//     Jᵀλ + z = 0   and   −Σ λ_i b_i − Σ z_j x_bound_j = 1,
+// where b_i = g_U − g_0 for λ_i > 0 and g_L − g_0 for λ_i < 0, x_bound_j alike; x is then the point of least
+// common violation. The multipliers are absent where the bounds of one row or variable cross.
+// unbounded: x is the last point, native_status says along what was found.
+// Sources: Mehrotra (1992), Gondzio (1996), Vanderbei (1995), Ruiz (2001); see the files of this folder.
 #pragma once
-
-#include <memory>
 
 #include "solvers/solver.hpp"
 
+#include <map>
+#include <memory>
+#include <string>
+
 namespace camopt {
+
+struct StructuredOptions {
+    /// Iterations, the elastic phase apart; BackendOptions::max_iterations cuts it further. >= 1. Problems
+    /// that need more than 60 are badly posed.
+    int max_iterations = 200;
+    /// Diagonal shift of the scaled Newton matrix, in [1e-14, 1e-3]. Larger where native_status names
+    /// breakdowns.
+    double regularisation = 1e-9;
+    /// Centrality correctors an iteration at most, 0 … 10. More for large problems, where a factorization
+    /// costs much more than a solve.
+    int correctors = 2;
+    /// Iterations without a better point before the search ends with the best one. >= 2.
+    int patience = 12;
+    void validate() const;  ///< throws InputError
+};
+
+/// Reads "max_iterations", "regularisation", "correctors" and "patience". Throws InputError for an unknown
+/// name, a value of the wrong kind or out of range.
+[[nodiscard]] StructuredOptions structured_options(const std::map<std::string, OptionValue>& native);
 
 [[nodiscard]] std::unique_ptr<Solver> make_structured_solver();
 

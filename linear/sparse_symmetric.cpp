@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "linear/sparse_symmetric.hpp"
+
+#include "core/errors.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace camopt {
+namespace {
+
+using Matrix = SymmetricFactor::Matrix;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+class SimplicialFactor final : public SymmetricFactor {
+ public:
+    void analyse(const Matrix& lower, std::vector<int> signs) override {
+        if (lower.rows() != lower.cols() || static_cast<Index>(signs.size()) != lower.rows())
+            throw ModelError("SymmetricFactor: a square matrix and one sign a row are needed");
+        signs_ = std::move(signs);
+        shifted_ = lower;
+        shifted_.makeCompressed();
+        diagonal_.assign(signs_.size(), -1);
+        for (Index j = 0; j < shifted_.cols(); ++j)
+            for (Index p = shifted_.outerIndexPtr()[j]; p < shifted_.outerIndexPtr()[j + 1]; ++p)
+                if (shifted_.innerIndexPtr()[p] == j) diagonal_[static_cast<std::size_t>(j)] = p;
+        if (std::find(diagonal_.begin(), diagonal_.end(), Index{-1}) != diagonal_.end())
+            throw ModelError("SymmetricFactor: every diagonal entry must be stored");
+        if (shifted_.rows() > 0) factor_.analyzePattern(shifted_);
+    }
+
+    FactorOutcome factorize(const Matrix& lower, const VectorXd& shift) override {
+        if (lower.nonZeros() != shifted_.nonZeros() || shift.size() != shifted_.rows())
+            throw ModelError("SymmetricFactor: not the analysed pattern");
+        if (shifted_.rows() == 0) return FactorOutcome::ok;
+        std::copy_n(lower.valuePtr(), lower.nonZeros(), shifted_.valuePtr());
+        for (std::size_t i = 0; i < signs_.size(); ++i)
+            shifted_.valuePtr()[diagonal_[i]] += signs_[i] * shift[static_cast<Index>(i)];
+        factor_.factorize(shifted_);
+        if (factor_.info() != Eigen::Success) return FactorOutcome::zero_pivot;
+        const VectorXd pivots = factor_.vectorD();
+        if (!pivots.allFinite()) return FactorOutcome::not_finite;
+        const auto& order = factor_.permutationPinv().indices();
+        for (Index k = 0; k < pivots.size(); ++k) {
+            const Index row = order.size() == 0 ? k : order[k];
+            if (pivots[k] * signs_[static_cast<std::size_t>(row)] <= 0.0) return FactorOutcome::wrong_sign;
+        }
+        return FactorOutcome::ok;
+    }
+
+    void solve_in_place(VectorXd& right_side) const override {
+        if (right_side.size() > 0) right_side = factor_.solve(right_side).eval();
+    }
+
+ private:
+    Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+    Matrix shifted_;
+    std::vector<int> signs_;
+    std::vector<Index> diagonal_;
+};
+
+VectorXd residual_of(const Matrix& lower, const VectorXd& x, const VectorXd& right_side) {
+    VectorXd result = right_side;
+    result.noalias() -= lower.selfadjointView<Eigen::Lower>() * x;
+    return result;
+}
+
+/// One cycle of flexible GMRES from the residual `start`; the correction it proposes.
+VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& start, double target,
+                     int steps, int& solves) {
+    const double length = start.norm();
+    std::vector<VectorXd> basis{start / length}, directions;
+    Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(steps + 1, steps);
+    VectorXd reduced_right = VectorXd::Zero(steps + 1), coefficients;
+    reduced_right[0] = length;
+    for (int k = 0; k < steps; ++k) {
+        VectorXd direction = basis.back();
+        factor.solve_in_place(direction);
+        ++solves;
+        if (!direction.allFinite()) break;
+        VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
+        if (!image.allFinite()) break;
+        for (int pass = 0; pass < 2; ++pass)
+            for (int i = 0; i <= k; ++i) {
+                const double part = basis[static_cast<std::size_t>(i)].dot(image);
+                hessenberg(i, k) += part;
+                image -= part * basis[static_cast<std::size_t>(i)];
+            }
+        hessenberg(k + 1, k) = image.norm();
+        directions.push_back(std::move(direction));
+        const auto block = hessenberg.topLeftCorner(k + 2, k + 1);
+        coefficients = block.colPivHouseholderQr().solve(reduced_right.head(k + 2));
+        const double rest = (block * coefficients - reduced_right.head(k + 2)).norm();
+        if (rest <= target || hessenberg(k + 1, k) <= 1e-300) break;
+        basis.push_back(image / hessenberg(k + 1, k));
+    }
+    VectorXd correction = VectorXd::Zero(start.size());
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        correction += coefficients[static_cast<Index>(i)] * directions[i];
+    return correction;
+}
+
+}  // namespace
+
+const char* name_of(FactorOutcome value) {
+    switch (value) {
+        case FactorOutcome::ok:
+            return "ok";
+        case FactorOutcome::zero_pivot:
+            return "zero_pivot";
+        case FactorOutcome::wrong_sign:
+            return "wrong_sign";
+        case FactorOutcome::not_finite:
+            return "not_finite";
+    }
+    return "unknown";
+}
+
+std::unique_ptr<SymmetricFactor> make_simplicial_factor() {
+    return std::make_unique<SimplicialFactor>();
+}
+
+RefinedSolve refined_solve(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& right_side,
+                           const RefinementLimits& limits) {
+    constexpr int cycle = 5;  // a restart recomputes the residual, which rounding in the basis hides
+    RefinedSolve result;
+    result.solution = VectorXd::Zero(right_side.size());
+    const double length = right_side.norm();
+    result.finite = std::isfinite(length);
+    if (length == 0.0 || !result.finite) return result;
+    result.residual = 1.0;
+    VectorXd residual = right_side;
+    while (result.solves < limits.solves && result.residual > limits.target) {
+        const int steps = std::min(cycle, limits.solves - result.solves);
+        const VectorXd trial = result.solution + gmres_cycle(factor, lower, residual, limits.target * length,
+                                                             steps, result.solves);
+        VectorXd trial_residual = residual_of(lower, trial, right_side);
+        const double size = trial_residual.norm() / length;
+        if (!(size < result.residual)) break;
+        const bool stalled = size > 0.5 * result.residual;
+        result.solution = trial;
+        result.residual = size;
+        residual = std::move(trial_residual);
+        if (stalled) break;
+    }
+    result.finite = result.residual < 1.0;
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Factorization of a sparse symmetric quasi-definite matrix whose pattern never changes, and accurate solves.
+//
+//     K = [ P  Cᵀ ]      P positive, D negative (semi)definite; the signs of the pivots are known beforehand,
+//         [ C  D  ]      so L Λ Lᵀ exists for every symmetric order once K is regularised:
+//     K + diag(sign_i · shift_i) = L Λ Lᵀ,  shift >= 0.
+//
+// Matrices are passed as their lower triangle, column by column, every diagonal entry stored (zero or not).
+// The solution of K x = b itself, without the shifts, comes from refined_solve.
+// Source: Vanderbei, Symmetric quasidefinite matrices, SIAM J. Optim. 5 (1995).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace camopt {
+
+enum class FactorOutcome {
+    ok,
+    zero_pivot,  ///< breakdown: a pivot vanished
+    wrong_sign,  ///< breakdown: a pivot has not the sign it must have; more shift is the cure
+    not_finite   ///< the matrix or the factor overflowed
+};
+[[nodiscard]] const char* name_of(FactorOutcome value);
+
+class SymmetricFactor {
+ public:
+    using Matrix = Eigen::SparseMatrix<double>;
+    virtual ~SymmetricFactor() = default;
+    /// Once for a pattern. `signs`: +1 or −1 for every row. Throws ModelError where sizes differ.
+    virtual void analyse(const Matrix& lower, std::vector<int> signs) = 0;
+    /// `lower` has the analysed pattern. After anything but `ok` the factor must not be used.
+    [[nodiscard]] virtual FactorOutcome factorize(const Matrix& lower, const Eigen::VectorXd& shift) = 0;
+    /// Solves with the factor, shifts included, in place.
+    virtual void solve_in_place(Eigen::VectorXd& right_side) const = 0;
+};
+
+/// Eigen's simplicial LDLᵀ with minimum-degree order.
+[[nodiscard]] std::unique_ptr<SymmetricFactor> make_simplicial_factor();
+
+struct RefinedSolve {
+    Eigen::VectorXd solution;
+    double residual = 0.0;  ///< ‖b − K x‖ / ‖b‖, 0 for b = 0
+    int solves = 0;         ///< with the factor
+    bool finite = true;     ///< false: `solution` is zero and useless
+};
+
+struct RefinementLimits {
+    double target = 1e-14;  ///< relative residual that is good enough
+    int solves = 10;        ///< with the factor, at most
+};
+
+/// K x = b for the unshifted K = `lower`, by flexible GMRES with the shifted factor as preconditioner. It
+/// does at least as well as iterative refinement for the same work and also converges where that does not.
+[[nodiscard]] RefinedSolve refined_solve(const SymmetricFactor& factor, const SymmetricFactor::Matrix& lower,
+                                         const Eigen::VectorXd& right_side,
+                                         const RefinementLimits& limits = {});
+
+}  // namespace camopt

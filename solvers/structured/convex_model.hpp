@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Internal to solvers/structured/: what the interior point solves,
+//
+//     min f(x)   subject to   x_L <= x <= x_U,   r_L <= C x <= r_U,
+//
+// f convex, every row with at least one finite side, every variable with x_L < x_U. Usually the scaled form
+// of an Nlp (standard_form.hpp) or the elastic problem made of one (infeasibility.hpp).
+#pragma once
+
+#include "core/nlp.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <span>
+
+namespace camopt::structured {
+
+enum class CostKind { linear, quadratic, smooth };
+
+class ConvexCost {
+ public:
+    virtual ~ConvexCost() = default;
+    [[nodiscard]] virtual double value(const Eigen::VectorXd& x) const = 0;
+    [[nodiscard]] virtual Eigen::VectorXd gradient(const Eigen::VectorXd& x) const = 0;
+    /// In the order of ConvexModel::hessian.
+    virtual void hessian(const Eigen::VectorXd& x, std::span<double> out) const = 0;
+};
+
+class LinearCost final : public ConvexCost {
+ public:
+    explicit LinearCost(Eigen::VectorXd coefficients) : coefficients_(std::move(coefficients)) {}
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const override { return coefficients_.dot(x); }
+    [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd&) const override { return coefficients_; }
+    void hessian(const Eigen::VectorXd&, std::span<double>) const override {}
+
+ private:
+    Eigen::VectorXd coefficients_;
+};
+
+struct ConvexModel {
+    using Matrix = Eigen::SparseMatrix<double>;
+    Matrix rows;  ///< C
+    Eigen::VectorXd row_lower, row_upper, x_lower, x_upper;
+    SparsityPattern hessian;  ///< lower triangle
+    CostKind kind = CostKind::linear;
+    std::unique_ptr<ConvexCost> cost;
+
+    [[nodiscard]] Eigen::Index variables() const { return x_lower.size(); }
+    [[nodiscard]] Eigen::Index constraints() const { return row_lower.size(); }
+    [[nodiscard]] bool is_equality(Eigen::Index row) const { return row_lower[row] == row_upper[row]; }
+};
+
+}  // namespace camopt::structured

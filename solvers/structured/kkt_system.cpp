@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/structured/kkt_system.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace camopt::structured {
+namespace {
+
+constexpr double largest_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
+constexpr double shift_growth = 100.0;  // a breakdown is rare; few retries matter more than the least shift
+constexpr double shift_decay = 0.1;     // back towards the first shift once a factorization succeeds
+
+Eigen::Index position_of(const SymmetricFactor::Matrix& matrix, int row, int column) {
+    const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
+    const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
+    return std::lower_bound(begin, end, row) - matrix.innerIndexPtr();
+}
+
+}  // namespace
+
+KktSystem::KktSystem(const ConvexModel& model, double shift)
+    : variables_(model.variables()),
+      constraints_(model.constraints()),
+      first_shift_(shift),
+      shift_(shift),
+      factor_(make_simplicial_factor()) {
+    const auto size = static_cast<int>(variables_ + constraints_);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 0.0);
+    for (int e = 0; e < model.hessian.size(); ++e)
+        entries.emplace_back(model.hessian.rows[static_cast<std::size_t>(e)],
+                             model.hessian.columns[static_cast<std::size_t>(e)], 0.0);
+    const auto offset = static_cast<int>(variables_);
+    for (Eigen::Index j = 0; j < variables_; ++j)
+        for (ConvexModel::Matrix::InnerIterator entry(model.rows, j); entry; ++entry)
+            entries.emplace_back(offset + static_cast<int>(entry.row()), static_cast<int>(j), entry.value());
+    lower_.resize(size, size);
+    lower_.setFromTriplets(entries.begin(), entries.end());
+    lower_.makeCompressed();
+    for (int i = 0; i < size; ++i) diagonal_.push_back(position_of(lower_, i, i));
+    for (int e = 0; e < model.hessian.size(); ++e)
+        hessian_position_.push_back(position_of(lower_, model.hessian.rows[static_cast<std::size_t>(e)],
+                                                model.hessian.columns[static_cast<std::size_t>(e)]));
+    for (std::size_t e = 0; e < hessian_position_.size(); ++e)
+        if (model.hessian.rows[e] != model.hessian.columns[e]) off_diagonal_.push_back(hessian_position_[e]);
+    std::vector<int> signs(static_cast<std::size_t>(size), 1);
+    std::fill(signs.begin() + variables_, signs.end(), -1);
+    factor_->analyse(lower_, std::move(signs));
+}
+
+bool KktSystem::factorize(const std::vector<double>& hessian, const Eigen::VectorXd& sigma,
+                          const Eigen::VectorXd& d) {
+    double* values = lower_.valuePtr();
+    for (Eigen::Index j = 0; j < variables_; ++j) values[diagonal_[static_cast<std::size_t>(j)]] = sigma[j];
+    for (Eigen::Index i = 0; i < constraints_; ++i)
+        values[diagonal_[static_cast<std::size_t>(variables_ + i)]] = -d[i];
+    for (const Eigen::Index p : off_diagonal_) values[p] = 0.0;
+    for (std::size_t e = 0; e < hessian.size(); ++e) values[hessian_position_[e]] += hessian[e];
+
+    shift_ = std::max(first_shift_, shift_ * shift_decay);
+    while (shift_ <= largest_shift) {
+        const FactorOutcome outcome =
+            factor_->factorize(lower_, Eigen::VectorXd::Constant(lower_.rows(), shift_));
+        if (outcome == FactorOutcome::ok) return true;
+        shift_ *= shift_growth;
+    }
+    shift_ = largest_shift;
+    return false;
+}
+
+KktSystem::Step KktSystem::solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
+    Eigen::VectorXd right_side(variables_ + constraints_);
+    right_side << p, q;
+    const RefinedSolve solved = refined_solve(*factor_, lower_, right_side);
+    return {solved.solution.head(variables_), solved.solution.tail(constraints_), solved.residual,
+            solved.finite};
+}
+
+}  // namespace camopt::structured

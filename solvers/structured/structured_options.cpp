@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "core/errors.hpp"
+#include "solvers/structured/structured_solver.hpp"
+
+#include <fmt/core.h>
+
+namespace camopt {
+namespace {
+
+double number(const std::string& name, const OptionValue& value) {
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* integer = std::get_if<long long>(&value)) return static_cast<double>(*integer);
+    throw InputError(fmt::format("structured.{}: a number is expected", name));
+}
+
+int integer(const std::string& name, const OptionValue& value) {
+    const auto* found = std::get_if<long long>(&value);
+    if (found == nullptr || *found < -1000000000 || *found > 1000000000)
+        throw InputError(fmt::format("structured.{}: an integer of moderate size is expected", name));
+    return static_cast<int>(*found);
+}
+
+void require(bool holds, const char* name, const char* range) {
+    if (!holds) throw InputError(fmt::format("structured.{}: allowed is {}", name, range));
+}
+
+}  // namespace
+
+void StructuredOptions::validate() const {
+    require(max_iterations >= 1, "max_iterations", ">= 1");
+    require(regularisation >= 1e-14 && regularisation <= 1e-3, "regularisation", "1e-14 … 1e-3");
+    require(correctors >= 0 && correctors <= 10, "correctors", "0 … 10");
+    require(patience >= 2, "patience", ">= 2");
+}
+
+StructuredOptions structured_options(const std::map<std::string, OptionValue>& native) {
+    StructuredOptions options;
+    for (const auto& [name, value] : native) {
+        if (name == "max_iterations")
+            options.max_iterations = integer(name, value);
+        else if (name == "regularisation")
+            options.regularisation = number(name, value);
+        else if (name == "correctors")
+            options.correctors = integer(name, value);
+        else if (name == "patience")
+            options.patience = integer(name, value);
+        else
+            throw InputError(
+                fmt::format("structured has no option \"{}\"; allowed: correctors, max_iterations, patience, "
+                            "regularisation",
+                            name));
+    }
+    options.validate();
+    return options;
+}
+
+}  // namespace camopt
