@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Round numbers for an axis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Multiples of a round step (1, 2 or 5 times a power of ten) in [lower, upper]: about `wanted` of them.
+[[nodiscard]] std::vector<double> round_ticks(double lower, double upper, int wanted);
+
+/// The same for an angle in degrees: steps a protractor knows (1, 2, 5, 10, 15, 30, 45, 60, 90 …).
+[[nodiscard]] std::vector<double> degree_ticks(double lower, double upper, int wanted);
+
+/// The number with just the decimals that tell it from its neighbours.
+[[nodiscard]] std::string tick_text(double value, double step);
+
+}  // namespace camopt

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A derivative of a motion as SVG path data.
+//
+// Between breakpoints the value and its slope (the next derivative, exact) give cubic Bézier pieces: for a
+// cubic spline they are the curve itself. The jerk is drawn through dense points, its steps as steps. Where a
+// derivative is infinite the path is broken.
+#pragma once
+
+#include "core/motion.hpp"
+
+#include <functional>
+#include <string>
+
+namespace camopt {
+
+/// From (x, y⁽ʳ⁾) to px.
+struct PlotMap {
+    std::function<double(double x)> horizontal;
+    std::function<double(double value)> vertical;
+};
+
+/// order: 0 … 3. Motions of very many pieces are thinned out to what a screen can show.
+[[nodiscard]] std::string curve_path(const Motion& motion, int order, const PlotMap& map);
+
+/// Least and largest finite value of the derivative, found on the points the path goes through.
+struct ValueRange {
+    double lower = 0.0, upper = 0.0;
+};
+[[nodiscard]] ValueRange value_range(const Motion& motion, int order);
+
+}  // namespace camopt

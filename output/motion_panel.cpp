@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "output/motion_panel.hpp"
+
+#include "output/axis_ticks.hpp"
+#include "output/curve_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr double headroom = 0.17;  // of the value range, above and below: room for the peak's label
+constexpr double limit_in_sight =
+    1.45;  // a limit beyond this many times the largest value is left out of sight
+constexpr std::size_t most_breakpoint_ticks = 200;  // more would be a grey band
+constexpr double label_width = 6.3;                 // px a letter, about
+
+/// The panel's coordinates.
+struct Plot {
+    PanelFrame frame;
+    double begin, end, lower, upper;
+    [[nodiscard]] double x(double angle) const {
+        return frame.left + frame.width * (angle - begin) / (end - begin);
+    }
+    [[nodiscard]] double y(double value) const {
+        return frame.top + frame.height * (upper - value) / (upper - lower);
+    }
+    [[nodiscard]] double right() const { return frame.left + frame.width; }
+    [[nodiscard]] double bottom() const { return frame.top + frame.height; }
+};
+
+Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
+    ValueRange range = value_range(*content.optimum, content.order);
+    if (content.peak) {
+        range.lower = std::min(range.lower, content.peak->value);
+        range.upper = std::max(range.upper, content.peak->value);
+    }
+    if (content.reference) {
+        const ValueRange other = value_range(*content.reference, content.order);
+        range.lower = std::min(range.lower, other.lower);
+        range.upper = std::max(range.upper, other.upper);
+    }
+    if (content.limit && content.limit->normalised <= limit_in_sight * std::max(range.upper, -range.lower)) {
+        range.upper = std::max(range.upper, content.limit->normalised);
+        if (range.lower < 0.0) range.lower = std::min(range.lower, -content.limit->normalised);
+    }
+    const double size = range.upper > range.lower ? range.upper - range.lower : 1.0;
+    return {frame, content.optimum->begin(), content.optimum->end(), range.lower - headroom * size,
+            range.upper + headroom * size};
+}
+
+/// The left axis carries physical units and the grid, the right one normalised values.
+void draw_value_axes(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    const std::vector<double> left = round_ticks(content.factor * plot.lower, content.factor * plot.upper, 5);
+    const double left_step = left.size() > 1 ? left[1] - left[0] : 1.0;
+    for (const double tick : left) {
+        const double y = plot.y(tick / content.factor);
+        canvas.line(plot.frame.left, y, plot.right(), y, tick == 0.0 ? "zero" : "grid");
+        canvas.text(plot.frame.left - 8, y + 4, tick_text(tick, left_step), "tick end");
+    }
+    const std::vector<double> right = round_ticks(plot.lower, plot.upper, 5);
+    const double right_step = right.size() > 1 ? right[1] - right[0] : 1.0;
+    for (const double tick : right) {
+        const double y = plot.y(tick);
+        canvas.line(plot.right(), y, plot.right() + 4, y, "axis");
+        canvas.text(plot.right() + 8, y + 4, tick_text(tick, right_step), "tick faint");
+    }
+    const double middle = plot.frame.top + 0.5 * plot.frame.height;
+    canvas.text(plot.frame.left - 66, middle, content.unit, "unit middle", 90);
+}
+
+void draw_angle_axis(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    const double step =
+        content.angle_ticks.size() > 1 ? content.angle_ticks[1] - content.angle_ticks[0] : 1.0;
+    for (const double tick : content.angle_ticks) {
+        const double x = plot.x(tick / content.degrees_per_x);
+        canvas.line(x, plot.frame.top, x, plot.bottom(), "grid");
+        if (content.angle_labels) canvas.text(x, plot.bottom() + 18, tick_text(tick, step), "tick middle");
+    }
+    const std::vector<double> breakpoints = content.optimum->breakpoints();
+    if (breakpoints.size() > most_breakpoint_ticks) return;
+    for (const double breakpoint : breakpoints)
+        canvas.line(plot.x(breakpoint), plot.bottom() - 5, plot.x(breakpoint), plot.bottom(), "breakpoint");
+}
+
+void draw_limit(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    if (!content.limit) return;
+    const double value = content.limit->normalised;
+    if (value > plot.upper) {
+        canvas.text(plot.right() - 6, plot.frame.top + 14, content.limit->words + " (above)",
+                    "limit-label end");
+        return;
+    }
+    canvas.line(plot.frame.left, plot.y(value), plot.right(), plot.y(value), "limit");
+    if (-value >= plot.lower)
+        canvas.line(plot.frame.left, plot.y(-value), plot.right(), plot.y(-value), "limit");
+    // The label goes to the end of the line that is farther from the peak.
+    const bool peak_left =
+        content.peak && plot.x(content.peak->at) < plot.frame.left + 0.5 * plot.frame.width;
+    if (peak_left)
+        canvas.text(plot.right() - 6, plot.y(value) - 6, content.limit->words, "limit-label end");
+    else
+        canvas.text(plot.frame.left + 6, plot.y(value) - 6, content.limit->words, "limit-label");
+}
+
+void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    if (!content.peak) return;
+    const double x = plot.x(content.peak->at), y = plot.y(content.peak->value);
+    canvas.circle(x, y, 4, "peak");
+    const double half = 0.5 * label_width * static_cast<double>(content.peak_words.size());
+    const double label_x = std::clamp(x, plot.frame.left + half + 6, plot.right() - half - 6);
+    canvas.text(label_x, content.peak->value >= 0.0 ? y - 9 : y + 19, content.peak_words,
+                "peak-label middle");
+}
+
+}  // namespace
+
+std::string_view panel_style() {
+    return "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;"
+           "fill:#222}"
+           ".end{text-anchor:end}.middle{text-anchor:middle}"
+           ".tick{font-size:11px;fill:#555}.faint{fill:#888}"
+           ".unit{fill:#555}.caption{font-size:13px;font-weight:600}.compare{fill:#555}"
+           ".frame{fill:none;stroke:#999;stroke-width:1}.grid{stroke:#ececec;stroke-width:1}"
+           ".zero{stroke:#b5b5b5;stroke-width:1}.axis{stroke:#999;stroke-width:1}"
+           ".breakpoint{stroke:#9a9a9a;stroke-width:1}"
+           ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+           ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
+           ".limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 4;stroke-linecap:round}"
+           ".limit-label{font-size:11.5px;fill:#c81e1e;paint-order:stroke;stroke:#fff;stroke-width:4px}"
+           ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
+           ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px;"
+           "stroke-linejoin:round}";
+}
+
+void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& content) {
+    const Plot plot = make_plot(frame, content);
+    const PlotMap map{[&](double x) { return plot.x(x); }, [&](double value) { return plot.y(value); }};
+    draw_angle_axis(canvas, plot, content);
+    draw_value_axes(canvas, plot, content);
+    canvas.rectangle(frame.left, frame.top, frame.width, frame.height, "frame");
+    if (content.reference) canvas.path(curve_path(*content.reference, content.order, map), "reference");
+    canvas.path(curve_path(*content.optimum, content.order, map), "optimum");
+    draw_limit(canvas, plot, content);
+    draw_peak(canvas, plot, content);
+    canvas.text(frame.left, frame.top - 8, content.caption, "caption");
+    canvas.text(plot.right(), frame.top - 8, content.caption_right, "compare end");
+}
+
+}  // namespace camopt

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Numbers as text: exact for machines, short for people. None of them depends on the locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+/// The shortest decimal text that reads back as the same double. Empty for a value that is not finite.
+[[nodiscard]] std::string round_trip_text(double value);
+
+/// `digits` significant digits, without trailing zeros; "∞" or "–" for what is not finite.
+[[nodiscard]] std::string short_text(double value, int digits = 6);
+
+/// Relative change in percent, signed: "−2.6 %". "–" where it does not exist.
+[[nodiscard]] std::string change_text(double value, double reference);
+
+/// A key in words: "modified_sine" becomes "modified sine".
+[[nodiscard]] std::string words_of(std::string_view key);
+
+}  // namespace camopt

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "output/report.hpp"
+
+#include "core/units.hpp"
+#include "output/display_scale.hpp"
+#include "output/number_text.hpp"
+#include "output/peak_comparison.hpp"
+#include "output/solution_text.hpp"
+#include "output/version.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+std::string optional_text(const std::optional<double>& value) {
+    return value ? short_text(*value) : "–";
+}
+
+std::string asked_motion(const MotionSpec& motion) {
+    const DisplayScale scale = display_scale(motion);
+    std::string text =
+        fmt::format("- Motion: {}, lift {} {}, rise {} deg",
+                    motion.type == MotionType::drd ? "rise between two dwells"
+                                                   : "rise and return without a dwell at the top",
+                    short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0],
+                    short_text(motion.rise / units::degree));
+    if (motion.type == MotionType::rr)
+        text += fmt::format(", return {} deg",
+                            short_text(motion.return_angle.value_or(motion.rise) / units::degree));
+    if (motion.speed)
+        text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
+    if (motion.symmetric) text += ", symmetric";
+    if (!motion.via.empty()) text += fmt::format(", through {} given points", motion.via.size());
+    return text + "\n";
+}
+
+std::string asked(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
+                                                            : spline.breakpoints.size() - 1;
+    std::string text = "## What was asked\n\n" + asked_motion(scene.motion);
+    text +=
+        fmt::format("- Spline: degree {}, {} {}segments, continuous up to derivative {}{}\n", spline.degree,
+                    segments, spline.breakpoints.empty() ? "uniform " : "", spline.smoothness(),
+                    spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "");
+    std::string terms;
+    const auto term = [&](double weight, const char* name) {
+        if (weight > 0.0)
+            terms += fmt::format("{}{} × {}", terms.empty() ? "" : " + ", short_text(weight), name);
+    };
+    const ObjectiveSpec& objective = scene.objective;
+    term(objective.velocity, "velocity");
+    term(objective.acceleration, "acceleration");
+    term(objective.jerk, "jerk");
+    term(objective.rms_acceleration, "rms acceleration");
+    term(objective.rms_jerk, "rms jerk");
+    return text + fmt::format("- Objective: the least {}, each divided by that of {}\n", terms,
+                              objective.reference.numeric ? "the reference given as numbers"
+                                                          : "the law " + words_of(objective.reference.law));
+}
+
+std::string verdict_section(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    std::string text = "\n## Verdict\n\n**" + verdict_sentence(certificate) + "**\n\n";
+    const auto line = [&](const char* name, double value, int digits) {
+        text += fmt::format("- {}: {}\n", name, short_text(value, digits));
+    };
+    if (solution.curve) line("Objective", certificate.objective, 10);
+    if (certificate.lower_bound) line("Proved lower bound", *certificate.lower_bound, 10);
+    if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
+    if (solution.any_curve_limit)
+        line("Least objective of any curve whatever, spline or not", solution.any_curve_limit->objective, 10);
+    if (certificate.stationarity) line("Stationarity residual", *certificate.stationarity, 3);
+    return text;
+}
+
+std::string peak_table(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    std::string text = fmt::format(
+        "\n## Peaks\n\n| | this motion | | at (deg) | {} | change | best of any curve "
+        "|\n|---|--:|--:|--:|--:|--:|--:|\n",
+        reference_title(reference));
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        const std::string physical =
+            row.factor > 0.0 ? fmt::format("{} {}", short_text(row.factor * row.optimum.value), row.unit)
+                             : "";
+        text += fmt::format("| {} {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.symbol,
+                            short_text(row.optimum.value), physical,
+                            short_text(row.optimum.at * degrees_per_x), optional_text(row.reference),
+                            row.reference ? change_text(row.optimum.value, *row.reference) : "–",
+                            optional_text(row.any_curve));
+    }
+    return text + "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n";
+}
+
+std::string limits_section(const Solution& solution) {
+    if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
+    if (!solution.curve) return {};
+    std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    for (const ConstraintReport& row : solution.constraints)
+        text += fmt::format("| `{}` | {} {} | {} {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
+                            short_text(row.worst, 9), row.unit, short_text(row.at * degrees_per_x),
+                            row.active ? "active: it shapes the motion" : "not active");
+    return text;
+}
+
+std::string relaxation_section(const Solution& solution) {
+    if (solution.relaxation.empty()) return {};
+    std::string text =
+        "\n## What would have to change\n\nEach line is the least change of one limit alone, with all "
+        "others kept.\n\n";
+    for (const Relaxation& row : solution.relaxation) text += "- " + relaxation_sentence(row) + "\n";
+    return text;
+}
+
+std::string design_section(const DesignReport& design) {
+    if (design.names.empty()) return {};
+    constexpr std::size_t most = 40;  // longer lists stand in result.json
+    std::string text = fmt::format("\n## Design vector ({})\n\n", name_of(design.kind));
+    if (design.names.size() > most)
+        return text + fmt::format("{} values: see `design` in result.json.\n", design.names.size());
+    text += "| name | value |\n|---|--:|\n";
+    for (std::size_t i = 0; i < design.names.size(); ++i)
+        text += fmt::format("| {} | {} |\n", design.names[i],
+                            round_trip_text(design.values[static_cast<Eigen::Index>(i)]));
+    return text;
+}
+
+std::string solver_section(const Solution& solution, const RunOrigin& origin) {
+    const SolverReport& solver = solution.solver;
+    std::string text = fmt::format(
+        "\n## How it was found\n\n- Solver: {}{}; it stopped as \"{}\" after {} iterations and {} exchange "
+        "rounds, {} s "
+        "in all\n",
+        solver.name, solver.choice.empty() ? "" : " (" + solver.choice + ")",
+        words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds,
+        short_text(solution.seconds_total, 3));
+    if (!solver.proof_source.empty())
+        text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
+    if (solution.certificate.proof)
+        text +=
+            "- To check the proof without camopt: `certificate.json` holds the rows, the multipliers, the "
+            "box and "
+            "the bound; its entry `how_to_check` is the recipe, one sum\n";
+    if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", origin.command);
+    return text + fmt::format("- camopt {}\n", version());
+}
+
+std::string notes_section(const std::vector<std::string>& notes) {
+    if (notes.empty()) return {};
+    std::string text = "\n## Notes\n\n";
+    for (const std::string& note : notes) text += "- " + note + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
+    std::string text =
+        fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : solution.scene.title);
+    text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
+    if (solution.curve) text += peak_table(solution);
+    text += limits_section(solution);
+    if (solution.curve) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
+    return text + design_section(solution.design) + solver_section(solution, origin) +
+           notes_section(solution.notes);
+}
+
+}  // namespace camopt

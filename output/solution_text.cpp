@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "output/solution_text.hpp"
+
+#include "output/number_text.hpp"
+#include "output/peak_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
+
+std::string because(const Certificate& certificate) {
+    return certificate.reason.empty() ? std::string{} : " (" + words_of(certificate.reason) + ")";
+}
+
+std::string peak_line(const PeakRow& row, const std::string& reference_name) {
+    std::string line =
+        fmt::format("  {:<13}{} = {:<10}", row.name, row.symbol, short_text(row.optimum.value));
+    if (row.factor > 0.0)
+        line += fmt::format(" {:>10} {:<8}", short_text(row.factor * row.optimum.value), row.unit);
+    else
+        line += std::string(20, ' ');
+    if (row.reference)
+        line += fmt::format("   {} {} ({})", reference_name, short_text(*row.reference),
+                            change_text(row.optimum.value, *row.reference));
+    return line + "\n";
+}
+
+std::string peak_lines(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    std::string text;
+    for (const PeakRow& row : peak_comparison(solution, reference))
+        text += peak_line(row, reference_title(reference));
+    return text;
+}
+
+}  // namespace
+
+std::string verdict_sentence(const Certificate& certificate) {
+    switch (certificate.verdict) {
+        case Verdict::optimal:
+            return "Proved optimal: no curve of this spline space is better by more than the gap.";
+        case Verdict::local:
+            return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
+                   "all.";
+        case Verdict::feasible:
+            return fmt::format("Feasible, but not optimal: every limit is kept{}.", because(certificate));
+        case Verdict::infeasible:
+            return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
+        case Verdict::failed:
+            break;
+    }
+    return fmt::format("Failed: neither a curve nor a proof was found{}.", because(certificate));
+}
+
+std::string objective_line(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    std::string line;
+    const auto add = [&](const char* name, double value, int digits) {
+        line += fmt::format("{}{} {}", line.empty() ? "" : "   ", name, short_text(value, digits));
+    };
+    if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
+    if (certificate.lower_bound) add("proved bound", *certificate.lower_bound, figures);
+    if (certificate.gap) add("gap", *certificate.gap, 2);
+    if (solution.any_curve_limit) add("limit of any curve", solution.any_curve_limit->objective, figures);
+    return line;
+}
+
+std::string constraint_sentence(const ConstraintReport& row) {
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    return fmt::format("{} = {}: {} reaches {}{} ({})", row.key, short_text(row.limit), row.name,
+                       short_text(row.worst, figures), unit, row.active ? "active" : "not active");
+}
+
+std::string relaxation_sentence(const Relaxation& row) {
+    if (!row.needed)
+        return fmt::format("{} = {}: no change of this limit alone helps", row.key, short_text(row.given));
+    return fmt::format("{} = {}: {} is needed, if nothing else changes", row.key, short_text(row.given),
+                       short_text(*row.needed, figures));
+}
+
+std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
+    std::string text;
+    if (!solution.scene.title.empty()) text += solution.scene.title + "\n";
+    text += verdict_sentence(solution.certificate) + "\n";
+    const std::string objective = objective_line(solution);
+    if (!objective.empty()) text += "  " + objective + "\n";
+    if (solution.curve) text += peak_lines(solution);
+    if (solution.curve)
+        for (const ConstraintReport& row : solution.constraints)
+            text += "  limit: " + constraint_sentence(row) + "\n";
+    for (const Relaxation& row : solution.relaxation) text += "  relax: " + relaxation_sentence(row) + "\n";
+    for (const std::string& note : solution.notes) text += "  note: " + note + "\n";
+    const SolverReport& solver = solution.solver;
+    if (!solver.name.empty())
+        text += fmt::format("  solver: {}, {} iterations, {} exchange rounds, {} s\n", solver.name,
+                            solver.iterations, solver.exchange_rounds, short_text(solution.seconds_total, 3));
+    for (const auto& path : written) text += fmt::format("  wrote {}\n", path.string());
+    return text;
+}
+
+}  // namespace camopt
