@@ -19,7 +19,7 @@ enum class TieBreak { none, rms_jerk };
 /// An exact point of the motion. `at`: x, in units of the rise. Normalised values; at least one is given.
 struct SetPoint {
     double at = 0.0;
-    std::optional<double> displacement, velocity, acceleration;
+    std::optional<double> displacement = {}, velocity = {}, acceleration = {};
 };
 
 struct MotionSpec {
@@ -66,9 +66,9 @@ struct ObjectiveSpec {
 /// A hard limit on a peak, kept together with the way the user wrote it.
 struct PeakLimit {
     double normalised = 0.0;  ///< on the normalised peak, > 0
-    std::string key;          ///< as written, e.g. "limits.velocity_mm_s"
+    std::string key = {};     ///< as written, e.g. "limits.velocity_mm_s"
     double given = 0.0;       ///< in the unit of the key
-    std::string unit;         ///< "", "mm/s", "deg/s^2", …
+    std::string unit = {};    ///< "", "mm/s", "deg/s^2", …
     /// given / normalised: what one unit of the normalised peak is in the unit of the key.
     [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
 };

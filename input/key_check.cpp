@@ -69,7 +69,10 @@ class KeyCheck {
                                      const std::string& key) const {
         const std::vector<std::string> allowed = written_keys(table);
         std::string hint = spelling_hint(member.name, allowed);
-        for (const KeyRow& row : scene_keys())
+        for (const KeyRow& row : scene_keys())  // the unit forgotten
+            if (row.table == table && row.name == member.name)
+                hint = fmt::format("; did you mean '{}'?", row.key(row.spellings.front()));
+        for (const KeyRow& row : scene_keys())  // in the wrong table
             if (hint.empty() && match_key(row.table, member.name).row)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
         source_.fail(member.place, key,

@@ -40,7 +40,7 @@ std::vector<std::string> key_parts(std::string_view key, const Place& place) {
     // No scene has deeper keys, and every part is a level of recursion later.
     constexpr std::size_t most_parts = 8;
     if (!std::ranges::all_of(parts, is_bare) || parts.size() > most_parts)
-        fail(place, "", fmt::format("found no key before '='; allowed: {}", example));
+        fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
     return parts;
 }
 

@@ -7,6 +7,10 @@
 namespace camopt::input {
 namespace {
 
+std::string joined_name(const KeyRow& row) {
+    return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
+}
+
 std::string joined_choices(const KeyRow& row) {
     std::string joined;
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
@@ -101,7 +105,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::numbers:
             return "an array of numbers";
         case KeyType::table:
-            return fmt::format("a table, [{}]", name);
+            return fmt::format("a [{}] table", joined_name(*this));
         case KeyType::tables:
             return "an array of tables";
         case KeyType::text_or_table:
@@ -109,7 +113,7 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
         case KeyType::options:
             break;
     }
-    return "a table";
+    return fmt::format("a [{}] table", joined_name(*this));
 }
 
 KeyMatch match_key(std::string_view table, std::string_view key) {

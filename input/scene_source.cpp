@@ -74,7 +74,8 @@ void SceneSource::fail_member(std::string_view member, std::string_view what) co
         const std::size_t dot = rest.find('.');
         const auto [quantity, index] = split_index(rest.substr(0, dot));
         std::optional<Given> given;
-        if (node) given = find_in(*node, table_path, quantity);
+        // The one member of Scene that is not called as in the file: "return" is a word of C++.
+        if (node) given = find_in(*node, table_path, quantity == "return_angle" ? "return" : quantity);
         key = joined_key(key, given ? std::string_view(given->member->name) : quantity);
         table_path = joined_key(table_path, quantity);
         node = given ? &given->value() : nullptr;

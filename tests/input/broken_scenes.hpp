@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Scenes that must be refused, each with its whole message. The file is called s.toml; the laws known are
+// cycloidal and modified_sine, the solvers ipopt, nlopt.slsqp and structured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace camopt::input {
+
+struct BrokenScene {
+    std::string name;
+    std::string toml;
+    std::string message;
+    std::vector<std::string> overrides = {};
+    bool unavailable = false;  ///< UnavailableError
+};
+
+std::vector<BrokenScene> broken_files();
+std::vector<BrokenScene> broken_values();
+std::vector<BrokenScene> broken_combinations();
+std::vector<BrokenScene> broken_overrides();
+
+}  // namespace camopt::input

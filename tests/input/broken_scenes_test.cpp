@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Every wrong scene is refused with the words written down for it.
+#include "tests/input/broken_scenes.hpp"
+
+#include "core/errors.hpp"
+#include "input/scene_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace camopt::input {
+namespace {
+
+const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
+                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}};
+
+class BrokenScenes : public testing::TestWithParam<BrokenScene> {};
+
+TEST_P(BrokenScenes, AreRefusedWithTheirWholeMessage) {
+    const BrokenScene& broken = GetParam();
+    try {
+        (void)read_scene(broken.toml, "s.toml", known, broken.overrides);
+        FAIL() << "no error for\n" << broken.toml;
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), broken.message);
+        EXPECT_EQ(dynamic_cast<const UnavailableError*>(&error) != nullptr, broken.unavailable);
+    }
+}
+
+std::string name_of_case(const testing::TestParamInfo<BrokenScene>& info) {
+    return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BrokenScenes, testing::ValuesIn(broken_files()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Values, BrokenScenes, testing::ValuesIn(broken_values()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Combinations, BrokenScenes, testing::ValuesIn(broken_combinations()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Overrides, BrokenScenes, testing::ValuesIn(broken_overrides()), name_of_case);
+
+std::string message_of_file(const std::filesystem::path& path) {
+    try {
+        (void)read_scene_file(path, known);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(SceneFile, MissingFileAndDirectoryAreSaidSo) {
+    EXPECT_EQ(message_of_file("no/such.toml"),
+              "no/such.toml: cannot be read: No such file or directory; allowed: a scene file in TOML");
+    EXPECT_EQ(message_of_file("."), ".: found a directory; allowed: a scene file in TOML");
+}
+
+}  // namespace
+}  // namespace camopt::input

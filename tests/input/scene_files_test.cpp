@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Every example scene reads, and docs/scene_file.md shows the key table of the code.
+#include "core/errors.hpp"
+#include "input/scene_keys.hpp"
+#include "input/scene_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace camopt::input {
+namespace {
+
+const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
+const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal"}, .solvers = {}};
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(Scenes, EveryExampleReadsAndSaysWhyItIsThere) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        SCOPED_TRACE(entry.path().string());
+        try {
+            EXPECT_NE(read_scene_file(entry.path(), known).title, "");
+        } catch (const InputError& error) {
+            ADD_FAILURE() << error.what();
+        }
+        EXPECT_NE(text_of(entry.path()).find("\n# "), std::string::npos) << "no comment line";
+        ++count;
+    }
+    EXPECT_GE(count, 20);
+}
+
+TEST(SceneDocumentation, HoldsTheKeyTableOfTheCode) {
+    const std::filesystem::path path = source_folder / "docs" / "scene_file.md";
+    const std::string begin = "<!-- keys: begin -->\n";
+    const std::string end = "<!-- keys: end -->";
+    const std::string text = text_of(path);
+    const std::size_t first = text.find(begin);
+    const std::size_t last = text.find(end);
+    ASSERT_TRUE(first != std::string::npos && last != std::string::npos) << path << " has lost its marks";
+    const std::string rendered = scene_keys_markdown();
+    if (std::getenv("CAMOPT_WRITE_DOCS") != nullptr)
+        std::ofstream(path, std::ios::binary)
+            << text.substr(0, first) << begin << rendered << text.substr(last);
+    else
+        EXPECT_EQ(text.substr(first + begin.size(), last - first - begin.size()), rendered)
+            << "Regenerate the table: CAMOPT_WRITE_DOCS=1 ctest -R SceneDocumentation";
+}
+
+}  // namespace
+}  // namespace camopt::input
