@@ -71,8 +71,15 @@ void set_tolerances(Settings& settings, const BackendOptions& options) {
 
 }  // namespace
 
+bool wants_predictor_corrector(const NlpShape& shape, const BackendOptions& options) {
+    const auto native = options.native.find("mehrotra_algorithm");
+    if (native != options.native.end()) return std::get<bool>(native->second);
+    const Linearity linear = linearity_of(shape);
+    return linear.equalities && linear.inequalities && shape.convex && shape.quadratic_cost;
+}
+
 void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& shape,
-                       const BackendOptions& options) {
+                       const BackendOptions& options, bool predictor_corrector) {
     Settings settings(application);
     settings.require("print_level", 0);
     settings.require("sb", true);  // no banner
@@ -89,11 +96,12 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
     settings.require("jac_d_constant", linear.inequalities);
     settings.require("hessian_constant", all_linear && shape.quadratic_cost);
     (void)settings.set("grad_f_constant", shape.linear_cost);  // unknown to 3.11
-    if (all_linear && shape.convex && shape.quadratic_cost) settings.require("mehrotra_algorithm", true);
+    settings.require("mehrotra_algorithm", predictor_corrector);
 
     for (const auto& [name, value] : options.native)
-        settings.require_native(
-            name, value, name == "acceptable_iter" || name == "mumps_mem_percent" || name == "max_soc");
+        if (name != "mehrotra_algorithm")
+            settings.require_native(
+                name, value, name == "acceptable_iter" || name == "mumps_mem_percent" || name == "max_soc");
 }
 
 }  // namespace camopt

@@ -9,11 +9,15 @@
 
 #include <IpIpoptApplication.hpp>
 #include <IpoptConfig.h>
+#include <algorithm>
 #include <mutex>
 
 namespace camopt {
 
 namespace {
+
+/// Such a run needs 5 to 30 iterations; one that needs more than this goes in circles.
+constexpr int predictor_corrector_iterations = 200;
 
 struct Outcome {
     Termination termination;
@@ -87,12 +91,39 @@ class IpoptSolver final : public Solver {
     }
 
  private:
+    /// A predictor-corrector run that has not ended after `predictor_corrector_iterations` is given up for
+    /// the filter method, which also recognises infeasible problems.
     static BackendResult solve(const Nlp& problem, const Eigen::VectorXd& start,
                                const BackendOptions& options, SolveGuard& guard) {
+        int spent = 0;
+        if (wants_predictor_corrector(problem.shape(), options)) {
+            BackendOptions first = options;
+            first.max_iterations = std::min(options.max_iterations, predictor_corrector_iterations);
+            BackendResult result = run(problem, start, first, guard, true);
+            const bool asked_for = options.native.contains("mehrotra_algorithm");
+            spent = result.iterations;
+            if (is_final(result.termination) || guard.stopping() || asked_for ||
+                spent >= options.max_iterations)
+                return result;
+        }
+        BackendOptions rest = options;
+        rest.max_iterations -= spent;
+        BackendResult result = run(problem, start, rest, guard, false);
+        result.iterations += spent;
+        return result;
+    }
+
+    static bool is_final(Termination termination) {
+        return termination == Termination::converged || termination == Termination::unsupported ||
+               termination == Termination::evaluation_error;
+    }
+
+    static BackendResult run(const Nlp& problem, const Eigen::VectorXd& start, const BackendOptions& options,
+                             SolveGuard& guard, bool predictor_corrector) {
         constexpr bool with_console = false;
         const Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
             new Ipopt::IpoptApplication(with_console);
-        set_ipopt_options(*application, problem.shape(), options);
+        set_ipopt_options(*application, problem.shape(), options, predictor_corrector);
         BackendResult result;
         Outcome outcome = outcome_of(application->Initialize(""));  // "": reads no ipopt.opt
         if (outcome.termination == Termination::converged) {
@@ -103,8 +134,8 @@ class IpoptSolver final : public Solver {
         guard.rethrow();
         result.termination = outcome.termination;
         result.native_status = outcome.word;
-        const bool finished = outcome.termination == Termination::converged;
-        if (guard.reason() && !finished) result.termination = *guard.reason();
+        if (guard.reason() && outcome.termination != Termination::converged)
+            result.termination = *guard.reason();
         return result;
     }
 

@@ -69,8 +69,10 @@ double NloptAdapter::violation(const Eigen::VectorXd& x) {
     return worst;  // NLopt keeps x inside its bounds
 }
 
-// After force_stop NLopt may call a few times more; zeros keep it from harm.
-bool NloptAdapter::may_go_on() {
+// After force_stop NLopt may call a few times more; zeros keep it from harm. A point that is not finite is
+// NLopt's own failure (a singular subproblem), not one of the Nlp.
+bool NloptAdapter::may_go_on(const Eigen::VectorXd& x) {
+    if (!x.allFinite()) guard_.stop(Termination::numerical_failure);
     if (!guard_.must_stop()) return true;
     nlopt_force_stop(optimizer_);
     return false;
@@ -88,7 +90,7 @@ double NloptAdapter::cost(unsigned n, const double* x_in, double* gradient, void
     const Eigen::VectorXd x = vector_of(x_in, n);
     Eigen::VectorXd slope = Eigen::VectorXd::Zero(n);
     double value = 0.0;
-    if (me.may_go_on()) {
+    if (me.may_go_on(x)) {
         ++me.evaluations_;
         const bool called = me.guard_.call([&] {
             value = me.problem_.cost(x);
@@ -108,8 +110,8 @@ double NloptAdapter::cost(unsigned n, const double* x_in, double* gradient, void
 bool NloptAdapter::update_constraints(const Eigen::VectorXd& x) {
     if (constraints_x_.size() == x.size() && constraints_x_ == x) return true;
     constraints_x_.resize(0);
-    if (!accept(guard_.call([&] { problem_.constraints(x, constraints_); }), constraints_.allFinite()))
-        return false;
+    const bool called = guard_.call([&] { problem_.constraints(x, constraints_); });
+    if (!accept(called, constraints_.allFinite())) return false;
     constraints_x_ = x;
     return true;
 }
@@ -117,7 +119,8 @@ bool NloptAdapter::update_constraints(const Eigen::VectorXd& x) {
 bool NloptAdapter::update_jacobian(const Eigen::VectorXd& x) {
     if (jacobian_x_.size() == x.size() && jacobian_x_ == x) return true;
     jacobian_x_.resize(0);
-    if (!accept(guard_.call([&] { problem_.jacobian(x, jacobian_); }), all_finite(jacobian_))) return false;
+    const bool called = guard_.call([&] { problem_.jacobian(x, jacobian_); });
+    if (!accept(called, all_finite(jacobian_))) return false;
     jacobian_x_ = x;
     return true;
 }
@@ -128,7 +131,7 @@ void NloptAdapter::write(const std::vector<Side>& sides, const Eigen::VectorXd& 
     const auto m = static_cast<Eigen::Index>(sides.size());
     Eigen::Map<Eigen::VectorXd>(values, m).setZero();
     if (gradient) Eigen::Map<RowMajor>(gradient, m, x.size()).setZero();
-    if (!may_go_on() || !update_constraints(x)) return;
+    if (!may_go_on(x) || !update_constraints(x)) return;
     for (Eigen::Index i = 0; i < m; ++i)
         values[i] = sides[i].sign * (constraints_[sides[i].row] - sides[i].bound);
     if (!gradient || !update_jacobian(x)) return;

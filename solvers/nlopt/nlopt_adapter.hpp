@@ -42,7 +42,7 @@ class NloptAdapter {
     void write(const std::vector<Side>& sides, const Eigen::VectorXd& x, double* values, double* gradient);
     bool update_constraints(const Eigen::VectorXd& x);
     bool update_jacobian(const Eigen::VectorXd& x);
-    bool may_go_on();
+    bool may_go_on(const Eigen::VectorXd& x);
     bool accept(bool called, bool finite);
 
     const Nlp& problem_;
