@@ -134,7 +134,9 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     }
     result.inside = first.inside;
     result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, control);
-    const Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
+    Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
+    const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);
+    if (is_better(latest, best, judge.tolerance)) best = latest;
     result.certificate.objective = best.objective;
     result.certificate.worst_violation = best.violation;
     if (best.x.size() > 0) {

@@ -63,7 +63,7 @@ ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& so
         ++result.rounds;
         const Eigen::VectorXd& x = result.last.x;
         if (x.size() == 0 || !x.allFinite()) return result;
-        const Candidate found = judged(problem, x);
+        const Candidate& found = result.latest = judged(problem, x);
         if (is_better(found, result.best, options.tolerance)) result.best = found;
         if (control.progress) {
             control.progress(fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,

@@ -28,6 +28,7 @@ struct Candidate {
 
 struct ExchangeResult {
     Candidate best;
+    Candidate latest;    ///< what the last round found: better than `best` once a small violation is repaired
     BackendResult last;  ///< of the last round; its multipliers belong to the final grid where `converged`
     Termination termination = Termination::not_run;
     bool converged = false;  ///< the exchange itself ended as it should
