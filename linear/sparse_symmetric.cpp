@@ -127,7 +127,7 @@ std::unique_ptr<SymmetricFactor> make_simplicial_factor() {
 
 RefinedSolve refined_solve(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& right_side,
                            const RefinementLimits& limits) {
-    constexpr int cycle = 5;  // a restart recomputes the residual, which rounding in the basis hides
+    constexpr int cycle = 10;  // a restart recomputes the residual, which rounding in the basis hides
     RefinedSolve result;
     result.solution = VectorXd::Zero(right_side.size());
     const double length = right_side.norm();

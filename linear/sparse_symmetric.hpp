@@ -32,7 +32,8 @@ class SymmetricFactor {
     virtual ~SymmetricFactor() = default;
     /// Once for a pattern. `signs`: +1 or −1 for every row. Throws ModelError where sizes differ.
     virtual void analyse(const Matrix& lower, std::vector<int> signs) = 0;
-    /// `lower` has the analysed pattern. After anything but `ok` the factor must not be used.
+    /// `lower` has the analysed pattern. The factor can be used after `ok`, and at own risk after
+    /// `wrong_sign`.
     [[nodiscard]] virtual FactorOutcome factorize(const Matrix& lower, const Eigen::VectorXd& shift) = 0;
     /// Solves with the factor, shifts included, in place.
     virtual void solve_in_place(Eigen::VectorXd& right_side) const = 0;

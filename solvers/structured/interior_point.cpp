@@ -28,7 +28,7 @@ class Iteration {
     [[nodiscard]] Errors errors() const;
     bool take_step(Stop& reason);
     bool take_smooth_step(const ProductChange& plain, Direction direction, Stop& reason);
-    void add_correctors(Direction& direction, double target) const;
+    void add_correctors(Direction& direction, double target);
     [[nodiscard]] double merit(const Residuals& rest, const Iterate& point, double target) const;
     [[nodiscard]] bool looks_infeasible() const;
     [[nodiscard]] bool looks_unbounded() const;
@@ -102,7 +102,7 @@ bool Iteration::initialise(const VectorXd& start) {
 Errors Iteration::errors() const {
     const Index n = model_.variables();
     const VectorXd x = point_.w.head(n);
-    const double size = 1.0 + std::abs(model_.cost->value(x));
+    const double size = std::max(model_.cost_unit, std::abs(model_.cost->value(x)));
     return {std::max({largest(rest_.row), largest(rest_.lower), largest(rest_.upper)}) / (1.0 + largest(x)),
             largest(rest_.dual) / (1.0 + largest(rest_.gradient)), mask_.count * rest_.mu / size};
 }
@@ -123,7 +123,7 @@ bool Iteration::looks_unbounded() const {
     return size > 1e7 && rest_.gradient.dot(x) < -1e-6 * size && errors().dual > 1e3 * limits_.tolerance;
 }
 
-void Iteration::add_correctors(Direction& direction, double target) const {
+void Iteration::add_correctors(Direction& direction, double target) {
     constexpr double low = 0.1, high = 10.0, reach = 0.3, worthwhile = 0.02;
     const double fraction = boundary_fraction();
     const auto steps = [&](const Direction& d) {

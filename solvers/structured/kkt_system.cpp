@@ -9,7 +9,8 @@ namespace {
 
 constexpr double largest_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
 constexpr double shift_growth = 100.0;  // a breakdown is rare; few retries matter more than the least shift
-constexpr double shift_decay = 0.1;     // back towards the first shift once a factorization succeeds
+constexpr double good_residual = 1e-8;  // relative; above it other shifts are tried and the best is kept
+constexpr RefinementLimits refinement{1e-14, 20};
 
 Eigen::Index position_of(const SymmetricFactor::Matrix& matrix, int row, int column) {
     const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
@@ -58,23 +59,40 @@ bool KktSystem::factorize(const std::vector<double>& hessian, const Eigen::Vecto
     for (const Eigen::Index p : off_diagonal_) values[p] = 0.0;
     for (std::size_t e = 0; e < hessian.size(); ++e) values[hessian_position_[e]] += hessian[e];
 
-    shift_ = std::max(first_shift_, shift_ * shift_decay);
-    while (shift_ <= largest_shift) {
-        const FactorOutcome outcome =
-            factor_->factorize(lower_, Eigen::VectorXd::Constant(lower_.rows(), shift_));
-        if (outcome == FactorOutcome::ok) return true;
-        shift_ *= shift_growth;
-    }
+    for (shift_ = first_shift_; shift_ <= largest_shift; shift_ *= shift_growth)
+        if (factorize_shifted()) return true;
     shift_ = largest_shift;
     return false;
 }
 
-KktSystem::Step KktSystem::solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
+bool KktSystem::factorize_shifted() {
+    const FactorOutcome outcome =
+        factor_->factorize(lower_, Eigen::VectorXd::Constant(lower_.rows(), shift_));
+    // A wrong sign is rounding, the matrix being quasi-definite. As a preconditioner such a factor is often
+    // still excellent, and better than one with a larger shift: the residual of the solve decides.
+    return outcome == FactorOutcome::ok || outcome == FactorOutcome::wrong_sign;
+}
+
+KktSystem::Step KktSystem::solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
     Eigen::VectorXd right_side(variables_ + constraints_);
     right_side << p, q;
-    const RefinedSolve solved = refined_solve(*factor_, lower_, right_side);
-    return {solved.solution.head(variables_), solved.solution.tail(constraints_), solved.residual,
-            solved.finite};
+    RefinedSolve best = refined_solve(*factor_, lower_, right_side, refinement);
+    double best_shift = shift_;
+    const double tried_first = shift_;
+    for (const double factor : {10.0, 100.0, 0.01, 1e3, 1e4}) {
+        if (best.finite && best.residual <= good_residual) break;
+        shift_ = tried_first * factor;
+        if (!factorize_shifted()) continue;
+        RefinedSolve trial = refined_solve(*factor_, lower_, right_side, refinement);
+        if (!trial.finite || (best.finite && trial.residual >= best.residual)) continue;
+        best = std::move(trial);
+        best_shift = shift_;
+    }
+    if (shift_ != best_shift) {
+        shift_ = best_shift;
+        static_cast<void>(factorize_shifted());
+    }
+    return {best.solution.head(variables_), best.solution.tail(constraints_), best.residual, best.finite};
 }
 
 }  // namespace camopt::structured

@@ -4,7 +4,8 @@
 //     [ ∇²f + Σ   Cᵀ ] [ Δx ]   [ p ]      Σ: barrier curvature of the variables' bounds, >= 0
 //     [    C     −D  ] [ Δλ ] = [ q ]      D: 1 / barrier curvature of the rows, 0 for equalities
 //
-// factorized with small shifts of the diagonal and solved without them. A breakdown raises the shifts.
+// factorized with small shifts of the diagonal and solved without them. A breakdown raises the shifts; a
+// solve that stays inaccurate tries other ones and keeps the best.
 #pragma once
 
 #include "linear/sparse_symmetric.hpp"
@@ -30,10 +31,11 @@ class KktSystem {
         double residual = 0.0;
         bool finite = true;
     };
-    [[nodiscard]] Step solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
+    [[nodiscard]] Step solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q);
     [[nodiscard]] double shift() const { return shift_; }
 
  private:
+    [[nodiscard]] bool factorize_shifted();
     Eigen::Index variables_, constraints_;
     double first_shift_, shift_;
     SymmetricFactor::Matrix lower_;

@@ -82,7 +82,7 @@ bool NewtonStep::prepare(const Iterate& point, bool& finite) {
 }
 
 Direction NewtonStep::direction(const Iterate& point, const Residuals* residuals,
-                                const ProductChange& change) const {
+                                const ProductChange& change) {
     const Index n = model_.variables(), m = model_.constraints();
     const VectorXd zero = VectorXd::Zero(n + m);
     const VectorXd& lower_rest = residuals != nullptr ? residuals->lower : zero;

@@ -49,7 +49,7 @@ class NewtonStep {
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
     /// With `residuals` null: only the products change.
     [[nodiscard]] Direction direction(const Iterate& point, const Residuals* residuals,
-                                      const ProductChange& change) const;
+                                      const ProductChange& change);
 
  private:
     const ConvexModel& model_;

@@ -237,6 +237,7 @@ void StandardForm::scale_cost(const VectorXd& start) {
     if (!std::isfinite(size)) return fail(Status::evaluation_error, "the cost is not finite at the start");
     if (size == 0.0) return;
     cost_scale_ = power_of_two_near(1.0 / size);
+    model_.cost_unit = std::min(1.0, cost_scale_);
     ScaledCost::Frame frame{base_, kept_variables_, column_scale_, cost_scale_, {}};
     const SparsityPattern& pattern = problem_.shape().hessian;
     for (int e = 0; model_.kind != CostKind::linear && e < pattern.size(); ++e) {

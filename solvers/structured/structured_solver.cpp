@@ -110,10 +110,10 @@ BackendResult StructuredRun::run() {
     const auto hopeless = [&] {
         return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
                solved.stop != Stop::time_limit && solved.stop != Stop::evaluation_error &&
-               solved.errors.worst() > tolerance_;
+               solved.errors.worst() > limits_.tolerance;
     };
     if (hopeless()) {
-        if (solved.errors.primal > tolerance_ && proved_infeasible(result)) return result;
+        if (solved.errors.primal > limits_.tolerance && proved_infeasible(result)) return result;
         if (solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded) {
             if (proved_unbounded(solved, result)) return result;
             limits_.suspicious = false;
