@@ -21,6 +21,12 @@ VectorXd all(Eigen::Index size, double value) {
     return VectorXd::Constant(size, value);
 }
 
+std::string numbered(const char* word, int number) {
+    std::string name = word;
+    name.append(std::to_string(number));
+    return name;
+}
+
 class QuadraticNlp final : public Nlp {
  public:
     explicit QuadraticNlp(QuadraticData data) : data_(std::move(data)) {
@@ -60,8 +66,8 @@ class QuadraticNlp final : public Nlp {
         for (std::size_t k = 0; k < out.size(); ++k)
             out[k] = sigma * data_.hessian(shape_.hessian.rows[k], shape_.hessian.columns[k]);
     }
-    [[nodiscard]] std::string variable_name(int index) const override { return "x" + std::to_string(index); }
-    [[nodiscard]] std::string row_name(int index) const override { return "row" + std::to_string(index); }
+    [[nodiscard]] std::string variable_name(int index) const override { return numbered("x", index); }
+    [[nodiscard]] std::string row_name(int index) const override { return numbered("row", index); }
 
  private:
     static void add(SparsityPattern& pattern, int row, int column) {
@@ -203,7 +209,7 @@ KnownProblem least_acceleration_lp(int steps) {
     const double half = 0.5 * (steps - 1);
     VectorXd start = VectorXd::LinSpaced(steps + 2, 0.0, 1.0);
     start[peak] = 10.0;
-    return known("least_acceleration_lp_" + std::to_string(steps), data, start, scale / (half * half), {},
+    return known(numbered("least_acceleration_lp_", steps), data, start, scale / (half * half), {},
                  "full speed up for half of the steps - 1 differences, full brake for the others: "
                  "y_N = A (N-1)² / (4 N²)");
 }
@@ -224,7 +230,7 @@ KnownProblem weighted_peaks_lp(int steps) {
     VectorXd start = VectorXd::LinSpaced(steps + 4, 0.0, 1.0);
     start.tail(3) << 2.0, 10.0, 100.0;
     const double cost = steps == 12 ? 1.5888 : 390.0 / 259.0;
-    return known("weighted_peaks_lp_" + std::to_string(steps), data, start, cost, {},
+    return known(numbered("weighted_peaks_lp_", steps), data, start, cost, {},
                  "HiGHS 1.x by scipy.optimize.linprog on the same rows");
 }
 
@@ -247,7 +253,8 @@ KnownProblem projection_qp() {
     data.x_lower = vector_of({0.5, -infinity, -infinity});
     data.x_upper = all(3, infinity);
     return known("projection_qp", data, all(3, 0.0), 1.6875, vector_of({0.5, 0.75, 1.75}),
-                 "projection of (1, 2, 3) on the plane is (0, 1, 2); with x0 = 0.5 the rest moves by 0.25 each: ½ (0.25 + 2 · 1.25²)");
+                 "projection of (1, 2, 3) on the plane is (0, 1, 2); with x0 = 0.5 the rest moves by 0.25 "
+                 "each: ½ (0.25 + 2 · 1.25²)");
 }
 
 KnownProblem least_square_acceleration_qp(int segments) {
@@ -326,9 +333,7 @@ class Hs71 final : public Nlp {
                 out[k++] = sigma * cost(i, j) + rows;
             }
     }
-    [[nodiscard]] std::string variable_name(int index) const override {
-        return "x" + std::to_string(index + 1);
-    }
+    [[nodiscard]] std::string variable_name(int index) const override { return numbered("x", index + 1); }
     [[nodiscard]] std::string row_name(int index) const override {
         return index == 0 ? "product" : "squares";
     }

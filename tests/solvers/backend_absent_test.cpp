@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Compiled together with ipopt_absent.cpp and nlopt_absent.cpp, so that what a build without those libraries
+// says is tested in every build.
+#include "core/errors.hpp"
+#include "solvers/ipopt/ipopt_solver.hpp"
+#include "solvers/nlopt/nlopt_solver.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace camopt {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+void expect_unavailable(const SolverEntry& entry, std::unique_ptr<Solver> (*make)()) {
+    EXPECT_FALSE(entry.available);
+    EXPECT_TRUE(entry.version.empty());
+    EXPECT_FALSE(entry.options.empty()) << "what could be set is still said";
+    try {
+        (void)make();
+        ADD_FAILURE() << entry.name << " was made";
+    } catch (const UnavailableError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("'" + entry.name + "' is not built into this camopt"),
+                                        HasSubstr("install"), HasSubstr("-dev")));
+    }
+}
+
+TEST(AbsentBackend, IpoptSaysWhatToInstall) {
+    expect_unavailable(ipopt_entry(), make_ipopt_solver);
+}
+TEST(AbsentBackend, SlsqpSaysWhatToInstall) {
+    expect_unavailable(nlopt_slsqp_entry(), make_nlopt_slsqp_solver);
+}
+TEST(AbsentBackend, CobylaSaysWhatToInstall) {
+    expect_unavailable(nlopt_cobyla_entry(), make_nlopt_cobyla_solver);
+}
+
+}  // namespace
+}  // namespace camopt

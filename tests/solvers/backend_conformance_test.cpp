@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// One suite over every backend of the registry. A backend that this build leaves out is skipped by name.
+#include "core/counting_nlp.hpp"
+#include "core/derivative_check.hpp"
+#include "core/errors.hpp"
+#include "solvers/registry.hpp"
+#include "solvers/test_problems.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace camopt::test {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+
+const SolverEntry& entry_of(const std::string& name) {
+    for (const SolverEntry& entry : solver_entries())
+        if (entry.name == name) return entry;
+    throw InputError("no such solver: " + name);
+}
+
+/// What may be asked of each backend, relative to max(1, |cost|).
+double cost_accuracy(const std::string& solver) {
+    return solver.starts_with("nlopt.") ? 1e-6 : 1e-9;
+}
+
+bool finished(Termination termination) {
+    return termination == Termination::converged || termination == Termination::acceptable;
+}
+
+struct Interrupted : std::runtime_error {
+    using std::runtime_error::runtime_error;
+    int code = 42;
+};
+
+class Backend : public testing::TestWithParam<std::string> {
+ protected:
+    void SetUp() override {
+        const SolverEntry& entry = entry_of(GetParam());
+        if (!entry.available) GTEST_SKIP() << entry.name << " is not in this build: " << entry.remedy;
+        solver_ = make_solver(GetParam());
+        options_.max_seconds = 20.0;
+        if (GetParam() == "nlopt.cobyla") options_.max_iterations = 20000;
+    }
+    [[nodiscard]] bool convex_only() const { return entry_of(GetParam()).needs_convex; }
+    [[nodiscard]] BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start) const {
+        return solver_->minimize(problem, start, options_, control_);
+    }
+    void expect_solved(const KnownProblem& problem) const {
+        SCOPED_TRACE(problem.name + ": " + problem.source);
+        const BackendResult result = minimize(*problem.nlp, problem.start);
+        ASSERT_TRUE(finished(result.termination))
+            << name_of(result.termination) << " " << result.native_status;
+        EXPECT_FALSE(result.native_status.empty());
+        ASSERT_EQ(result.x.size(), problem.start.size());
+        EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost,
+                    cost_accuracy(GetParam()) * std::max(1.0, std::abs(problem.cost)));
+        EXPECT_LT(violation(*problem.nlp, result.x), 1e-8);
+        if (problem.x.size()) {
+            EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-4);
+        }
+        expect_multipliers(problem, result);
+    }
+
+    std::unique_ptr<Solver> solver_;
+    BackendOptions options_;
+    SolveControl control_;
+
+ private:
+    void expect_multipliers(const KnownProblem& problem, const BackendResult& result) const {
+        ASSERT_EQ(result.row_multipliers.has_value(), entry_of(GetParam()).gives_multipliers);
+        ASSERT_EQ(result.bound_multipliers.has_value(), entry_of(GetParam()).gives_multipliers);
+        if (!result.row_multipliers) return;
+        EXPECT_LT(stationarity(*problem.nlp, result.x, *result.row_multipliers, *result.bound_multipliers),
+                  1e-7);
+        EXPECT_LT(complementarity(*problem.nlp, result.x, *result.row_multipliers, *result.bound_multipliers),
+                  1e-7);
+    }
+};
+
+TEST_P(Backend, IsNamedAsInTheRegistry) {
+    EXPECT_EQ(solver_->name(), GetParam());
+}
+
+TEST_P(Backend, SolvesCornerLp) {
+    expect_solved(corner_lp());
+}
+TEST_P(Backend, SolvesDegenerateLp) {
+    expect_solved(degenerate_lp());
+}
+TEST_P(Backend, SolvesEqualityLp) {
+    expect_solved(equality_lp());
+}
+TEST_P(Backend, SolvesTwoSidedLp) {
+    expect_solved(two_sided_lp());
+}
+TEST_P(Backend, SolvesFixedVariableLp) {
+    expect_solved(fixed_variable_lp());
+}
+TEST_P(Backend, SolvesAllFixedLp) {
+    expect_solved(all_fixed_lp());
+}
+TEST_P(Backend, SolvesLeastAccelerationLp) {
+    expect_solved(least_acceleration_lp(9));
+}
+TEST_P(Backend, SolvesLeastAccelerationLpOf25Steps) {
+    expect_solved(least_acceleration_lp(25));
+}
+TEST_P(Backend, SolvesWeightedPeaksLp) {
+    expect_solved(weighted_peaks_lp(12));
+}
+TEST_P(Backend, SolvesWeightedPeaksLpOf20Steps) {
+    expect_solved(weighted_peaks_lp(20));
+}
+TEST_P(Backend, SolvesUnconstrainedQp) {
+    expect_solved(unconstrained_qp());
+}
+TEST_P(Backend, SolvesProjectionQp) {
+    expect_solved(projection_qp());
+}
+TEST_P(Backend, SolvesLeastSquareAccelerationQp) {
+    expect_solved(least_square_acceleration_qp(10));
+}
+
+TEST_P(Backend, SolvesHs71) {
+    if (convex_only()) GTEST_SKIP() << "convex problems only";
+    KnownProblem problem = hs71();
+    problem.cost = 17.01401728;  // to ten digits, the book gives nine
+    options_.tolerance = 1e-10;
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    ASSERT_TRUE(finished(result.termination)) << result.native_status;
+    EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost, 2e-7);
+    EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-5);
+    EXPECT_LT(violation(*problem.nlp, result.x), 1e-8);
+    if (result.row_multipliers) {
+        EXPECT_LT((*result.row_multipliers)[0], 0.0) << "the product leans on its lower bound";
+        EXPECT_GT((*result.row_multipliers)[1], 0.0);
+        EXPECT_LT((*result.bound_multipliers)[0], 0.0) << "x1 leans on its lower bound";
+    }
+}
+
+TEST_P(Backend, SolvesBoundedRosenbrock) {
+    if (convex_only()) GTEST_SKIP() << "convex problems only";
+    expect_solved(bounded_rosenbrock());
+}
+
+TEST_P(Backend, SurvivesAnInfeasibleProblemAndDoesNotCallItSolved) {
+    const KnownProblem problem = infeasible_lp();
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    RecordProperty("termination", name_of(result.termination));
+    EXPECT_FALSE(finished(result.termination)) << result.native_status;
+    if (entry_of(GetParam()).gives_multipliers) {
+        EXPECT_EQ(result.termination, Termination::infeasible);
+    }
+}
+
+TEST_P(Backend, SaysInfeasibleWhereBoundsCross) {
+    QuadraticData data;
+    data.slope = Eigen::VectorXd::Ones(1);
+    data.x_lower = Eigen::VectorXd::Constant(1, 2.0);
+    data.x_upper = Eigen::VectorXd::Constant(1, 1.0);
+    const auto problem = quadratic_problem(data);
+    EXPECT_EQ(minimize(*problem, Eigen::VectorXd::Zero(1)).termination, Termination::infeasible);
+}
+
+TEST_P(Backend, DoesNotCallAnUnboundedProblemSolved) {
+    options_.max_iterations = 500;
+    const KnownProblem problem = unbounded_lp();
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    EXPECT_FALSE(finished(result.termination)) << result.native_status;
+    if (GetParam() == "ipopt" || GetParam() == "nlopt.slsqp") {
+        EXPECT_EQ(result.termination, Termination::unbounded);
+    }
+}
+
+TEST_P(Backend, TakesOrRefusesMoreEqualitiesThanVariables) {
+    const KnownProblem problem = overdetermined();
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    if (result.termination == Termination::unsupported) return;
+    ASSERT_TRUE(finished(result.termination)) << name_of(result.termination) << " " << result.native_status;
+    EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-6);
+}
+
+TEST_P(Backend, StopsAtTheIterationLimitWithAPoint) {
+    options_.max_iterations = 2;
+    const KnownProblem problem = weighted_peaks_lp(12);
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    EXPECT_EQ(result.termination, Termination::iteration_limit) << result.native_status;
+    ASSERT_EQ(result.x.size(), problem.start.size());
+    EXPECT_TRUE(result.x.allFinite());
+}
+
+TEST_P(Backend, StopsAtTheTimeLimitWithAPoint) {
+    options_.max_seconds = 0.02;
+    const KnownProblem problem = weighted_peaks_lp(12);
+    const HookedNlp slow(*problem.nlp, [](double cost) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        return cost;
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    const BackendResult result = minimize(slow, problem.start);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(result.termination, Termination::time_limit) << result.native_status;
+    EXPECT_EQ(result.x.size(), problem.start.size());
+    EXPECT_LT(seconds.count(), 5.0);
+}
+
+TEST_P(Backend, StopsOnRequestWithAPoint) {
+    int polls = 0;
+    control_.stop_requested = [&polls] { return ++polls > 2; };
+    const KnownProblem problem = weighted_peaks_lp(12);
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    EXPECT_EQ(result.termination, Termination::interrupted) << result.native_status;
+    EXPECT_EQ(result.x.size(), problem.start.size());
+    EXPECT_LT(polls, 50);
+}
+
+TEST_P(Backend, ReportsACostThatIsNotFinite) {
+    const KnownProblem problem = projection_qp();
+    for (const double value : {std::nan(""), infinity}) {
+        const HookedNlp spoiled(*problem.nlp, [value](double) { return value; });
+        const BackendResult result = minimize(spoiled, problem.start);
+        EXPECT_EQ(result.termination, Termination::evaluation_error) << result.native_status;
+    }
+}
+
+TEST_P(Backend, EndsWhereTheCostTurnsNotFiniteLater) {
+    int calls = 0;
+    const KnownProblem problem = weighted_peaks_lp(12);
+    const HookedNlp spoiled(*problem.nlp,
+                            [&calls](double cost) { return ++calls > 3 ? std::nan("") : cost; });
+    const BackendResult result = minimize(spoiled, problem.start);
+    if (finished(result.termination)) {  // allowed where the cost is known by its derivatives, but then it
+                                         // must be right
+        EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost, 1e-6);
+        EXPECT_LT(violation(*problem.nlp, result.x), 1e-8);
+    }
+    EXPECT_LT(calls, 5000);
+    if (result.x.size()) {
+        EXPECT_TRUE(result.x.allFinite());
+    }
+}
+
+TEST_P(Backend, CarriesAnExceptionWithItsType) {
+    const KnownProblem problem = projection_qp();
+    for (const int first : {0, 2}) {
+        int calls = 0;
+        const HookedNlp throwing(*problem.nlp, [&calls, first](double cost) -> double {
+            if (calls++ >= first) throw Interrupted("from the cost");
+            return cost;
+        });
+        try {
+            (void)minimize(throwing, problem.start);
+            ADD_FAILURE() << "no exception";
+        } catch (const Interrupted& caught) {
+            EXPECT_STREQ(caught.what(), "from the cost");
+            EXPECT_EQ(caught.code, 42);
+        }
+    }
+}
+
+TEST_P(Backend, CarriesAnExceptionOfTheStopRequest) {
+    control_.stop_requested = []() -> bool { throw Interrupted("from the stop request"); };
+    const KnownProblem problem = projection_qp();
+    EXPECT_THROW((void)minimize(*problem.nlp, problem.start), Interrupted);
+}
+
+TEST_P(Backend, RefusesWrongInput) {
+    const KnownProblem problem = corner_lp();
+    EXPECT_THROW((void)minimize(*problem.nlp, Eigen::VectorXd::Zero(5)), InputError);
+    EXPECT_THROW((void)minimize(*problem.nlp, Eigen::Vector2d(0.0, std::nan(""))), InputError);
+    BackendOptions bad;
+    bad.tolerance = 0.0;
+    EXPECT_THROW((void)solver_->minimize(*problem.nlp, problem.start, bad, {}), InputError);
+    bad = {};
+    bad.native["xyz"] = 1.0;
+    EXPECT_THROW((void)solver_->minimize(*problem.nlp, problem.start, bad, {}), InputError);
+}
+
+TEST_P(Backend, GivesTheSameAnswerTwice) {
+    const KnownProblem problem = weighted_peaks_lp(12);
+    const BackendResult first = minimize(*problem.nlp, problem.start),
+                        second = minimize(*problem.nlp, problem.start);
+    EXPECT_EQ(first.x, second.x);
+    EXPECT_EQ(first.iterations, second.iterations);
+}
+
+TEST_P(Backend, SolvesInSeveralThreadsAtOnce) {
+    std::atomic<int> solved = 0;
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([&] {
+            const KnownProblem problem = least_acceleration_lp(9);
+            for (int i = 0; i < 5; ++i) {
+                const BackendResult result = minimize(*problem.nlp, problem.start);
+                if (finished(result.termination) &&
+                    std::abs(problem.nlp->cost(result.x) - problem.cost) < 1e-5)
+                    ++solved;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(solved, 20);
+}
+
+TEST_P(Backend, StartsOutsideTheBounds) {
+    KnownProblem problem = fixed_variable_lp();
+    problem.start << -100.0, 100.0, 3.0;
+    expect_solved(problem);
+}
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names;
+    for (const SolverEntry& entry : solver_entries()) names.push_back(entry.name);
+    return names;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Backend, testing::ValuesIn(all_names()), test_name);
+
+TEST(KnownProblems, HaveRightDerivatives) {
+    std::vector<KnownProblem> all;
+    all.push_back(corner_lp());
+    all.push_back(weighted_peaks_lp(12));
+    all.push_back(least_square_acceleration_qp(6));
+    all.push_back(hs71());
+    all.push_back(bounded_rosenbrock());
+    for (const KnownProblem& problem : all) {
+        Eigen::VectorXd point = problem.start.cwiseMax(problem.nlp->shape().x_lower);
+        point = point.cwiseMin(problem.nlp->shape().x_upper);
+        const DerivativeReport report = check_derivatives(*problem.nlp, {&point, 1});
+        EXPECT_TRUE(report.passed()) << problem.name << ": " << describe(report.faults.front());
+    }
+}
+
+}  // namespace
+}  // namespace camopt::test

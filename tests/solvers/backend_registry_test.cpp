@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "core/errors.hpp"
+#include "solvers/registry.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace camopt {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+template <class Error, class Function>
+std::string message_of(Function&& function) {
+    try {
+        function();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "nothing of that type was thrown";
+    return {};
+}
+
+std::string refusal(const char* solver, const char* option, OptionValue value) {
+    return message_of<InputError>([&] { check_native_options(solver, {{option, value}}); });
+}
+
+TEST(Termination, EveryValueHasItsOwnName) {
+    std::set<std::string> names;
+    for (int value = 0; value <= static_cast<int>(Termination::unsupported); ++value)
+        names.insert(name_of(static_cast<Termination>(value)));
+    EXPECT_EQ(names.size(), 11u);
+    EXPECT_FALSE(names.contains("unknown"));
+    EXPECT_EQ(BackendResult{}.termination, Termination::not_run);
+}
+
+TEST(BackendOptions, NameFoundAndAllowedOnRefusal) {
+    BackendOptions options;
+    EXPECT_NO_THROW(options.validate());
+    options.tolerance = -1.0;
+    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+                AllOf(HasSubstr("'tolerance'"), HasSubstr("found -1"), HasSubstr("(0, 1)")));
+    options = {};
+    options.max_iterations = 0;
+    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+                AllOf(HasSubstr("'max_iterations'"), HasSubstr("found 0"), HasSubstr(">= 1")));
+    options = {};
+    options.max_seconds = infinity;
+    EXPECT_THAT(message_of<InputError>([&] { options.validate(); }),
+                AllOf(HasSubstr("'max_seconds'"), HasSubstr("found inf"), HasSubstr("> 0")));
+}
+
+TEST(Registry, KnowsFourBackends) {
+    std::vector<std::string> names;
+    for (const SolverEntry& entry : solver_entries()) {
+        names.push_back(entry.name);
+        EXPECT_FALSE(entry.method.empty());
+        EXPECT_EQ(entry.available, !entry.version.empty()) << entry.name;
+        if (entry.name != "structured") {
+            EXPECT_THAT(entry.remedy, HasSubstr("install"));
+        }
+    }
+    EXPECT_THAT(names, testing::ElementsAre("structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"));
+}
+
+TEST(Registry, AnswersAnUnknownNameWithTheList) {
+    EXPECT_THAT(message_of<InputError>([] { (void)make_solver("snopt"); }),
+                AllOf(HasSubstr("unknown solver 'snopt'"),
+                      HasSubstr("structured, ipopt, nlopt.slsqp, nlopt.cobyla")));
+    EXPECT_THROW(check_native_options("snopt", {}), InputError);
+}
+
+TEST(Registry, MakesWhatIsThereAndRefusesWhatIsNot) {
+    for (const SolverEntry& entry : solver_entries()) {
+        if (entry.available) {
+            EXPECT_EQ(make_solver(entry.name)->name(), entry.name);
+        } else {
+            EXPECT_THAT(message_of<UnavailableError>([&] { (void)make_solver(entry.name); }),
+                        AllOf(HasSubstr(entry.name), HasSubstr(entry.remedy)));
+        }
+    }
+}
+
+TEST(NativeOptions, UnknownNameIsAnsweredWithTheList) {
+    EXPECT_THAT(
+        refusal("ipopt", "xyz", 1.0),
+        AllOf(HasSubstr("unknown option 'xyz' of ipopt; allowed: linear_solver"), HasSubstr("mu_strategy")));
+    EXPECT_THAT(refusal("nlopt.slsqp", "initial_step", 1.0), HasSubstr("unknown option 'initial_step'"));
+}
+
+TEST(NativeOptions, KindIsChecked) {
+    EXPECT_THAT(refusal("ipopt", "mehrotra_algorithm", std::string("yes")),
+                AllOf(HasSubstr("found 'yes'"), HasSubstr("bool: true or false")));
+    EXPECT_THAT(refusal("ipopt", "acceptable_iter", 1.5),
+                AllOf(HasSubstr("found 1.5"), HasSubstr("integer")));
+    EXPECT_THAT(refusal("ipopt", "mu_init", std::string("small")), AllOf(HasSubstr("number: > 0")));
+    EXPECT_THAT(refusal("ipopt", "mu_strategy", true), HasSubstr("'adaptive' or 'monotone'"));
+}
+
+TEST(NativeOptions, RangeIsChecked) {
+    EXPECT_THAT(refusal("ipopt", "mumps_pivtol", 2.0), HasSubstr("[0, 1]"));
+    EXPECT_THAT(refusal("ipopt", "mu_init", 0.0), HasSubstr("> 0"));
+    EXPECT_THAT(refusal("ipopt", "bound_relax_factor", -1.0), HasSubstr(">= 0"));
+    EXPECT_THAT(refusal("nlopt.slsqp", "restarts", -1LL), HasSubstr("[0, 1000]"));
+    EXPECT_THAT(refusal("structured", "correctors", 11LL), HasSubstr("[0, 10]"));
+}
+
+// The packaged Ipopt 3.11 ends the whole process on ma97.
+TEST(NativeOptions, NoOtherLinearSolverThanMumpsReachesIpopt) {
+    EXPECT_THAT(refusal("ipopt", "linear_solver", std::string("ma97")), HasSubstr("found 'ma97'"));
+}
+
+TEST(NativeOptions, RightOnesPass) {
+    EXPECT_NO_THROW(check_native_options("ipopt", {{"mu_strategy", std::string("monotone")},
+                                                   {"mehrotra_algorithm", false},
+                                                   {"acceptable_iter", 0LL},
+                                                   {"mu_init", 1LL},
+                                                   {"bound_relax_factor", 0.0}}));
+    EXPECT_NO_THROW(check_native_options("nlopt.cobyla", {{"initial_step", 0.5}, {"restarts", 0LL}}));
+}
+
+}  // namespace
+}  // namespace camopt
