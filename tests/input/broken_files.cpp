@@ -46,6 +46,13 @@ std::vector<BrokenScene> broken_files() {
          "segments = 99999999999999999999\n",
          "s.toml:6:32: TOML: Error while parsing decimal integer: '99999999999999999999' is not "
          "representable in 64 bits"},
+        {"syntax_letter_outside_a_text",
+         "[motion]\n"
+         "type = \"DRD\"\n"
+         "[objective]\n"
+         "velocity Ë0\n"
+         "jerk = 1\n",
+         "s.toml:4:10: TOML: Error while parsing key-value pair: expected '=', saw 'Ë'"},
         {"syntax_dots_without_end",
          "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a."
          "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a."

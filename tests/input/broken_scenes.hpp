@@ -3,6 +3,7 @@
 // cycloidal and modified_sine, the solvers ipopt, nlopt.slsqp and structured.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct BrokenScene {
     std::vector<std::string> overrides = {};
     bool unavailable = false;  ///< UnavailableError
 };
+
+/// How GoogleTest shows a case.
+inline void PrintTo(const BrokenScene& broken, std::ostream* out) { *out << broken.name; }
 
 std::vector<BrokenScene> broken_files();
 std::vector<BrokenScene> broken_values();
