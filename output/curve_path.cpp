@@ -73,7 +73,8 @@ class PathWriter {
         return svg_number(map_.horizontal(x)) + " " + svg_number(map_.vertical(value));
     }
     void line_to(const MotionPoint& point) {
-        data_ += (pen_down_ ? "L" : "M") + place(point.x, point.derivative[order_]);
+        data_ += pen_down_ ? 'L' : 'M';
+        data_ += place(point.x, point.derivative[order_]);
         pen_down_ = true;
     }
     void curve_to(const MotionPoint& from, const MotionPoint& to) {

@@ -23,10 +23,15 @@ bool jerk_jumps(const Motion& motion, double x, double peak) {
     return std::abs(right - left) > jump_of_jerk * peak;
 }
 
+void append_cell(std::string& line, double value) {
+    line += ',';
+    line += round_trip_text(value);
+}
+
 void append_values(std::string& line, const MotionPoint& point, const DerivativeScale& scale,
                    std::size_t first) {
     for (std::size_t r = first; r < scale.factor.size(); ++r)
-        line += "," + round_trip_text(scale.factor[r] * point.derivative[r]);
+        append_cell(line, scale.factor[r] * point.derivative[r]);
 }
 
 std::string header(const DisplayScale& scale) {
@@ -70,10 +75,10 @@ std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpe
         const MotionPoint point = motion.at(row.x, row.side);
         text += round_trip_text(scale.degrees_per_x * row.x);
         append_values(text, point, scale.by_angle, 0);
-        text += "," + round_trip_text(row.x);
-        for (const double value : point.derivative) text += "," + round_trip_text(value);
+        append_cell(text, row.x);
+        for (const double value : point.derivative) append_cell(text, value);
         if (scale.by_time) {
-            text += "," + round_trip_text(scale.seconds_per_x * row.x);
+            append_cell(text, scale.seconds_per_x * row.x);
             append_values(text, point, *scale.by_time, 1);
         }
         text += "\n";

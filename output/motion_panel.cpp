@@ -17,7 +17,8 @@ constexpr double headroom = 0.17;  // of the value range, above and below: room 
 constexpr double limit_in_sight =
     1.45;  // a limit beyond this many times the largest value is left out of sight
 constexpr std::size_t most_breakpoint_ticks = 200;  // more would be a grey band
-constexpr double label_width = 6.3;                 // px a letter, about
+constexpr double edge = 120;         // px: nearer to the frame's end a peak's label grows away from it
+constexpr double below_zero = 0.02;  // of the largest value: less than this is not a motion downwards
 
 /// The panel's coordinates.
 struct Plot {
@@ -46,7 +47,8 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
     }
     if (content.limit && content.limit->normalised <= limit_in_sight * std::max(range.upper, -range.lower)) {
         range.upper = std::max(range.upper, content.limit->normalised);
-        if (range.lower < 0.0) range.lower = std::min(range.lower, -content.limit->normalised);
+        if (range.lower < -below_zero * range.upper)
+            range.lower = std::min(range.lower, -content.limit->normalised);
     }
     const double size = range.upper > range.lower ? range.upper - range.lower : 1.0;
     return {frame, content.optimum->begin(), content.optimum->end(), range.lower - headroom * size,
@@ -91,7 +93,7 @@ void draw_limit(SvgCanvas& canvas, const Plot& plot, const PanelContent& content
     if (!content.limit) return;
     const double value = content.limit->normalised;
     if (value > plot.upper) {
-        canvas.text(plot.right() - 6, plot.frame.top + 14, content.limit->words + " (above)",
+        canvas.text(plot.right() - 6, plot.frame.top + 14, fmt::format("{} lies above", content.limit->words),
                     "limit-label end");
         return;
     }
@@ -111,10 +113,12 @@ void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content)
     if (!content.peak) return;
     const double x = plot.x(content.peak->at), y = plot.y(content.peak->value);
     canvas.circle(x, y, 4, "peak");
-    const double half = 0.5 * label_width * static_cast<double>(content.peak_words.size());
-    const double label_x = std::clamp(x, plot.frame.left + half + 6, plot.right() - half - 6);
-    canvas.text(label_x, content.peak->value >= 0.0 ? y - 9 : y + 19, content.peak_words,
-                "peak-label middle");
+    const bool left = x<plot.frame.left + edge, right = x> plot.right() - edge;
+    const double label_x = left    ? std::max(x, plot.frame.left + 8)
+                           : right ? std::min(x, plot.right() - 8)
+                                   : x;
+    const char* const anchor = left ? "peak-label" : right ? "peak-label end" : "peak-label middle";
+    canvas.text(label_x, content.peak->value >= 0.0 ? y - 9 : y + 19, content.peak_words, anchor);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace camopt {
 namespace {
 
 // Layout, px.
-constexpr double page_width = 1000, panel_left = 92, panel_width = 832, first_panel = 128, panel_height = 178,
+constexpr double page_width = 1000, panel_left = 92, panel_width = 832, first_panel = 142, panel_height = 178,
                  panel_distance = 218, page_height = first_panel + 3 * panel_distance + panel_height + 56;
 
 const char* page_style =
@@ -46,11 +46,11 @@ void add_peak(PanelContent& content, const Picture& picture) {
     const MotionPoint point = content.optimum->at(peak.at, peak.side);
     peak.value = std::copysign(peak.value, point.derivative[static_cast<std::size_t>(content.order)]);
     content.peak = peak;
-    content.peak_words = fmt::format("{} = {}   {} {}", row.symbol, short_text(row.optimum.value, 5),
+    content.peak_words = fmt::format("{} = {} · {} {}", row.symbol, short_text(row.optimum.value, 5),
                                      short_text(content.factor * row.optimum.value, 5), content.unit);
     if (row.reference)
         content.caption_right =
-            fmt::format("{} {} = {}   change {}", reference_title(picture.reference), row.symbol,
+            fmt::format("{} {} = {} · change {}", reference_title(picture.reference), row.symbol,
                         short_text(*row.reference, 5), change_text(row.optimum.value, *row.reference));
     if (const auto& limit = limit_of(picture.solution.scene.limits, content.order))
         content.limit =
@@ -75,13 +75,13 @@ PanelContent panel_content(const Picture& picture, int order) {
     if (order > 0)
         add_peak(content, picture);
     else
-        content.caption_right = "left axis: physical units   right axis: normalised by lift and rise";
+        content.caption_right = "left axis: physical units · right axis: normalised by lift and rise";
     return content;
 }
 
 void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     double x = panel_left;
-    const double y = first_panel - 34;
+    const double y = first_panel - 38;
     const auto entry = [&](const char* css_class, const std::string& words) {
         canvas.line(x, y - 4, x + 30, y - 4, css_class);
         canvas.text(x + 37, y, words, "subtitle");
@@ -113,7 +113,7 @@ std::string motion_svg(const Solution& solution) {
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(panel_left, 36, title, "title");
     canvas.text(panel_left, 58, verdict_sentence(solution.certificate), "subtitle");
-    canvas.text(panel_left, 76, objective_line(solution), "subtitle");
+    canvas.text(panel_left, 77, objective_line(solution, " · "), "subtitle");
     draw_legend(canvas, picture);
     for (int order = 0; order < 4; ++order) {
         const PanelFrame frame{panel_left, first_panel + order * panel_distance, panel_width, panel_height};

@@ -2,6 +2,7 @@
 #include "output/reference_motion.hpp"
 
 #include "motions/law_catalogue.hpp"
+#include "output/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ ReferenceMotion reference_motion(const Scene& scene) {
     ReferenceMotion reference;
     if (scene.objective.reference.numeric) return reference;
     std::unique_ptr<Law> law = make_law(scene.objective.reference.law);
-    reference.title = law->title();
+    reference.title = words_of(law->key());
     reference.peaks = law->peaks();
     reference.motion = std::move(law);
     if (scene.motion.type == MotionType::rr) {

@@ -26,10 +26,10 @@ constexpr const char* introduction =
 std::string reference_table_text(const ReferenceTable& table) {
     std::string text = fmt::format("{}\n\n{}", title, wrapped_text(introduction, "", line_width));
     const std::string warning = unproved_warning(table);
-    if (!warning.empty()) text += "\n" + wrapped_text(warning, "WARNING  ", line_width);
+    if (!warning.empty()) text += fmt::format("\n{}", wrapped_text(warning, "WARNING  ", line_width));
     for (const TableSection& section : reference_table_sections(table)) {
-        text += "\n" + section.title + "\n" + wrapped_text(section.introduction, "", line_width) + "\n" +
-                aligned_text(section.table);
+        text += fmt::format("\n{}\n{}\n{}", section.title, wrapped_text(section.introduction, "", line_width),
+                            aligned_text(section.table));
     }
     if (!table.notes.empty()) text += "\nNotes\n";
     for (std::size_t i = 0; i < table.notes.size(); ++i)

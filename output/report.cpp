@@ -40,7 +40,7 @@ std::string asked(const Scene& scene) {
     const SplineSpec& spline = scene.spline;
     const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
                                                             : spline.breakpoints.size() - 1;
-    std::string text = "## What was asked\n\n" + asked_motion(scene.motion);
+    std::string text = fmt::format("## What was asked\n\n{}", asked_motion(scene.motion));
     text +=
         fmt::format("- Spline: degree {}, {} {}segments, continuous up to derivative {}{}\n", spline.degree,
                     segments, spline.breakpoints.empty() ? "uniform " : "", spline.smoothness(),
@@ -57,13 +57,14 @@ std::string asked(const Scene& scene) {
     term(objective.rms_acceleration, "rms acceleration");
     term(objective.rms_jerk, "rms jerk");
     return text + fmt::format("- Objective: the least {}, each divided by that of {}\n", terms,
-                              objective.reference.numeric ? "the reference given as numbers"
-                                                          : "the law " + words_of(objective.reference.law));
+                              objective.reference.numeric
+                                  ? "the reference given as numbers"
+                                  : fmt::format("the law {}", words_of(objective.reference.law)));
 }
 
 std::string verdict_section(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
-    std::string text = "\n## Verdict\n\n**" + verdict_sentence(certificate) + "**\n\n";
+    std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(certificate));
     const auto line = [&](const char* name, double value, int digits) {
         text += fmt::format("- {}: {}\n", name, short_text(value, digits));
     };
@@ -113,7 +114,7 @@ std::string relaxation_section(const Solution& solution) {
     std::string text =
         "\n## What would have to change\n\nEach line is the least change of one limit alone, with all "
         "others kept.\n\n";
-    for (const Relaxation& row : solution.relaxation) text += "- " + relaxation_sentence(row) + "\n";
+    for (const Relaxation& row : solution.relaxation) text += fmt::format("- {}\n", relaxation_sentence(row));
     return text;
 }
 
@@ -133,8 +134,8 @@ std::string design_section(const DesignReport& design) {
 std::string solver_section(const Solution& solution, const RunOrigin& origin) {
     const SolverReport& solver = solution.solver;
     std::string text = fmt::format(
-        "\n## How it was found\n\n- Solver: {}{}; it stopped as \"{}\" after {} iterations and {} exchange "
-        "rounds, {} s "
+        "\n## How it was found\n\n- Solver: {}{}; it stopped as \"{}\" (iterations: {}, exchange "
+        "rounds: {}); {} s "
         "in all\n",
         solver.name, solver.choice.empty() ? "" : " (" + solver.choice + ")",
         words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds,
@@ -153,7 +154,7 @@ std::string solver_section(const Solution& solution, const RunOrigin& origin) {
 std::string notes_section(const std::vector<std::string>& notes) {
     if (notes.empty()) return {};
     std::string text = "\n## Notes\n\n";
-    for (const std::string& note : notes) text += "- " + note + "\n";
+    for (const std::string& note : notes) text += fmt::format("- {}\n", note);
     return text;
 }
 

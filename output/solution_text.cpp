@@ -15,19 +15,20 @@ namespace {
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
-    return certificate.reason.empty() ? std::string{} : " (" + words_of(certificate.reason) + ")";
+    return certificate.reason.empty() ? std::string{} : fmt::format(" ({})", words_of(certificate.reason));
 }
 
 std::string peak_line(const PeakRow& row, const std::string& reference_name) {
     std::string line =
-        fmt::format("  {:<13}{} = {:<10}", row.name, row.symbol, short_text(row.optimum.value));
+        fmt::format("  {:<12} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
     if (row.factor > 0.0)
-        line += fmt::format(" {:>10} {:<8}", short_text(row.factor * row.optimum.value), row.unit);
-    else
-        line += std::string(20, ' ');
+        line += fmt::format("  {:>10} {:<8}", short_text(row.factor * row.optimum.value), row.unit);
+    else if (row.reference)
+        line += std::string(21, ' ');
     if (row.reference)
-        line += fmt::format("   {} {} ({})", reference_name, short_text(*row.reference),
+        line += fmt::format("  {} {} ({})", reference_name, short_text(*row.reference),
                             change_text(row.optimum.value, *row.reference));
+    line.erase(line.find_last_not_of(' ') + 1);
     return line + "\n";
 }
 
@@ -58,11 +59,12 @@ std::string verdict_sentence(const Certificate& certificate) {
     return fmt::format("Failed: neither a curve nor a proof was found{}.", because(certificate));
 }
 
-std::string objective_line(const Solution& solution) {
+std::string objective_line(const Solution& solution, std::string_view separator) {
     const Certificate& certificate = solution.certificate;
     std::string line;
     const auto add = [&](const char* name, double value, int digits) {
-        line += fmt::format("{}{} {}", line.empty() ? "" : "   ", name, short_text(value, digits));
+        line += fmt::format("{}{} {}", line.empty() ? std::string_view{} : separator, name,
+                            short_text(value, digits));
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound) add("proved bound", *certificate.lower_bound, figures);
@@ -93,12 +95,13 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     if (solution.curve) text += peak_lines(solution);
     if (solution.curve)
         for (const ConstraintReport& row : solution.constraints)
-            text += "  limit: " + constraint_sentence(row) + "\n";
-    for (const Relaxation& row : solution.relaxation) text += "  relax: " + relaxation_sentence(row) + "\n";
-    for (const std::string& note : solution.notes) text += "  note: " + note + "\n";
+            text += fmt::format("  limit: {}\n", constraint_sentence(row));
+    for (const Relaxation& row : solution.relaxation)
+        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;
     if (!solver.name.empty())
-        text += fmt::format("  solver: {}, {} iterations, {} exchange rounds, {} s\n", solver.name,
+        text += fmt::format("  solver: {}, iterations {}, exchange rounds {}, {} s\n", solver.name,
                             solver.iterations, solver.exchange_rounds, short_text(solution.seconds_total, 3));
     for (const auto& path : written) text += fmt::format("  wrote {}\n", path.string());
     return text;

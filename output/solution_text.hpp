@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
@@ -15,7 +16,7 @@ namespace camopt {
 [[nodiscard]] std::string verdict_sentence(const Certificate& certificate);
 
 /// "objective 0.940489277   proved bound 0.940489270   gap 7e-09". Only what exists.
-[[nodiscard]] std::string objective_line(const Solution& solution);
+[[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");
 
 /// "limits.velocity = 1.8 is kept: at most 1.79 …"
 [[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);

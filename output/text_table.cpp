@@ -74,14 +74,14 @@ std::string aligned_text(const TextTable& table) {
 std::string markdown_text(const TextTable& table) {
     std::string text = "|", rule = "|";
     for (const TextTable::Column& column : table.columns) {
-        text += " " + markdown_cell(column.title) + " |";
+        text += fmt::format(" {} |", markdown_cell(column.title));
         rule += column.left ? " :--- |" : " ---: |";
     }
     text += "\n" + rule + "\n";
     for (const auto& row : table.rows) {
         text += "|";
         for (std::size_t column = 0; column < table.columns.size(); ++column)
-            text += " " + markdown_cell(cell(row, column)) + " |";
+            text += fmt::format(" {} |", markdown_cell(cell(row, column)));
         text += "\n";
     }
     return text;

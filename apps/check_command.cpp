@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.
+#include "apps/commands.hpp"
+#include "apps/scene_loading.hpp"
+#include "output/number_text.hpp"
+#include "studies/scene_check.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace camopt::apps {
+
+ExitCode check_command(const CheckRequest& request) {
+    const SceneCheck check = check_scene(load_scene(request.scene, request.settings));
+    std::string text = fmt::format("{}: the scene is valid\n", request.scene);
+    text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
+                        check.rows, check.convex ? "convex: an optimum is global" : "not convex");
+    text +=
+        fmt::format("  solver: {}, design vector: {}\n", check.choice.solver, name_of(check.choice.design));
+    for (const DerivativeError& error : check.derivatives)
+        text +=
+            fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind, short_text(error.error, 2),
+                        error.where.empty() ? "" : " (worst at " + error.where + ")");
+    for (const std::string& condition : check.redundant)
+        text += fmt::format("  note: {} follows from others\n", condition);
+    for (const std::string& condition : check.contradictions)
+        text += fmt::format("  infeasible: {} contradicts other conditions\n", condition);
+    if (!check.derivatives_agree) text += "  the derivatives are wrong\n";
+    std::fputs(text.c_str(), stdout);
+    if (!check.derivatives_agree) return failure;
+    return check.contradictions.empty() ? success : proved_infeasible;
+}
+
+}  // namespace camopt::apps

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The exit codes of camopt, the same for every command.
+#pragma once
+
+#include "solvers/certificate.hpp"
+
+namespace camopt::apps {
+
+enum ExitCode : int { success = 0, failure = 1, wrong_input = 2, proved_infeasible = 3 };
+
+[[nodiscard]] inline ExitCode exit_code_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::optimal:
+        case Verdict::local:
+        case Verdict::feasible:
+            return success;
+        case Verdict::infeasible:
+            return proved_infeasible;
+        case Verdict::failed:
+            break;
+    }
+    return failure;
+}
+
+}  // namespace camopt::apps

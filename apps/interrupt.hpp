@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C during a solve: the first asks the solver to stop and deliver the best point it has, the second ends
+// the program at once.
+#pragma once
+
+namespace camopt::apps {
+
+/// Watches SIGINT as long as it lives; then the previous behaviour returns.
+class InterruptWatch {
+ public:
+    InterruptWatch();
+    ~InterruptWatch();
+    InterruptWatch(const InterruptWatch&) = delete;
+    InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+    [[nodiscard]] static bool interrupted();
+};
+
+}  // namespace camopt::apps

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// camopt list: the laws, followers and solvers that this camopt knows.
+#include "apps/commands.hpp"
+#include "motions/law_catalogue.hpp"
+#include "output/json_text.hpp"
+#include "output/number_text.hpp"
+#include "solvers/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace camopt::apps {
+
+namespace {
+
+std::string laws_text() {
+    std::string text = fmt::format("{:<20} {:>9} {:>9} {:>9} {:>9}  {}\n", "key", "V", "A", "J", "Q", "law");
+    for (const LawInfo& info : law_catalogue()) {
+        const Peaks peaks = make_law(info.key)->peaks();
+        text += fmt::format("{:<20} {:>9} {:>9} {:>9} {:>9}  {}\n", info.key,
+                            short_text(peaks.velocity.value), short_text(peaks.acceleration.value),
+                            short_text(peaks.jerk.value), short_text(peaks.torque.value), info.title);
+    }
+    return text +
+           "Peaks are normalised by lift and rise: V, A, J = max |y'|, |y''|, |y'''|; Q = max |y'·y''|.\n";
+}
+
+Json laws_json() {
+    Json list = Json::array();
+    for (const LawInfo& info : law_catalogue()) {
+        const Peaks peaks = make_law(info.key)->peaks();
+        Json parameters = Json::object();
+        for (const LawParameter& parameter : info.parameters)
+            parameters[parameter.name] = number_json(parameter.value);
+        list.push_back({{"key", info.key},
+                        {"title", info.title},
+                        {"source", info.source},
+                        {"continuity", info.continuity},
+                        {"parameters", parameters},
+                        {"velocity", number_json(peaks.velocity.value)},
+                        {"acceleration", number_json(peaks.acceleration.value)},
+                        {"jerk", number_json(peaks.jerk.value)},
+                        {"torque", number_json(peaks.torque.value)},
+                        {"rms_velocity", number_json(peaks.rms_velocity)},
+                        {"rms_acceleration", number_json(peaks.rms_acceleration)},
+                        {"rms_jerk", number_json(peaks.rms_jerk)}});
+    }
+    return list;
+}
+
+std::string solvers_text() {
+    std::string text;
+    for (const SolverEntry& entry : solver_entries()) {
+        text += fmt::format("{:<14} {}\n", entry.name, entry.method);
+        if (entry.available)
+            text += fmt::format("{:<14}   available{}{}{}\n", "", entry.version.empty() ? "" : ", version ",
+                                entry.version, entry.gives_multipliers ? ", gives multipliers" : "");
+        else
+            text += fmt::format("{:<14}   not in this build: {}\n", "", entry.remedy);
+        for (const NativeOption& option : entry.options)
+            text += fmt::format("{:<14}   {} = {} ({}): {}\n", "", option.name, option.default_value,
+                                option.range, option.meaning);
+    }
+    return text;
+}
+
+Json solvers_json() {
+    Json list = Json::array();
+    for (const SolverEntry& entry : solver_entries()) {
+        Json options = Json::array();
+        for (const NativeOption& option : entry.options)
+            options.push_back({{"name", option.name},
+                               {"kind", option.kind},
+                               {"default", option.default_value},
+                               {"range", option.range},
+                               {"meaning", option.meaning}});
+        list.push_back({{"name", entry.name},
+                        {"method", entry.method},
+                        {"available", entry.available},
+                        {"version", entry.version.empty() ? Json(nullptr) : Json(entry.version)},
+                        {"remedy", entry.remedy.empty() ? Json(nullptr) : Json(entry.remedy)},
+                        {"gives_multipliers", entry.gives_multipliers},
+                        {"needs_convex", entry.needs_convex},
+                        {"options", options}});
+    }
+    return list;
+}
+
+}  // namespace
+
+ExitCode list_command(const ListRequest& request) {
+    std::string text;
+    if (request.what == "laws")
+        text = request.json ? json_text(laws_json()) : laws_text();
+    else if (request.what == "solvers")
+        text = request.json ? json_text(solvers_json()) : solvers_text();
+    else
+        text = request.json
+                   ? json_text(Json::array())
+                   : "No follower is available in this version: it finds motions; cams ([cam]) come later.\n";
+    std::fputs(text.c_str(), stdout);
+    return success;
+}
+
+}  // namespace camopt::apps
