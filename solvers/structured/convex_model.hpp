@@ -45,8 +45,9 @@ struct ConvexModel {
     Eigen::VectorXd row_lower, row_upper, x_lower, x_upper;
     SparsityPattern hessian;  ///< lower triangle
     CostKind kind = CostKind::linear;
-    double cost_unit =
-        1.0;  ///< gaps are relative to max(cost_unit, |f|): what 1 in the user's cost is here, <= 1
+    /// What 1 in the user's cost is here, <= 1: errors are relative to that or to the cost, whichever is
+    /// larger.
+    double cost_unit = 1.0;
     std::unique_ptr<ConvexCost> cost;
 
     [[nodiscard]] Eigen::Index variables() const { return x_lower.size(); }

@@ -73,7 +73,7 @@ ElasticResult least_violation(const ConvexModel& model, const VectorXd& start,
     result.stop = solved.stop;
     result.iterations = solved.iterations;
     result.accuracy = solved.errors.worst();
-    if (solved.best.w.size() == 0) return result;
+    if (!solved.has_point()) return result;
     result.x = solved.best.w.head(n);
     result.violation = solved.best.w[n];
     result.lambda = VectorXd::Zero(model.constraints());
@@ -123,7 +123,7 @@ RecessionResult recession(const ConvexModel& model, const VectorXd& point, const
     const InteriorPointResult solved = interior_point(cone, VectorXd::Zero(n), quiet, control);
     RecessionResult result;
     result.iterations = solved.iterations;
-    if (solved.best.w.size() == 0) return result;
+    if (!solved.has_point()) return result;
     result.direction = solved.best.w.head(n);
     result.descends = solved.errors.worst() <= 1e-7 && cost.dot(result.direction) < -1e-6;
     return result;

@@ -104,7 +104,8 @@ Errors Iteration::errors() const {
     const VectorXd x = point_.w.head(n);
     const double size = std::max(model_.cost_unit, std::abs(model_.cost->value(x)));
     return {std::max({largest(rest_.row), largest(rest_.lower), largest(rest_.upper)}) / (1.0 + largest(x)),
-            largest(rest_.dual) / (1.0 + largest(rest_.gradient)), mask_.count * rest_.mu / size};
+            largest(rest_.dual) / (model_.cost_unit + largest(rest_.gradient)),
+            mask_.count * rest_.mu / size};
 }
 
 bool Iteration::looks_infeasible() const {

@@ -14,7 +14,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace camopt::structured {
 
@@ -58,6 +60,7 @@ struct InteriorPointResult {
     Iterate best;   ///< smallest Errors::worst()
     Errors errors;  ///< of `best`
     int iterations = 0;
+    [[nodiscard]] bool has_point() const { return std::isfinite(errors.worst()); }
 };
 
 [[nodiscard]] InteriorPointResult interior_point(const ConvexModel& model, const Eigen::VectorXd& start,

@@ -109,12 +109,16 @@ BackendResult StructuredRun::run() {
     BackendResult result;
     const auto hopeless = [&] {
         return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
-               solved.stop != Stop::time_limit && solved.stop != Stop::evaluation_error &&
-               solved.errors.worst() > limits_.tolerance;
+               solved.stop != Stop::time_limit && solved.stop != Stop::iteration_limit &&
+               solved.stop != Stop::evaluation_error && solved.errors.worst() > limits_.tolerance;
     };
     if (hopeless()) {
-        if (solved.errors.primal > limits_.tolerance && proved_infeasible(result)) return result;
-        if (solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded) {
+        const bool runs_away =
+            solved.stop == Stop::suspect_infeasible || solved.stop == Stop::suspect_unbounded;
+        const bool far_off = solved.errors.worst() > acceptable * tolerance_;
+        if ((runs_away || far_off || solved.errors.primal > limits_.tolerance) && proved_infeasible(result))
+            return result;
+        if (runs_away) {
             if (proved_unbounded(solved, result)) return result;
             limits_.suspicious = false;
             solved = interior_point(form_.model(), start, limits_, control_);
@@ -132,7 +136,7 @@ bool StructuredRun::proved_infeasible(BackendResult& result) {
     const structured::ElasticResult elastic =
         least_violation(form_.model(), form_.to_model(start_), limits, control_);
     iterations_ += elastic.iterations;
-    if (elastic.x.size() == 0 || !(elastic.violation > least_proof)) return false;
+    if (!(elastic.violation > least_proof)) return false;
     structured::Ray ray{form_.row_multipliers(elastic.lambda, 1.0), {}};
     const VectorXd none = VectorXd::Zero(problem_.shape().variables());
     ray.bound_multipliers = form_.bound_multipliers(none, ray.row_multipliers);
@@ -155,7 +159,7 @@ bool StructuredRun::proved_infeasible(BackendResult& result) {
 }
 
 bool StructuredRun::proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const {
-    if (solved.best.w.size() == 0) return false;
+    if (!solved.has_point()) return false;
     const VectorXd point = solved.best.x(form_.model().variables());
     InteriorPointLimits limits = limits_;
     limits.tolerance = 1e-9;
@@ -185,7 +189,7 @@ BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const 
     else
         result.termination =
             error <= acceptable * tolerance_ ? Termination::acceptable : Termination::numerical_failure;
-    if (solved.best.w.size() == 0) {
+    if (!solved.has_point()) {
         result.x = start_;
         return result;
     }
