@@ -57,14 +57,14 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
 
 /// The left axis carries physical units and the grid, the right one normalised values.
 void draw_value_axes(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
-    const std::vector<double> left = round_ticks(content.factor * plot.lower, content.factor * plot.upper, 5);
+    const std::vector<double> left = round_ticks(content.factor * plot.lower, content.factor * plot.upper, 6);
     const double left_step = left.size() > 1 ? left[1] - left[0] : 1.0;
     for (const double tick : left) {
         const double y = plot.y(tick / content.factor);
         canvas.line(plot.frame.left, y, plot.right(), y, tick == 0.0 ? "zero" : "grid");
         canvas.text(plot.frame.left - 8, y + 4, tick_text(tick, left_step), "tick end");
     }
-    const std::vector<double> right = round_ticks(plot.lower, plot.upper, 5);
+    const std::vector<double> right = round_ticks(plot.lower, plot.upper, 6);
     const double right_step = right.size() > 1 ? right[1] - right[0] : 1.0;
     for (const double tick : right) {
         const double y = plot.y(tick);
@@ -118,7 +118,11 @@ void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content)
                            : right ? std::min(x, plot.right() - 8)
                                    : x;
     const char* const anchor = left ? "peak-label" : right ? "peak-label end" : "peak-label middle";
-    canvas.text(label_x, content.peak->value >= 0.0 ? y - 9 : y + 19, content.peak_words, anchor);
+    // Under a limit line that is close above, the label goes below the curve.
+    const bool limit_close = content.limit && plot.y(content.limit->normalised) < y - 3 &&
+                             plot.y(content.limit->normalised) > y - 26;
+    const bool above = content.peak->value >= 0.0 && !limit_close;
+    canvas.text(label_x, above ? y - 9 : y + 19, content.peak_words, anchor);
 }
 
 }  // namespace

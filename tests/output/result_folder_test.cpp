@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "output/result_folder.hpp"
+
+#include "core/errors.hpp"
+#include "output/text_file.hpp"
+#include "sample_solution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace camopt {
+namespace {
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
+    return names;
+}
+
+TEST(ResultFolder, IsCreatedAndHoldsExactlyItsFiles) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path out = folder.path() + "/a/b";
+    const auto written = write_result_folder(out, test::sample_solution());
+    EXPECT_EQ(written.size(), 5U);
+    EXPECT_EQ(names_in(out), (std::set<std::string>{"certificate.json", "motion.csv", "motion.svg",
+                                                    "report.md", "result.json"}));
+}
+
+TEST(ResultFolder, ALaterRunWithoutACurveLeavesNoOldOne) {
+    const test::TemporaryFolder folder;
+    write_result_folder(folder.path(), test::sample_solution());
+    write_result_folder(folder.path(), test::infeasible_solution());
+    EXPECT_EQ(names_in(folder.path()),
+              (std::set<std::string>{"certificate.json", "report.md", "result.json"}));
+}
+
+TEST(ResultFolder, RefusesAFile) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path() + "/taken";
+    write_text_file(path, "x");
+    try {
+        write_result_folder(path, test::sample_solution());
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("it is a file, not a folder"), std::string::npos);
+    }
+    EXPECT_EQ(read_text_file(path), "x");
+}
+
+TEST(TextFile, ReplacesInOneStepAndLeavesNothingElse) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() + "/file";
+    write_text_file(path, "first");
+    write_text_file(path, "second");
+    EXPECT_EQ(read_text_file(path), "second");
+    EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"file"});
+    EXPECT_THROW(write_text_file(folder.path() + "/missing/file", "x"), InputError);
+}
+
+}  // namespace
+}  // namespace camopt
