@@ -11,7 +11,8 @@ import source_tree
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|else)\b")
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|(unsupported/)?Eigen/\w+)$")
-FOREIGN = re.compile(r"\b(nlopt(_\w+)?::|nlopt_\w+|Ipopt::|TNLP\b|cholmod_\w+|SuiteSparseQR|toml::|nlohmann::|CLI::|fmt::)")
+FOREIGN = re.compile(r"\b(nlopt::|nlopt_(opt|result|algorithm|func|mfunc)\b|Ipopt::|TNLP\b|SuiteSparseQR|"
+                     r"cholmod_(common|sparse|dense|factor|triplet)\b|toml::|nlohmann::|CLI::|fmt::)")
 
 
 def faults_of(root, path):

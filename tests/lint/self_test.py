@@ -29,6 +29,7 @@ PLANTED = [
     ("public_headers", "core/b.hpp", "#pragma once\n#include <nlopt.h>\n", "must not include <nlopt.h>"),
     ("public_headers", "core/b.hpp", "#pragma once\n#include <fmt/core.h>\n", "must not include <fmt/core.h>"),
     ("public_headers", "core/b.hpp", "#pragma once\nnamespace Ipopt { } Ipopt::Index i;\n", "names another library"),
+    ("public_headers", "core/b.hpp", "#pragma once\nstruct B { nlopt_opt handle; };\n", "names another library"),
     ("public_headers", "core/b.hpp", "#pragma once\n#include \"core/hidden.hpp\"\n", "which is not installed"),
     ("public_headers", "core/b.hpp", "int b();\n", "no '#pragma once'"),
     ("doc_links", "docs/x.md", "[gone](gone.md)\n", "'gone.md' does not exist"),

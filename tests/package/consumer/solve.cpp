@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <iostream>
-
 #include "studies/solve.hpp"
+
+#include <iostream>
 
 int main() {
     camopt::Scene scene;
@@ -11,5 +11,6 @@ int main() {
     scene.objective.jerk = 0.2;
     const camopt::Solution solution = camopt::solve(scene);
     std::cout.precision(9);
-    std::cout << name_of(solution.certificate.verdict) << ": objective " << solution.certificate.objective << '\n';
+    std::cout << name_of(solution.certificate.verdict) << ": objective " << solution.certificate.objective
+              << '\n';
 }
