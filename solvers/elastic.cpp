@@ -116,7 +116,9 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
                           const SolveControl& control) {
     ElasticProblem elastic(problem);
     const std::unique_ptr<Solver> solver = make_structured_solver();
-    const ExchangeResult result = minimize_by_exchange(elastic, *solver, elastic.start(), options, control);
+    ExchangeOptions own = options;
+    own.backend.native.clear();  // they belong to the backend the user chose
+    const ExchangeResult result = minimize_by_exchange(elastic, *solver, elastic.start(), own, control);
     Feasibility found;
     found.termination = result.termination;
     if (result.best.x.size() == 0) return found;

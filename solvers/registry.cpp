@@ -7,7 +7,6 @@
 #include "solvers/nlopt/nlopt_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
-#include <Eigen/Core>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -16,24 +15,6 @@
 namespace camopt {
 
 namespace {
-
-SolverEntry structured_entry() {
-    SolverEntry entry;
-    entry.name = "structured";
-    entry.method = "interior point on sparse normal equations, for convex problems with linear rows";
-    entry.available = true;
-    entry.version =
-        fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
-    entry.gives_multipliers = true;
-    entry.needs_convex = true;
-    entry.options = {
-        integer_option("max_iterations", "200", {1.0, 1e9}, "iterations, the elastic phase apart"),
-        number_option("regularisation", "1e-9", {1e-14, 1e-3}, "diagonal shift of the scaled Newton matrix"),
-        integer_option("correctors", "2", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
-        integer_option("patience", "12", {2.0, 1e9}, "iterations without a better point before the search ends"),
-    };
-    return entry;
-}
 
 struct Backend {
     SolverEntry (*entry)();

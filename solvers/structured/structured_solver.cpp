@@ -2,6 +2,7 @@
 #include "solvers/structured/structured_solver.hpp"
 
 #include "core/errors.hpp"
+#include "solvers/backend_support.hpp"
 #include "solvers/structured/infeasibility.hpp"
 #include "solvers/structured/standard_form.hpp"
 
@@ -208,9 +209,8 @@ class StructuredSolver final : public Solver {
     BackendResult minimize(const Nlp& problem, const VectorXd& start, const BackendOptions& options,
                            const SolveControl& control) const override {
         const NlpShape& shape = problem.shape();
-        if (start.size() != shape.variables())
-            throw ModelError(fmt::format("structured: the start has {} entries, the problem {} variables",
-                                         start.size(), shape.variables()));
+        static const SolverEntry entry = structured_entry();
+        check_backend_input(entry, problem, start, options);
         const bool linear =
             std::all_of(shape.rows.begin(), shape.rows.end(), [](const RowKind& row) { return row.linear; });
         if (!shape.convex || !linear) {

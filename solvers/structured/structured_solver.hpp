@@ -17,6 +17,7 @@
 // Sources: Mehrotra (1992), Gondzio (1996), Vanderbei (1995), Ruiz (2001); see the files of this folder.
 #pragma once
 
+#include "solvers/registry.hpp"
 #include "solvers/solver.hpp"
 
 #include <map>
@@ -43,6 +44,8 @@ struct StructuredOptions {
 /// Reads "max_iterations", "regularisation", "correctors" and "patience". Throws InputError for an unknown
 /// name, a value of the wrong kind or out of range.
 [[nodiscard]] StructuredOptions structured_options(const std::map<std::string, OptionValue>& native);
+
+[[nodiscard]] SolverEntry structured_entry();
 
 [[nodiscard]] std::unique_ptr<Solver> make_structured_solver();
 

@@ -109,6 +109,17 @@ TEST(Relaxation, IsNullWhereOneLimitAloneCannotHelp) {
     EXPECT_FALSE(solution.relaxation[1].needed);
 }
 
+TEST(Infeasible, NativeOptionsOfTheBackendDoNotReachTheProof) {
+    if (!is_available("ipopt")) GTEST_SKIP() << "ipopt is not part of this build";
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.6);
+    scene.solver.name = "ipopt";
+    scene.solver.options["mu_strategy"] = std::string("monotone");
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::infeasible);
+}
+
 TEST(Contradiction, IsInfeasibleAndNamed) {
     Scene scene = paper_objective(MotionType::drd, 3, 4);  // one number is free
     scene.motion.via = {{0.25, 0.1, {}, {}}, {0.5, 0.5, {}, {}}, {0.75, 0.95, {}, {}}};
