@@ -50,7 +50,7 @@ std::string verdict_sentence(const Certificate& certificate) {
             return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
                    "all.";
         case Verdict::feasible:
-            return fmt::format("Feasible, but not optimal: every limit is kept{}.", because(certificate));
+            return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.", because(certificate));
         case Verdict::infeasible:
             return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
         case Verdict::failed:

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "output/text_file.hpp"
 #include "sample_solution.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -131,7 +131,7 @@ TEST(SolutionText, HasASentenceForEveryVerdict) {
     };
     EXPECT_TRUE(sentence(Verdict::optimal).starts_with("Proved optimal"));
     EXPECT_TRUE(sentence(Verdict::local).starts_with("Local optimum"));
-    EXPECT_EQ(sentence(Verdict::feasible), "Feasible, but not optimal: every limit is kept (time limit).");
+    EXPECT_EQ(sentence(Verdict::feasible), "Feasible: every limit is kept; that it is optimal is not shown (time limit).");
     EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Infeasible, and proved so"));
     EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
 }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sample_solution.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <numbers>
-#include <stdexcept>
 
 namespace camopt::test {
 
@@ -94,16 +91,6 @@ Solution infeasible_solution() {
     solution.design = {};
     solution.relaxation = {{"limits.velocity_mm_s", 100.0, 312.5}, {"limits.jerk", 1.0, std::nullopt}};
     return solution;
-}
-
-TemporaryFolder::TemporaryFolder() {
-    path_ = (std::filesystem::temp_directory_path() / "camopt_test_XXXXXX").string();
-    if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace camopt::test

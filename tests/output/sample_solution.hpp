@@ -5,8 +5,6 @@
 
 #include "studies/solution.hpp"
 
-#include <string>
-
 namespace camopt::test {
 
 /// DRD, lift 10 mm, rise 90 deg, 300 rpm, references 1.76, 5.53, 69, proof of two rows.
@@ -14,18 +12,5 @@ namespace camopt::test {
 
 /// The same scene with a cap that cannot be kept: no curve, a relaxation.
 [[nodiscard]] Solution infeasible_solution();
-
-/// A file or folder name in the temporary folder that nothing else uses; removed when it goes.
-class TemporaryFolder {
- public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-    std::string path_;
-};
 
 }  // namespace camopt::test

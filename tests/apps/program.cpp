@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "program.hpp"
+
+#include "output/text_file.hpp"
+#include "temporary_folder.hpp"
+
+#include <cstdlib>
+#include <sys/wait.h>
+
+namespace camopt::test {
+
+namespace {
+
+ProgramRun run_shell(const std::string& command) {
+    const TemporaryFolder folder;
+    const std::string out = folder.path() + "/out", err = folder.path() + "/err";
+    const int status = std::system(("{ " + command + " ; } >" + out + " 2>" + err).c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text_file(out), read_text_file(err)};
+}
+
+}  // namespace
+
+ProgramRun run_camopt(const std::string& arguments) {
+    return run_shell(std::string("'") + CAMOPT_PROGRAM + "' " + arguments);
+}
+
+ProgramRun run_camopt_interrupted(const std::string& arguments, double seconds) {
+    return run_shell(std::string("'") + CAMOPT_PROGRAM + "' " + arguments + " & pid=$!; sleep " +
+                     std::to_string(seconds) + "; kill -INT $pid; wait $pid");
+}
+
+std::string scene(const std::string& name) {
+    return std::string("'") + CAMOPT_SOURCE_DIR + "/scenes/" + name + ".toml'";
+}
+
+}  // namespace camopt::test

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The camopt program from outside: exit codes, what goes to which stream, what is written.
+#include "program.hpp"
+
+#include "output/certificate_json.hpp"
+#include "output/text_file.hpp"
+#include "temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+namespace camopt {
+namespace {
+
+using nlohmann::json;
+using test::ProgramRun;
+using test::run_camopt;
+using test::scene;
+
+/// Exit 2, nothing on stdout, one line "camopt: …" with these words on stderr.
+void expect_refused(const std::string& arguments, const std::string& words) {
+    const ProgramRun run = run_camopt(arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(run.output, "") << arguments;
+    EXPECT_TRUE(run.errors.starts_with("camopt: ")) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_NE(run.errors.find(words), std::string::npos) << run.errors;
+}
+
+TEST(Program, SolvesAndPrintsAResultThatIsJsonAndNothingElse) {
+    const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12") + " --json");
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.errors, "");
+    const json result = json::parse(run.output);
+    EXPECT_EQ(result["verdict"], "optimal");
+    EXPECT_NEAR(result["objective"].get<double>(), 0.940489277, 5e-9);  // exact: V, A, J = 12/7, 36/7, 432/7
+    EXPECT_EQ(result["evaluations"]["profile_points"], 0);
+}
+
+TEST(Program, PrintsASummaryForPeople) {
+    const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12"));
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.errors, "");
+    EXPECT_NE(run.output.find("Proved optimal"), std::string::npos);
+    EXPECT_NE(run.output.find("V = 1.71429"), std::string::npos);
+    EXPECT_NE(run.output.find("−2.6 %"), std::string::npos);
+}
+
+TEST(Program, WritesTheFolderAndNothingWithoutIt) {
+    const test::TemporaryFolder folder;
+    const std::string out = folder.path() + "/new/results";
+    const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12") + " --out '" + out + "'");
+    EXPECT_EQ(run.exit_code, 0);
+    for (const char* name : {"result.json", "certificate.json", "motion.csv", "motion.svg", "report.md"})
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+    const json result = json::parse(read_text_file(out + "/result.json"));
+    // Anybody can recompute the bound from the file alone.
+    const DualityProof proof = read_certificate(out + "/certificate.json");
+    EXPECT_NEAR(recomputed_bound(proof), result["bound"]["lower"].get<double>(), 1e-12);
+}
+
+TEST(Program, AnInfeasibleSceneIsExitCodeThreeWithARelaxation) {
+    const ProgramRun run = run_camopt("solve " + scene("infeasible_velocity_cap") + " --json");
+    EXPECT_EQ(run.exit_code, 3);
+    const json result = json::parse(run.output);
+    EXPECT_EQ(result["verdict"], "infeasible");
+    EXPECT_TRUE(result["spline"].is_null());
+    EXPECT_EQ(result["relaxation"][0]["key"], "limits.velocity");
+    EXPECT_GT(result["relaxation"][0]["needed"].get<double>(),
+              result["relaxation"][0]["given"].get<double>());
+}
+
+TEST(Program, SettingsReplaceKeysOfTheScene) {
+    const auto segments = [](const std::string& arguments) {
+        return json::parse(run_camopt(arguments + " --json").output)["spline"]["breakpoints"].size() - 1;
+    };
+    EXPECT_EQ(segments("solve " + scene("drd_cubic_12") + " --set spline.segments=8"), 8U);
+    EXPECT_EQ(segments("solve --set spline.segments=10 objective.velocity=0.5 " + scene("drd_cubic_12")),
+              10U);
+    expect_refused("solve " + scene("drd_cubic_12") + " --set spline.segmets=8", "--set spline.segmets=8");
+}
+
+TEST(Program, ASolverIsChosenByName) {
+    const json result =
+        json::parse(run_camopt("solve " + scene("drd_cubic_12") + " --solver structured --json").output);
+    EXPECT_EQ(result["solver"]["name"], "structured");
+    EXPECT_TRUE(result["solver"]["choice"].is_null());
+    expect_refused("solve " + scene("drd_cubic_12") + " --solver simplex", "\"structured\"");
+}
+
+TEST(Program, RefusesAWrongCommandLine) {
+    expect_refused("", "subcommand");
+    expect_refused("frobnicate", "--help");
+    expect_refused("solve", "the scene file is missing");
+    expect_refused("solve " + scene("drd_cubic_12") + " --frob", "--frob");
+    expect_refused("solve /nowhere/scene.toml", "/nowhere/scene.toml");
+    expect_refused("list gears", "laws");
+    expect_refused("solve " + scene("drd_cubic_12") + " --out " + scene("drd_cubic_12"),
+                   "it is a file, not a folder");
+}
+
+TEST(Program, RefusesWhatThisVersionDoesNotHave) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path() + "/scene.toml";
+    const std::string rest = "[spline]\nsegments = 8\n[objective]\nvelocity = 1\n";
+    write_text_file(path, "[motion]\ntype = \"DRD\"\n" + rest + "[cam]\ntype = \"disk\"\n");
+    expect_refused("solve '" + path + "'", "cam");
+    write_text_file(path, "[motion]\ntype = \"program\"\n" + rest);
+    expect_refused("solve '" + path + "'", "program");
+}
+
+TEST(Program, CheckNeedsNoSolve) {
+    const ProgramRun run = run_camopt("check " + scene("drd_cubic_12"));
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_NE(run.output.find("the scene is valid"), std::string::npos);
+    EXPECT_NE(run.output.find("jacobian  agrees with differences"), std::string::npos);
+}
+
+TEST(Program, ListsWhatItKnows) {
+    const json laws = json::parse(run_camopt("list laws --json").output);
+    const auto sine =
+        std::find_if(laws.begin(), laws.end(), [](const json& law) { return law["key"] == "modified_sine"; });
+    ASSERT_NE(sine, laws.end());
+    EXPECT_NEAR((*sine)["acceleration"].get<double>(), 5.527957070544091, 1e-12);
+    EXPECT_EQ(json::parse(run_camopt("list solvers --json").output)[0]["name"], "structured");
+    EXPECT_EQ(json::parse(run_camopt("list followers --json").output), json::array());
+    EXPECT_NE(run_camopt("list followers").output.find("No follower is available"), std::string::npos);
+}
+
+TEST(Program, SaysItsVersionAndHelps) {
+    EXPECT_TRUE(run_camopt("--version").output.starts_with("camopt "));
+    const ProgramRun help = run_camopt("--help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.output.find("Examples:"), std::string::npos);
+    EXPECT_NE(help.output.find("Exit codes: 0"), std::string::npos);
+}
+
+TEST(Program, InterruptedItDeliversWhatItHas) {
+    // Large enough to be still at work after the wait on any machine of today.
+    const ProgramRun run = test::run_camopt_interrupted(
+        "solve " + scene("drd_cubic_12") + " --set spline.segments=8192 --json", 0.5);
+    const json result = json::parse(run.output);
+    EXPECT_EQ(result["solver"]["termination"], "interrupted");
+    EXPECT_EQ(run.exit_code, result["verdict"] == "failed" ? 1 : 0) << result["verdict"];
+}
+
+}  // namespace
+}  // namespace camopt
