@@ -47,10 +47,15 @@ std::string verdict_sentence(const Certificate& certificate) {
         case Verdict::optimal:
             return "Proved optimal: no curve of this spline space is better by more than the gap.";
         case Verdict::local:
+            if (certificate.gap)
+                return fmt::format(
+                    "Feasible and stationary; the proof leaves a gap of {}, wider than solver.gap allows.",
+                    short_text(*certificate.gap, 2));
             return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
                    "all.";
         case Verdict::feasible:
-            return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.", because(certificate));
+            return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.",
+                               because(certificate));
         case Verdict::infeasible:
             return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
         case Verdict::failed:
