@@ -82,7 +82,8 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
         ->type_name("")
         ->required()
         ->check(CLI::IsMember({"spline-vs-modified-sine"}));
-    command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the picture here")->type_name("DIR");
+    command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the picture here")
+        ->type_name("DIR");
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;
 }

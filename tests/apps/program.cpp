@@ -2,7 +2,7 @@
 #include "program.hpp"
 
 #include "output/text_file.hpp"
-#include "temporary_folder.hpp"
+#include "tests/output/temporary_folder.hpp"
 
 #include <cstdlib>
 #include <sys/wait.h>

@@ -4,7 +4,7 @@
 
 #include "output/certificate_json.hpp"
 #include "output/text_file.hpp"
-#include "temporary_folder.hpp"
+#include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
