@@ -15,9 +15,9 @@
 namespace camopt::benchmarks {
 
 struct TimingPlan {
-    double most_seconds = 2.0;    ///< of one solve; then its status is time_limit
+    double most_seconds = 2.0;     ///< of one solve; then its status is time_limit
     double series_seconds = 0.25;  ///< repeats of one combination together, after the least number
-    int least_repeats = 5;        ///< of a solve quicker than `slow`
+    int least_repeats = 5;         ///< of a solve quicker than `slow`
     int most_repeats = 15;
     double slow = 0.25;  ///< s; a slower solve is timed once
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exceptions camopt throws: wrong input and broken models. Numerical outcomes are enums, never exceptions.
+// The exceptions camopt throws: wrong input and broken models. Numerical outcomes are enums, never
+// exceptions.
 #pragma once
 
 #include <stdexcept>
@@ -9,19 +10,20 @@ namespace camopt {
 
 /// Something the user gave is wrong. The message says what was found and what is allowed.
 class InputError : public std::runtime_error {
-   public:
+ public:
     using std::runtime_error::runtime_error;
 };
 
 /// A capability that camopt does not have yet, or that this build leaves out; also wrong input.
 class UnavailableError : public InputError {
-   public:
+ public:
     using InputError::InputError;
 };
 
-/// A model (Nlp, ContinuousProblem) broke its own promises: sizes that do not match, a value that is not finite.
+/// A model (Nlp, ContinuousProblem) broke its own promises: sizes that do not match, a value that is not
+/// finite.
 class ModelError : public std::logic_error {
-   public:
+ public:
     using std::logic_error::logic_error;
 };
 

@@ -4,7 +4,8 @@
 
 namespace camopt {
 
-/// Which of two one-sided values is meant where a derivative jumps (the jerk of a cubic spline at a breakpoint).
+/// Which of two one-sided values is meant where a derivative jumps (the jerk of a cubic spline at a
+/// breakpoint).
 enum class Side { left, right };
 
 /// value: signed value of the function at `at` (x, the cam angle in units of the rise), seen from `side`.

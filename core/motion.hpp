@@ -5,10 +5,10 @@
 // [0, 1], an RR motion on [0, 1 + return angle / rise angle]. No units; physical ones return in output/.
 #pragma once
 
+#include "core/extremum.hpp"
+
 #include <array>
 #include <vector>
-
-#include "core/extremum.hpp"
 
 namespace camopt {
 
@@ -20,7 +20,7 @@ struct MotionPoint {
 
 /// A curve y(x) with exact derivatives up to the third, never a numeric one.
 class Motion {
-   public:
+ public:
     virtual ~Motion() = default;
 
     [[nodiscard]] virtual double begin() const = 0;
@@ -32,7 +32,7 @@ class Motion {
     /// Ascending x where a derivative up to the third may jump or change its formula, begin and end included.
     [[nodiscard]] virtual std::vector<double> breakpoints() const = 0;
 
-   protected:
+ protected:
     Motion() = default;
     Motion(const Motion&) = default;
     Motion& operator=(const Motion&) = default;

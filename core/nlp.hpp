@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <limits>
 #include <span>
 #include <string>
@@ -29,8 +30,8 @@ struct SparsityPattern {
 /// What is known of one constraint row before anything is evaluated.
 struct RowKind {
     bool linear = true;  ///< its Jacobian entries do not depend on x
-    /// A hard limit of the user's scene (a cap, a pressure angle). These rows, and no others, may be what makes
-    /// a problem infeasible; the elastic problem relaxes them in proportion to `scale`.
+    /// A hard limit of the user's scene (a cap, a pressure angle). These rows, and no others, may be what
+    /// makes a problem infeasible; the elastic problem relaxes them in proportion to `scale`.
     bool limit = false;
     double scale = 1.0;  ///< size of the limit, > 0: a violation of `scale` is one of 100 %
 };
@@ -50,7 +51,7 @@ struct NlpShape {
 };
 
 class Nlp {
-   public:
+ public:
     using Vector = Eigen::VectorXd;
     using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
     using VectorRef = Eigen::Ref<Eigen::VectorXd>;
@@ -73,7 +74,7 @@ class Nlp {
     [[nodiscard]] virtual std::string variable_name(int index) const = 0;
     [[nodiscard]] virtual std::string row_name(int index) const = 0;
 
-   protected:
+ protected:
     Nlp() = default;
     explicit Nlp(NlpShape shape) : shape_(std::move(shape)) {}
     NlpShape shape_;

@@ -3,11 +3,17 @@
 
 namespace camopt {
 
-const char* name_of(MotionType value) { return value == MotionType::drd ? "DRD" : "RR"; }
+const char* name_of(MotionType value) {
+    return value == MotionType::drd ? "DRD" : "RR";
+}
 
-const char* name_of(EndJerk value) { return value == EndJerk::free ? "free" : "zero"; }
+const char* name_of(EndJerk value) {
+    return value == EndJerk::free ? "free" : "zero";
+}
 
-const char* name_of(TieBreak value) { return value == TieBreak::none ? "none" : "rms_jerk"; }
+const char* name_of(TieBreak value) {
+    return value == TieBreak::none ? "none" : "rms_jerk";
+}
 
 const char* name_of(DesignKind value) {
     switch (value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: what must move, how good, found how. SI units and radians; plain values with the defaults of a scene
-// file, so that a scene can be written in a few lines of C++ without any file.
+// A scene: what must move, how good, found how. SI units and radians; plain values with the defaults of a
+// scene file, so that a scene can be written in a few lines of C++ without any file.
 #pragma once
 
 #include <map>
@@ -24,12 +24,12 @@ struct SetPoint {
 
 struct MotionSpec {
     MotionType type = MotionType::drd;
-    double lift = 1e-3;                   ///< m, or rad where lift_is_angle; > 0
-    bool lift_is_angle = false;           ///< a swinging or indexing output
+    double lift = 1e-3;                    ///< m, or rad where lift_is_angle; > 0
+    bool lift_is_angle = false;            ///< a swinging or indexing output
     double rise = 3.14159265358979323846;  ///< cam angle of the rise, rad, in (0, 2π]
-    std::optional<double> return_angle;   ///< RR: cam angle of the return, rad; default: rise
-    std::optional<double> speed;          ///< rad/s, > 0; only time-domain limits and outputs need it
-    bool symmetric = false;               ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
+    std::optional<double> return_angle;    ///< RR: cam angle of the return, rad; default: rise
+    std::optional<double> speed;           ///< rad/s, > 0; only time-domain limits and outputs need it
+    bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
     std::vector<SetPoint> via;
 
     /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR.
@@ -39,11 +39,11 @@ struct MotionSpec {
 };
 
 struct SplineSpec {
-    int degree = 3;                   ///< 3 or 5
-    int segments = 12;                ///< uniform segments over the whole motion; ignored where breakpoints are given
+    int degree = 3;     ///< 3 or 5
+    int segments = 12;  ///< uniform segments over the whole motion; ignored where breakpoints are given
     std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
-    std::optional<int> continuity;    ///< highest continuous derivative, 2 … degree − 1; default degree − 1
-    EndJerk end_jerk = EndJerk::free; ///< zero: y''' = 0 at both ends, degree 5 only
+    std::optional<int> continuity;  ///< highest continuous derivative, 2 … degree − 1; default degree − 1
+    EndJerk end_jerk = EndJerk::free;  ///< zero: y''' = 0 at both ends, degree 5 only
     DesignKind design = DesignKind::automatic;
 
     [[nodiscard]] int smoothness() const { return continuity.value_or(degree - 1); }
@@ -53,7 +53,7 @@ struct SplineSpec {
 struct Reference {
     std::string law = "modified_sine";  ///< used where a number below is absent
     std::optional<double> velocity, acceleration, jerk, rms_acceleration, rms_jerk;
-    bool numeric = false;               ///< true: `law` plays no part, every number needed must be given
+    bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
 };
 
 struct ObjectiveSpec {
@@ -103,7 +103,8 @@ struct SceneFault {
     std::string member, found, allowed;
 };
 
-/// SI units and radians. Names of laws and solvers are not looked at: those who know the catalogues check them.
+/// SI units and radians. Names of laws and solvers are not looked at: those who know the catalogues check
+/// them.
 [[nodiscard]] std::optional<SceneFault> find_fault(const Scene& scene);
 
 /// Throws InputError naming the first member that is out of its range, what was found and what is allowed.

@@ -20,7 +20,7 @@ struct NativeOption {
     std::string name, kind, default_value, range, meaning;
     double minimum = -infinity, maximum = infinity;  ///< of an integer or a number
     bool minimum_excluded = false;                   ///< the number must be greater than `minimum`
-    std::vector<std::string> choices{};               ///< of a text
+    std::vector<std::string> choices{};              ///< of a text
 };
 
 struct SolverEntry {

@@ -3,7 +3,11 @@
 // What was found is not judged here: that is the certificate's word (certificate.hpp).
 #pragma once
 
+#include "core/nlp.hpp"
+#include "core/scene.hpp"
+
 #include <Eigen/Core>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,40 +15,37 @@
 #include <string>
 #include <string_view>
 
-#include "core/nlp.hpp"
-#include "core/scene.hpp"
-
 namespace camopt {
 
 /// Why a backend stopped, in its own opinion.
 enum class Termination {
-    not_run,             ///< start value
-    converged,           ///< the backend's own tests are met
-    acceptable,          ///< stopped close to them (Ipopt "acceptable", NLopt "roundoff limited")
-    infeasible,          ///< the backend believes that no feasible point exists
-    unbounded,           ///< the backend believes that the objective has no lower bound
+    not_run,     ///< start value
+    converged,   ///< the backend's own tests are met
+    acceptable,  ///< stopped close to them (Ipopt "acceptable", NLopt "roundoff limited")
+    infeasible,  ///< the backend believes that no feasible point exists
+    unbounded,   ///< the backend believes that the objective has no lower bound
     iteration_limit,
     time_limit,
-    interrupted,         ///< stop_requested() said so
-    numerical_failure,   ///< factorization, step or restoration failed
-    evaluation_error,    ///< the problem gave a value that is not finite
-    unsupported          ///< the backend cannot take this kind of problem at all
+    interrupted,        ///< stop_requested() said so
+    numerical_failure,  ///< factorization, step or restoration failed
+    evaluation_error,   ///< the problem gave a value that is not finite
+    unsupported         ///< the backend cannot take this kind of problem at all
 };
 [[nodiscard]] const char* name_of(Termination value);
 
 /// The outside world during a solve. Both may be empty.
 struct SolveControl {
-    std::function<bool()> stop_requested;                      ///< polled between iterations; true: stop soon
-    std::function<void(std::string_view message)> progress;    ///< one short line, for a terminal
+    std::function<bool()> stop_requested;                    ///< polled between iterations; true: stop soon
+    std::function<void(std::string_view message)> progress;  ///< one short line, for a terminal
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
 };
 
 struct BackendOptions {
-    double tolerance = 1e-9;     ///< relative optimality and feasibility, > 0
-    int max_iterations = 3000;   ///< iterations (evaluations for the derivative-free), >= 1
-    double max_seconds = 60.0;   ///< wall time, > 0
+    double tolerance = 1e-9;                    ///< relative optimality and feasibility, > 0
+    int max_iterations = 3000;                  ///< iterations (evaluations for the derivative-free), >= 1
+    double max_seconds = 60.0;                  ///< wall time, > 0
     std::map<std::string, OptionValue> native;  ///< the backend's own options
-    void validate() const;       ///< throws InputError
+    void validate() const;                      ///< throws InputError
 };
 
 struct BackendResult {
@@ -58,11 +59,11 @@ struct BackendResult {
 };
 
 class Solver {
-   public:
+ public:
     virtual ~Solver() = default;
     [[nodiscard]] virtual std::string_view name() const = 0;
-    /// Never throws for a numerical reason. An exception thrown by the Nlp is carried across the backend's own
-    /// frames and rethrown here with its type.
+    /// Never throws for a numerical reason. An exception thrown by the Nlp is carried across the backend's
+    /// own frames and rethrown here with its type.
     [[nodiscard]] virtual BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start,
                                                  const BackendOptions& options,
                                                  const SolveControl& control) const = 0;

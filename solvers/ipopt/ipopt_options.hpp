@@ -8,8 +8,8 @@
 
 namespace camopt {
 
-/// Predictor-corrector steps without a line search: up to a quarter fewer iterations on convex problems with linear
-/// rows, but no end where that is infeasible. Asked for by the shape, unless the native options say.
+/// Predictor-corrector steps without a line search: up to a quarter fewer iterations on convex problems with
+/// linear rows, but no end where that is infeasible. Asked for by the shape, unless the native options say.
 [[nodiscard]] bool wants_predictor_corrector(const NlpShape& shape, const BackendOptions& options);
 
 /// Sets the defaults that the shape of the problem asks for, then the native options of `options`, which were

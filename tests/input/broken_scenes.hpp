@@ -18,7 +18,9 @@ struct BrokenScene {
 };
 
 /// How GoogleTest shows a case.
-inline void PrintTo(const BrokenScene& broken, std::ostream* out) { *out << broken.name; }
+inline void PrintTo(const BrokenScene& broken, std::ostream* out) {
+    *out << broken.name;
+}
 
 std::vector<BrokenScene> broken_files();
 std::vector<BrokenScene> broken_values();
