@@ -57,6 +57,9 @@ std::string verdict_sentence(const Certificate& certificate) {
             return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.",
                                because(certificate));
         case Verdict::infeasible:
+            if (certificate.reason == "conditions_contradict") {
+                return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
+            }
             return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
         case Verdict::failed:
             break;

@@ -139,11 +139,16 @@ void report_contradictions(Solution& solution, const DesignVector& design) {
     solution.certificate.verdict = Verdict::infeasible;
     solution.certificate.reason = "conditions_contradict";
     for (const ConditionConflict& conflict : design.contradictions()) {
-        const std::string others = conflict.others.empty() ? "the end conditions" : list_of(conflict);
         solution.notes.push_back(
-            fmt::format("{} contradicts {}; the spline has too little freedom to meet all of them: change "
-                        "one, or give it more segments",
-                        conflict.condition, others));
+            conflict.others.empty()
+                ? fmt::format(
+                      "degree {} with {} segments leaves too little freedom to meet the conditions at both "
+                      "ends: give the spline more segments",
+                      design.space().degree(), design.space().segments())
+                : fmt::format(
+                      "{} contradicts {}; the spline has too little freedom to meet all of them: change "
+                      "one, or give it more segments",
+                      conflict.condition, list_of(conflict)));
     }
 }
 
