@@ -65,25 +65,38 @@ LocalMap quintic_state_map(int segment, double h) {
     return map;
 }
 
-void add_continuity_rows(DesignForm& form, const SplineSpace& space) {
-    const auto name = [&](int order, int breakpoint) {
-        return fmt::format("continuity of derivative {} at x = {:.6g}", order,
-                           space.breakpoints()[breakpoint]);
+/// Whether symmetry leaves the continuity of the derivative of `order` to be asked for at the mirror image of
+/// `doubled_place` (2 · breakpoint; odd for the middle of a segment): left of the middle always, right of it
+/// never, and in the middle only where mirroring changes the derivative's sign.
+bool needs_continuity(const DesignRequest& request, int order, int doubled_place) {
+    if (request.symmetry == Symmetry::none) return true;
+    const int middle = request.space.segments();
+    if (doubled_place != middle) return doubled_place < middle;
+    return (request.symmetry == Symmetry::odd) == (order % 2 == 0);
+}
+
+void add_continuity_rows(DesignForm& form, const DesignRequest& request) {
+    const SplineSpace& space = request.space;
+    const auto add = [&](AffineRow row, int order, int breakpoint) {
+        form.rows.push_back({std::move(row), fmt::format("continuity of derivative {} at x = {:.6g}", order,
+                                                         space.breakpoints()[breakpoint])});
     };
     for (int i = 0; i < space.segments(); ++i) {
         const double h = space.width(i);
         if (space.degree() == 3) {
-            // y and y' at the right end are the next state's; y'' is by construction.
+            // y and y' at the right end are the next state's; y'' is by construction. The row belongs to the
+            // segment.
             for (int order = 0; order < 2; ++order) {
+                if (!needs_continuity(request, order, 2 * i + 1)) continue;
                 const AffineRow next{0.0, {3 * (i + 1) + order}, {1.0}};
-                form.rows.push_back(
-                    {combined(functional_of(form.maps[i], h, order), -1.0, next), name(order, i + 1), false});
+                add(combined(functional_of(form.maps[i], h, order), -1.0, next), order, i + 1);
             }
         } else if (i + 1 < space.segments()) {
             for (int order = 3; order <= space.continuity(); ++order) {
-                form.rows.push_back({combined(functional_of(form.maps[i], h, order), -1.0,
-                                              functional_of(form.maps[i + 1], 0.0, order)),
-                                     name(order, i + 1), false});
+                if (!needs_continuity(request, order, 2 * (i + 1))) continue;
+                add(combined(functional_of(form.maps[i], h, order), -1.0,
+                             functional_of(form.maps[i + 1], 0.0, order)),
+                    order, i + 1);
             }
         }
     }
@@ -111,7 +124,7 @@ DesignForm states_form(const DesignRequest& request) {
         form.maps.push_back(space.degree() == 3 ? cubic_state_map(i, space.width(i))
                                                 : quintic_state_map(i, space.width(i)));
     }
-    add_continuity_rows(form, space);
+    add_continuity_rows(form, request);
     return form;
 }
 
@@ -222,7 +235,8 @@ DesignForm ordinates_form(const DesignRequest& request) {
     }
     const int built_in = (p - 1) / 2 + 1;
     add_end_conditions(form, request, true, built_in);
-    add_end_conditions(form, request, false, built_in);
+    // With symmetry the other end follows.
+    if (request.symmetry == Symmetry::none) add_end_conditions(form, request, false, built_in);
     return form;
 }
 
@@ -244,7 +258,7 @@ void add_symmetry_rows(DesignForm& form, const DesignRequest& request) {
         if (mirrored == j && sign < 0.0) continue;
         AffineRow row{odd && order == 0 ? -sum : 0.0, {j, mirrored}, {1.0, sign}};
         if (mirrored == j) row = {row.offset, {j}, {2.0}};
-        form.rows.push_back({std::move(row), fmt::format("symmetry of {}", form.entries[j].name), false});
+        form.rows.push_back({std::move(row), fmt::format("symmetry of {}", form.entries[j].name)});
     }
 }
 

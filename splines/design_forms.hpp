@@ -17,16 +17,10 @@ struct DesignEntry {
     double value = 0.0;  ///< where fixed
 };
 
-struct CandidateRow {
-    AffineRow row;  ///< must be 0
-    std::string name;
-    bool from_condition = false;  ///< an exact point the user asked for, not continuity, symmetry or an end
-};
-
 struct DesignForm {
     std::vector<DesignEntry> entries;
     std::vector<LocalMap> maps;            ///< one a segment, columns count all entries
-    std::vector<CandidateRow> rows;        ///< continuity and symmetry
+    std::vector<Equality> rows;            ///< continuity and symmetry: independent by construction
     std::vector<PointCondition> leftover;  ///< end states the form could not build in
 };
 

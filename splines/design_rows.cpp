@@ -15,8 +15,13 @@ namespace {
 // A mismatch larger than this, relative to the sizes that meet in the row, is a contradiction and not
 // rounding.
 constexpr double contradiction = 1e-9;
-// A weight smaller than this beside the row's largest is rounding.
-constexpr double negligible = 1e-13;
+
+/// A row of the system; `condition` is null for symmetry.
+struct Candidate {
+    AffineRow row;
+    const PointCondition* condition = nullptr;
+    [[nodiscard]] bool asked() const { return condition != nullptr && condition->asked; }
+};
 
 double largest(const AffineRow& row) {
     double size = 0.0;
@@ -24,55 +29,82 @@ double largest(const AffineRow& row) {
     return size;
 }
 
-/// Names the exact points of a dependency: the row itself where it is one, else the first one it leans on.
-ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<CandidateRow>& candidates) {
-    ConditionConflict conflict{candidates[dependent.row].name, {}, dependent.mismatch};
-    bool named = candidates[dependent.row].from_condition;
+std::vector<Candidate> candidates_of(const DesignForm& form, const SplineSpace& space,
+                                     const std::vector<PointCondition>& conditions) {
+    std::vector<int> new_index(form.entries.size(), -1);
+    int next = 0;
+    for (std::size_t j = 0; j < form.entries.size(); ++j) {
+        if (!form.entries[j].fixed) new_index[j] = next++;
+    }
+    std::vector<Candidate> candidates;
+    for (const Equality& row : form.rows)
+        candidates.push_back({without_fixed(row.row, form, new_index), nullptr});
+    for (const PointCondition& condition : conditions) {
+        const int segment = space.segment_of(condition.at, condition.side);
+        const double t = condition.at - space.breakpoints()[segment];
+        AffineRow row = without_fixed(functional_of(form.maps[segment], t, condition.order), form, new_index);
+        row.offset -= condition.value;
+        candidates.push_back({std::move(row), &condition});
+    }
+    return candidates;
+}
+
+/// Names the exact points of a dependency: the row itself where the user asked for it, else the first such
+/// one it leans on.
+ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
+    const Candidate& own = candidates[dependent.row];
+    ConditionConflict conflict{
+        own.condition != nullptr ? own.condition->name : "symmetry", {}, dependent.mismatch};
+    bool named = own.asked();
     for (const auto& [row, factor] : dependent.combination) {
-        if (!candidates[row].from_condition) continue;
+        if (!candidates[row].asked()) continue;
         if (named) {
-            conflict.others.push_back(candidates[row].name);
+            conflict.others.push_back(candidates[row].condition->name);
         } else {
-            conflict.condition = candidates[row].name;
+            conflict.condition = candidates[row].condition->name;
             named = true;
         }
     }
     return conflict;
 }
 
-bool involves_condition(const DependentRow& dependent, const std::vector<CandidateRow>& candidates) {
-    return candidates[dependent.row].from_condition ||
+bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
+    return candidates[dependent.row].asked() ||
            std::ranges::any_of(dependent.combination,
-                               [&](const auto& part) { return candidates[part.first].from_condition; });
+                               [&](const auto& part) { return candidates[part.first].asked(); });
 }
 
 }  // namespace
 
-RowSelection independent_rows(std::vector<CandidateRow> candidates, int size) {
+ConditionSelection select_conditions(const DesignRequest& request) {
+    DesignRequest by_coefficients = request;
+    by_coefficients.kind = DesignKind::coefficients;
+    const DesignForm form = raw_form(by_coefficients);
+    std::vector<PointCondition> conditions = form.leftover;
+    conditions.insert(conditions.end(), request.conditions.begin(), request.conditions.end());
+    std::vector<Candidate> candidates = candidates_of(form, request.space, conditions);
+
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right(candidates.size());
-    RowSelection selection;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         AffineRow& row = candidates[i].row;
-        const double scale = largest(row);
-        if (scale > 0.0) {  // unit rows: sizes of different derivatives do not compare
-            row.offset /= scale;
-            for (double& weight : row.weights) weight /= scale;
-        }
-        right[static_cast<Eigen::Index>(i)] = -row.offset;
-        int kept = 0;
+        const double size = largest(row);
+        const double scale =
+            size > 0.0 ? size : 1.0;  // unit rows: sizes of different derivatives do not compare
+        right[static_cast<Eigen::Index>(i)] = -row.offset / scale;
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            if (std::abs(row.weights[k]) <= negligible) continue;
-            entries.emplace_back(static_cast<int>(i), row.columns[k], row.weights[k]);
-            ++kept;
+            entries.emplace_back(static_cast<int>(i), row.columns[k], row.weights[k] / scale);
         }
-        if (kept == 1) selection.fixed_entries.push_back(entries.back().col());
     }
-    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(candidates.size()), size);
+    Eigen::SparseMatrix<double> matrix(right.size(), static_cast<Eigen::Index>(form.entries.size()));
     matrix.setFromTriplets(entries.begin(), entries.end());
     const RowDependence dependence = analyse_rows(matrix, right);
+
+    ConditionSelection selection;
     for (const int row : dependence.independent) {
-        selection.rows.push_back({candidates[row].row, candidates[row].name});
+        const PointCondition* condition = candidates[row].condition;
+        const bool leftover = row < static_cast<int>(form.rows.size() + form.leftover.size());
+        if (condition != nullptr && !leftover) selection.kept.push_back(*condition);
     }
     for (const DependentRow& dependent : dependence.dependent) {
         double size_met = std::max(1.0, std::abs(right[dependent.row]));
@@ -81,7 +113,7 @@ RowSelection independent_rows(std::vector<CandidateRow> candidates, int size) {
         }
         if (std::abs(dependent.mismatch) > contradiction * size_met) {
             selection.contradictions.push_back(conflict_of(dependent, candidates));
-        } else if (involves_condition(dependent, candidates)) {
+        } else if (was_asked_for(dependent, candidates)) {
             selection.redundant.push_back(conflict_of(dependent, candidates));
         }
     }

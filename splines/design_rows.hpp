@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which of the rows E x = e of a design vector are kept, which follow from them, and which contradict them.
+// Which exact points of a request can be kept together, which follow from the others, and which contradict
+// them.
+//
+// The question is asked of the control points, where continuity and the end states are built in: then only
+// symmetry and the points themselves are rows, and the answer holds for every form of the design vector.
 #pragma once
 
 #include "splines/design_forms.hpp"
@@ -8,14 +12,12 @@
 
 namespace camopt {
 
-struct RowSelection {
-    std::vector<Equality> rows;  ///< independent
+struct ConditionSelection {
+    std::vector<PointCondition> kept;  ///< independent of each other, of the ends and of symmetry
     std::vector<ConditionConflict> redundant, contradictions;
-    std::vector<int> fixed_entries;  ///< entries that a row fixes by itself
 };
 
-/// `size`: entries of the design vector. A redundant row counts as a finding only where an exact point is
-/// part of it.
-[[nodiscard]] RowSelection independent_rows(std::vector<CandidateRow> candidates, int size);
+/// A redundant condition counts as a finding only where the user asked for it.
+[[nodiscard]] ConditionSelection select_conditions(const DesignRequest& request);
 
 }  // namespace camopt

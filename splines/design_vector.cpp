@@ -15,6 +15,11 @@
 
 namespace camopt {
 
+namespace {
+// A weight smaller than this beside the row's largest is rounding.
+constexpr double negligible = 1e-15;
+}  // namespace
+
 double AffineRow::value(const Eigen::VectorXd& x) const {
     double sum = offset;
     for (std::size_t k = 0; k < columns.size(); ++k) sum += weights[k] * x[columns[k]];
@@ -74,23 +79,36 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     }
     for (LocalMap& map : form.maps) design.maps_.push_back(without_fixed(std::move(map), form, new_index));
 
-    std::vector<CandidateRow> rows;
-    for (CandidateRow& row : form.rows) {
-        rows.push_back({without_fixed(row.row, form, new_index), std::move(row.name), false});
-    }
-    std::vector<PointCondition> conditions = form.leftover;
-    conditions.insert(conditions.end(), request.conditions.begin(), request.conditions.end());
-    for (const PointCondition& condition : conditions) {
-        AffineRow row = design.functional(condition.at, condition.order, condition.side);
-        row.offset -= condition.value;
-        rows.push_back({std::move(row), condition.name, condition.asked});
-    }
-    RowSelection selection = independent_rows(std::move(rows), design.size());
-    design.equalities_ = std::move(selection.rows);
+    ConditionSelection selection;
+    // Nothing to select where the ends have room and nothing else is asked for: the usual case, at any size.
+    if (!request.conditions.empty() || request.space.dimension() < 6) selection = select_conditions(request);
     design.redundant_ = std::move(selection.redundant);
     design.contradictions_ = std::move(selection.contradictions);
-    design.fixed_entries_ = std::move(selection.fixed_entries);
+    for (const Equality& equality : form.rows) {
+        design.add_equality(without_fixed(equality.row, form, new_index), equality.name);
+    }
+    for (const auto* conditions : {&form.leftover, &selection.kept}) {
+        for (const PointCondition& condition : *conditions) {
+            AffineRow row = design.functional(condition.at, condition.order, condition.side);
+            row.offset -= condition.value;
+            design.add_equality(std::move(row), condition.name);
+        }
+    }
     return design;
+}
+
+void DesignVector::add_equality(AffineRow row, std::string name) {
+    double largest = 0.0;
+    for (const double weight : row.weights) largest = std::max(largest, std::abs(weight));
+    if (largest == 0.0) return;  // all its entries are fixed: nothing left to ask
+    AffineRow kept{row.offset, {}, {}};
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        if (std::abs(row.weights[k]) <= negligible * largest) continue;
+        kept.columns.push_back(row.columns[k]);
+        kept.weights.push_back(row.weights[k]);
+    }
+    if (kept.columns.size() == 1) fixed_entries_.push_back(kept.columns[0]);
+    equalities_.push_back({std::move(kept), std::move(name)});
 }
 
 AffineRow DesignVector::functional(double x, int order, Side side) const {

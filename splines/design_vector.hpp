@@ -116,6 +116,7 @@ class DesignVector {
 
  private:
     explicit DesignVector(SplineSpace space) : space_(std::move(space)) {}
+    void add_equality(AffineRow row, std::string name);
 
     DesignKind kind_ = DesignKind::states;
     SplineSpace space_;

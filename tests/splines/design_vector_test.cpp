@@ -130,6 +130,55 @@ TEST(DesignVector, FormsExchangeCurves) {
     }
 }
 
+TEST(DesignVector, EqualitiesAreIndependentInEveryForm) {
+    for (const DesignKind kind : kinds) {
+        for (const int degree : {3, 5}) {
+            for (int continuity = 2; continuity < degree; ++continuity) {
+                if (kind == DesignKind::ordinates && continuity != degree - 1) continue;
+                for (const int segments : {6, 7, 8, 9}) {
+                    for (const Symmetry symmetry : {Symmetry::none, Symmetry::odd, Symmetry::even}) {
+                        SCOPED_TRACE(std::string(name_of(kind)) + " degree " + std::to_string(degree) + " C" +
+                                     std::to_string(continuity) + " n " + std::to_string(segments) +
+                                     " symmetry " + std::to_string(static_cast<int>(symmetry)));
+                        DesignRequest request = rise(kind, degree, segments, continuity);
+                        request.symmetry = symmetry;
+                        if (symmetry == Symmetry::even) request.end_state = {0.0, 0.0, 0.0};
+                        request.conditions = {{0.3, 0, Side::right, 0.2, "point"}};
+                        const DesignVector design = DesignVector::make(request);
+                        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(
+                            static_cast<Eigen::Index>(design.equalities().size()), design.size());
+                        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+                            const AffineRow& row = design.equalities()[i].row;
+                            for (std::size_t k = 0; k < row.columns.size(); ++k) {
+                                matrix(i, row.columns[k]) = row.weights[k];
+                            }
+                            matrix.row(i).normalize();
+                        }
+                        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
+                        qr.setThreshold(1e-9);
+                        EXPECT_EQ(qr.rank(), matrix.rows());
+                        const int dimension = degree + 1 + (segments - 1) * (degree - continuity);
+                        if (symmetry == Symmetry::none) {
+                            EXPECT_EQ(design.freedom(), dimension - 6 - 1);  // six end states and the point
+                        }
+                        // The curve is symmetric everywhere, not only where it was told to be.
+                        const SplineCurve curve = design.curve(admissible(design, 7));
+                        for (const double x : {0.05, 0.21, 0.44}) {
+                            const double here = curve.at(x).derivative[0];
+                            const double there = curve.at(1.0 - x).derivative[0];
+                            if (symmetry == Symmetry::odd) {
+                                EXPECT_NEAR(here + there, 1.0, 1e-8);
+                            } else if (symmetry == Symmetry::even) {
+                                EXPECT_NEAR(here, there, 1e-8);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST(DesignVector, SetPointsAreMet) {
     for (const DesignKind kind : kinds) {
         DesignRequest request = rise(kind, 3, 10);
