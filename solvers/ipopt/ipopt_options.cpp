@@ -74,6 +74,9 @@ void set_tolerances(Settings& settings, const BackendOptions& options) {
 bool wants_predictor_corrector(const NlpShape& shape, const BackendOptions& options) {
     const auto native = options.native.find("mehrotra_algorithm");
     if (native != options.native.end()) return std::get<bool>(native->second);
+    // Ipopt refuses predictor-corrector steps with any other rule for its barrier parameter.
+    const auto rule = options.native.find("mu_strategy");
+    if (rule != options.native.end() && std::get<std::string>(rule->second) != "adaptive") return false;
     const Linearity linear = linearity_of(shape);
     return linear.equalities && linear.inequalities && shape.convex && shape.quadratic_cost;
 }
