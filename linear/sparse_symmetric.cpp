@@ -97,7 +97,7 @@ VectorXd gmres_cycle(const SymmetricFactor& factor, const Matrix& lower, const V
         coefficients = block.colPivHouseholderQr().solve(reduced_right.head(k + 2));
         const double rest = (block * coefficients - reduced_right.head(k + 2)).norm();
         if (rest <= target || hessenberg(k + 1, k) <= 1e-300) break;
-        basis.push_back(image / hessenberg(k + 1, k));
+        basis.emplace_back(image / hessenberg(k + 1, k));
     }
     VectorXd correction = VectorXd::Zero(start.size());
     for (std::size_t i = 0; i < directions.size(); ++i)

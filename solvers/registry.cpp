@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace camopt {
 
@@ -22,12 +23,12 @@ struct Backend {
 };
 
 /// A new backend is one line here (docs/adding_a_solver.md).
-constexpr Backend backends[] = {
+constexpr std::array<Backend, 4> backends = {{
     {structured_entry, make_structured_solver},
     {ipopt_entry, make_ipopt_solver},
     {nlopt_slsqp_entry, make_nlopt_slsqp_solver},
     {nlopt_cobyla_entry, make_nlopt_cobyla_solver},
-};
+}};
 
 std::size_t index_of(std::string_view name) {
     const std::span<const SolverEntry> entries = solver_entries();

@@ -246,7 +246,7 @@ TEST(StructuredBasic, RefusesWhatItCannotTake) {
     EXPECT_EQ(solve(concave).termination, Termination::unsupported);
     EXPECT_THROW(
         static_cast<void>(make_structured_solver()->minimize(QuadraticNlp(data), Eigen::VectorXd(3), {}, {})),
-        ModelError);
+        InputError);
 }
 
 TEST(StructuredBasic, NamesValuesThatAreNotFinite) {
