@@ -234,18 +234,16 @@ void GridNlp::constraints(const ConstVectorRef& x, VectorRef out) const {
 }
 
 void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
-    std::size_t next = 0;
+    auto next = out.begin();
     for (const Row& row : rows_) {
-        if (row.sample >= 0) {
-            const Eigen::VectorXd partials = rule_value(row, x).gradient;
-            const Eigen::VectorXd by_entry = row.map.transpose() * partials.head<4>();
-            next =
-                static_cast<std::size_t>(std::ranges::copy(by_entry, out.begin() + next).out - out.begin());
-            for (Eigen::Index k = 4; k < partials.size(); ++k) out[next++] = partials[k];
-        } else {
-            next = static_cast<std::size_t>(std::ranges::copy(row.weights, out.begin() + next).out -
-                                            out.begin());
+        if (row.sample < 0) {
+            next = std::ranges::copy(row.weights, next).out;
+            continue;
         }
+        const Eigen::VectorXd partials = rule_value(row, x).gradient;
+        const Eigen::VectorXd by_entry = row.map.transpose() * partials.head<4>();
+        next = std::ranges::copy(by_entry, next).out;
+        for (Eigen::Index k = 4; k < partials.size(); ++k) *next++ = partials[k];
     }
 }
 
