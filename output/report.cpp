@@ -98,8 +98,8 @@ std::string peak_table(const Solution& solution) {
 }
 
 std::string limits_section(const Solution& solution) {
+    if (!solution.curve) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
-    if (!solution.curve) return {};
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
@@ -133,13 +133,14 @@ std::string design_section(const DesignReport& design) {
 
 std::string solver_section(const Solution& solution, const RunOrigin& origin) {
     const SolverReport& solver = solution.solver;
-    std::string text = fmt::format(
-        "\n## How it was found\n\n- Solver: {}{}; it stopped as \"{}\" (iterations: {}, exchange "
-        "rounds: {}); {} s "
-        "in all\n",
-        solver.name, solver.choice.empty() ? "" : " (" + solver.choice + ")",
-        words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds,
-        short_text(solution.seconds_total, 3));
+    std::string text = fmt::format("\n## How it was found\n\n- Solver: {}{}; ", solver.name,
+                                   solver.choice.empty() ? "" : " (" + solver.choice + ")");
+    text +=
+        solver.termination == Termination::not_run
+            ? std::string("it was not asked: the search for a first point settled the scene")
+            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
+                          words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
+    text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
     if (!solver.proof_source.empty())
         text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
     if (solution.certificate.proof)
