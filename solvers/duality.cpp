@@ -18,6 +18,7 @@ SparseRows jacobian_of(const Nlp& problem, const Eigen::VectorXd& x) {
     std::vector<double> values(shape.jacobian.size());
     problem.jacobian(x, values);
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(values.size());
     for (int k = 0; k < shape.jacobian.size(); ++k) {
         entries.emplace_back(shape.jacobian.rows[k], shape.jacobian.columns[k], values[k]);
     }
@@ -103,7 +104,7 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
         multipliers.push_back(multiplier);
         proof.rows.push_back(problem.row_name(i));
     }
-    const Eigen::Index rows = static_cast<Eigen::Index>(kept.size());
+    const auto rows = static_cast<Eigen::Index>(kept.size());
     proof.matrix.resize(rows, shape.variables());
     proof.lower.resize(rows);
     proof.upper.resize(rows);

@@ -39,6 +39,7 @@ nlopt_result NloptAdapter::attach(nlopt_opt optimizer, double constraint_toleran
     optimizer_ = optimizer;
     const auto tolerances = [&](const std::vector<Side>& sides) {
         std::vector<double> all;
+        all.reserve(sides.size());
         for (const Side& side : sides)
             all.push_back(constraint_tolerance * std::max(1.0, std::abs(side.bound)));
         return all;
