@@ -108,9 +108,11 @@ std::string joined(int count, const char* const* words) {
         if (word.empty() || word.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#!~") != std::string::npos) {
             for (std::size_t place = 0; (place = word.find('\'', place)) != std::string::npos; place += 4)
                 word.replace(place, 1, "'\\''");
-            word = "'" + word + "'";
+            word.insert(0, 1, '\'');
+            word += '\'';
         }
-        line += " " + word;
+        line += ' ';
+        line += word;
     }
     return line;
 }

@@ -18,7 +18,7 @@ constexpr std::size_t most_pieces = 1500;  // more than a picture of 1000 px can
 constexpr double points_over_all = 360;    // points a curve gets at least, spread over its pieces by length
 
 std::vector<double> drawn_breakpoints(const Motion& motion) {
-    const std::vector<double> all = motion.breakpoints();
+    std::vector<double> all = motion.breakpoints();
     if (all.size() <= most_pieces) return all;
     std::vector<double> some;
     for (std::size_t i = 0; i <= most_pieces; ++i) some.push_back(all[i * (all.size() - 1) / most_pieces]);
