@@ -104,24 +104,19 @@ DualityProof read_proof(const Json& json) {
 }  // namespace
 
 std::string_view how_to_check() {
-    return "The problem: minimize constant + sum_j cost[j] x[j] over lower <= sum_k values[k] x[indices[k]] "
-           "<= upper "
-           "for every row, with x in the box, which is known to hold a best point. Weak duality, with the "
-           "multipliers m: let b_i be the row's upper side where m_i > 0 and its lower side where m_i < 0, "
-           "and "
-           "r[j] = cost[j] + sum_i m_i G_ij, where G_ij are the rows' values. Then no point of the problem "
-           "has "
-           "less than constant - sum_i m_i b_i + sum_j min(r[j] box.lower[j], r[j] box.upper[j]). This "
-           "number must "
-           "not be less than \"bound\" (up to the rounding of your own sum). Any multipliers give a true "
-           "bound, so "
-           "nothing has to be believed of the solver. Statement \"objective\": no curve of this kind has a "
-           "smaller "
+    return "The problem: minimize constant + sum_j cost[j] x[j] over lower <= sum_k values[k] "
+           "x[indices[k]] <= upper for every row, with x in the box, which is known to hold a best "
+           "point. Weak duality, with the multipliers m: let b_i be the row's upper side where m_i > 0 "
+           "and its lower side where m_i < 0, and r[j] = cost[j] + sum_i m_i G_ij, where G_ij are the "
+           "rows' values. Then no point of the problem has less than constant - sum_i m_i b_i + sum_j "
+           "min(r[j] box.lower[j], r[j] box.upper[j]). This number must not be less than \"bound\" (up "
+           "to the rounding of your own sum). Any multipliers give a true bound, so nothing has to be "
+           "believed of the solver. Statement \"objective\": no curve of this kind has a smaller "
            "objective than the bound. Statement \"least_common_violation\": every curve of this kind "
-           "violates "
-           "some limit by at least the bound, so a bound above 0 proves that the scene is infeasible. null: "
-           "the "
-           "side is open (infinite).";
+           "violates some limit by at least the bound, so a bound above 0 proves that the scene is "
+           "infeasible. Statement \"conditions\": the rows are conditions that contradict each other; a "
+           "bound above 0 proves that no curve of this kind meets them all. null: the side is open "
+           "(infinite).";
 }
 
 std::string certificate_json(const Certificate& certificate) {

@@ -28,7 +28,8 @@ enum class ProofKind { none, duality };
 
 /// Everything needed to recompute a lower bound by hand; only rows with a multiplier are kept.
 struct DualityProof {
-    std::string statement;  ///< "objective" or "least_common_violation" (then bound > 0 proves infeasibility)
+    /// "objective"; "least_common_violation" or "conditions" (then bound > 0 proves infeasibility)
+    std::string statement;
     std::vector<std::string> variables;
     Eigen::VectorXd cost;  ///< c
     double constant = 0.0;

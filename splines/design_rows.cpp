@@ -21,6 +21,7 @@ struct Candidate {
     AffineRow row;
     const PointCondition* condition = nullptr;
     [[nodiscard]] bool asked() const { return condition != nullptr && condition->asked; }
+    [[nodiscard]] std::string name() const { return condition != nullptr ? condition->name : "symmetry"; }
 };
 
 double largest(const AffineRow& row) {
@@ -53,8 +54,7 @@ std::vector<Candidate> candidates_of(const DesignForm& form, const SplineSpace& 
 /// one it leans on.
 ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
     const Candidate& own = candidates[dependent.row];
-    ConditionConflict conflict{
-        own.condition != nullptr ? own.condition->name : "symmetry", {}, dependent.mismatch};
+    ConditionConflict conflict{own.name(), {}, {}};
     bool named = own.asked();
     for (const auto& [row, factor] : dependent.combination) {
         if (!candidates[row].asked()) continue;
@@ -66,6 +66,18 @@ ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<C
         }
     }
     return conflict;
+}
+
+/// row_i = Σ f_k row_k with a different right side: row_i less the combination says 0 = mismatch.
+std::vector<ConflictRow> contradiction_rows(const DependentRow& dependent,
+                                            const std::vector<Candidate>& candidates) {
+    const double sign = dependent.mismatch > 0.0 ? -1.0 : 1.0;
+    const Candidate& own = candidates[dependent.row];
+    std::vector<ConflictRow> rows{{own.name(), own.row, sign}};
+    for (const auto& [row, factor] : dependent.combination) {
+        rows.push_back({candidates[row].name(), candidates[row].row, -sign * factor});
+    }
+    return rows;
 }
 
 bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
@@ -91,9 +103,11 @@ ConditionSelection select_conditions(const DesignRequest& request) {
         const double size = largest(row);
         const double scale =
             size > 0.0 ? size : 1.0;  // unit rows: sizes of different derivatives do not compare
-        right[static_cast<Eigen::Index>(i)] = -row.offset / scale;
+        row.offset /= scale;
+        right[static_cast<Eigen::Index>(i)] = -row.offset;
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            entries.emplace_back(static_cast<int>(i), row.columns[k], row.weights[k] / scale);
+            row.weights[k] /= scale;
+            entries.emplace_back(static_cast<int>(i), row.columns[k], row.weights[k]);
         }
     }
     Eigen::SparseMatrix<double> matrix(right.size(), static_cast<Eigen::Index>(form.entries.size()));
@@ -113,6 +127,7 @@ ConditionSelection select_conditions(const DesignRequest& request) {
         }
         if (std::abs(dependent.mismatch) > contradiction * size_met) {
             selection.contradictions.push_back(conflict_of(dependent, candidates));
+            selection.contradictions.back().rows = contradiction_rows(dependent, candidates);
         } else if (was_asked_for(dependent, candidates)) {
             selection.redundant.push_back(conflict_of(dependent, candidates));
         }

@@ -57,11 +57,20 @@ struct DesignRequest {
     Symmetry symmetry = Symmetry::none;
 };
 
-/// A condition that follows from others (mismatch 0) or cannot hold together with them.
+/// One row of a contradiction, over the free control points c: weights · c + offset = 0.
+struct ConflictRow {
+    std::string name;
+    AffineRow row;
+    double multiplier = 0.0;
+};
+
+/// A condition that follows from others, or cannot hold together with them.
 struct ConditionConflict {
     std::string condition;
     std::vector<std::string> others;
-    double mismatch = 0.0;
+    /// Of a contradiction: rows and multipliers with Σ multiplier · weights = 0 and Σ multiplier · offset >
+    /// 0, so that they cannot all be met. Empty for a redundant condition.
+    std::vector<ConflictRow> rows;
 };
 
 /// One local polynomial as an affine map of x.

@@ -30,6 +30,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double active_limit = 1e-6;
 // Weights of the tie-break, tried until the objective stays within the tolerance of its optimum.
 constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
+// In lifts: a control point of a motion lies within a few.
+constexpr double farthest_control_point = 1e3;
 // The tie-break must be solved more exactly than the tolerance it may spend.
 constexpr double tie_break_accuracy = 0.1;
 
@@ -134,10 +136,43 @@ std::string list_of(const ConditionConflict& conflict) {
     return fmt::format("{}", fmt::join(conflict.others, "; "));
 }
 
+/// Weak duality for a cost of zero: the rows of a contradiction add up to 0 >= bound > 0. The box only
+/// absorbs the rounding of that sum; it leaves out no curve a cam could follow.
+DualityProof contradiction_proof(const ConditionConflict& conflict, int control_points) {
+    DualityProof proof;
+    proof.statement = "conditions";
+    proof.cost = Eigen::VectorXd::Zero(control_points);
+    proof.box = {Eigen::VectorXd::Constant(control_points, -farthest_control_point),
+                 Eigen::VectorXd::Constant(control_points, farthest_control_point)};
+    for (int j = 0; j < control_points; ++j)
+        proof.variables.push_back(fmt::format("free control point {}", j));
+    const auto rows = static_cast<Eigen::Index>(conflict.rows.size());
+    proof.matrix.resize(rows, control_points);
+    proof.lower.resize(rows);
+    proof.multipliers.resize(rows);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const ConflictRow& row = conflict.rows[static_cast<std::size_t>(i)];
+        proof.rows.push_back(row.name);
+        proof.lower[i] = -row.row.offset;
+        proof.multipliers[i] = row.multiplier;
+        for (std::size_t k = 0; k < row.row.columns.size(); ++k) {
+            entries.emplace_back(i, row.row.columns[k], row.row.weights[k]);
+        }
+    }
+    proof.upper = proof.lower;
+    proof.matrix.setFromTriplets(entries.begin(), entries.end());
+    proof.bound = recomputed_bound(proof);
+    return proof;
+}
+
 /// Conditions that no curve of this spline space can meet together: infeasible before anything is solved.
 void report_contradictions(Solution& solution, const DesignVector& design) {
     solution.certificate.verdict = Verdict::infeasible;
     solution.certificate.reason = "conditions_contradict";
+    solution.certificate.proof =
+        contradiction_proof(design.contradictions().front(), design.space().dimension());
+    solution.certificate.proof_kind = ProofKind::duality;
     for (const ConditionConflict& conflict : design.contradictions()) {
         solution.notes.push_back(
             conflict.others.empty()
@@ -218,7 +253,9 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     const Clock::time_point begin = Clock::now();
     Solution solution = solve_without_explaining(scene, control);
     const Verdict verdict = solution.certificate.verdict;
-    if (verdict == Verdict::infeasible || solution.certificate.reason == "no_feasible_point") {
+    const bool to_explain =
+        verdict == Verdict::infeasible || solution.certificate.reason == "no_feasible_point";
+    if (to_explain && !control.stopped()) {  // a stopped search must not pass for "nothing helps"
         solution.relaxation = relaxations(scene, control);
     }
     solution.seconds_total = seconds_since(begin);

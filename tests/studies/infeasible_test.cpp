@@ -126,6 +126,9 @@ TEST(Contradiction, IsInfeasibleAndNamed) {
     const Solution solution = solve(scene);
     EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_EQ(solution.certificate.reason, "conditions_contradict");
+    ASSERT_TRUE(solution.certificate.proof);
+    EXPECT_EQ(solution.certificate.proof->statement, "conditions");
+    EXPECT_GT(recomputed_bound(*solution.certificate.proof), 1e-3);
     ASSERT_FALSE(solution.notes.empty());
     EXPECT_NE(solution.notes[0].find("motion.via["), std::string::npos) << solution.notes[0];
 }
