@@ -165,6 +165,7 @@ constexpr std::array kMakers{&parabolic,       &simple_harmonic,  &cycloidal,   
 
 std::vector<LawInfo> collect() {
     std::vector<LawInfo> infos;
+    infos.reserve(kMakers.size());
     for (const auto maker : kMakers) infos.push_back(maker()->info());
     return infos;
 }

@@ -108,7 +108,7 @@ class Piece {
 
     const Law& law_;
     double begin_, end_;
-    std::array<LawDerivatives, kCells + 1> nodes_;
+    std::array<LawDerivatives, kCells + 1> nodes_{};
 };
 
 std::vector<Piece> pieces_of(const Law& law) {

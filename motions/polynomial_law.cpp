@@ -23,9 +23,9 @@ LawDerivatives PolynomialLaw::evaluate(double x, Side /*side*/) const {
     const double t = upper ? 1.0 - x : x;
     // Horner's rule for the polynomial and its derivatives over r!, all at once.
     LawDerivatives y{};
-    for (auto coefficient = coefficients_.rbegin(); coefficient != coefficients_.rend(); ++coefficient) {
+    for (std::size_t m = coefficients_.size(); m-- > 0;) {
         for (std::size_t r = y.size() - 1; r > 0; --r) y[r] = y[r] * t + y[r - 1];
-        y[0] = y[0] * t + *coefficient;
+        y[0] = y[0] * t + coefficients_[m];
     }
     y[2] *= 2.0;
     y[3] *= 6.0;

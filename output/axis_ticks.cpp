@@ -14,9 +14,9 @@ constexpr double rounding = 1e-9;  // relative to the step: a tick on the end of
 
 std::vector<double> multiples(double step, double lower, double upper) {
     std::vector<double> ticks;
-    const double last = std::floor(upper / step + rounding);
-    for (double k = std::ceil(lower / step - rounding); k <= last; ++k)
-        ticks.push_back(k == 0.0 ? 0.0 : k * step);
+    const long first = std::lround(std::ceil(lower / step - rounding));
+    const long last = std::lround(std::floor(upper / step + rounding));
+    for (long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
     return ticks;
 }
 

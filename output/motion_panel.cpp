@@ -23,7 +23,7 @@ constexpr double below_zero = 0.02;  // of the largest value: less than this is 
 /// The panel's coordinates.
 struct Plot {
     PanelFrame frame;
-    double begin, end, lower, upper;
+    double begin = 0.0, end = 0.0, lower = 0.0, upper = 0.0;
     [[nodiscard]] double x(double angle) const {
         return frame.left + frame.width * (angle - begin) / (end - begin);
     }
