@@ -55,9 +55,7 @@ CamProblem::CamProblem(CamModel model, std::vector<RuleSample> samples)
         if (!rule->linear())
             throw ModelError(rule->name() + ": its continuous maxima cannot be found: it is not linear");
     }
-    Eigen::VectorXd scale(model_->design.size());
-    for (int j = 0; j < scale.size(); ++j) scale[j] = variable_scale(*model_, j);
-    projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), scale);
+    projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
     start_grid();
     for (const RuleSample& sample : samples) add_sample(sample.rule, sample.at, sample.side);
     rebuild();
@@ -99,9 +97,7 @@ void CamProblem::rebuild() {
 }
 
 Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd values(model_->design.size());
-    for (int j = 0; j < values.size(); ++j) values[j] = variable_scale(*model_, j) * x[j];
-    return values;
+    return design_scales(*model_).cwiseProduct(x.head(model_->design.size()));
 }
 
 SplineCurve CamProblem::curve(const Eigen::VectorXd& x) const {
@@ -115,8 +111,7 @@ Eigen::VectorXd CamProblem::start() const {
     const Eigen::Index size = design.size();
     const Eigen::Index rows = projection_->matrix().rows();
     const QuadraticForm energy = mean_square_form(design, 3);
-    Eigen::VectorXd scale(size);
-    for (int j = 0; j < size; ++j) scale[j] = variable_scale(*model_, j);
+    const Eigen::VectorXd scale = design_scales(*model_);
     const double unit = model_->jerk_reference * model_->jerk_reference;
     std::vector<Eigen::Triplet<double>> entries;
     for (int column = 0; column < energy.matrix.outerSize(); ++column) {
@@ -251,8 +246,8 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     const Eigen::MatrixXd bounds = derivative_bounds(space, known);
     Box box;
     box.upper.resize(grid_->shape().variables());
-    box.upper.head(model.design.size()) = model.design.entry_bounds(bounds);
-    for (int j = 0; j < model.design.size(); ++j) box.upper[j] /= variable_scale(model, j);
+    box.upper.head(model.design.size()) =
+        model.design.entry_bounds(bounds).cwiseQuotient(design_scales(model));
     box.lower = -box.upper;
     for (int p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[p];

@@ -6,20 +6,28 @@
 
 namespace camopt {
 
+AffineRow unit_row(const AffineRow& row, const Eigen::VectorXd& column_scale) {
+    AffineRow unit = row;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < unit.columns.size(); ++k) {
+        unit.weights[k] *= column_scale[unit.columns[k]];
+        largest = std::max(largest, std::abs(unit.weights[k]));
+    }
+    for (double& weight : unit.weights) weight /= largest;
+    unit.offset /= largest;
+    return unit;
+}
+
 EqualityProjection::EqualityProjection(const std::vector<Equality>& rows, const Eigen::VectorXd& column_scale)
     : matrix_(static_cast<Eigen::Index>(rows.size()), column_scale.size()),
       offset_(static_cast<Eigen::Index>(rows.size())) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
-        const AffineRow& row = rows[i].row;
-        double largest = 0.0;
+        const AffineRow row = unit_row(rows[i].row, column_scale);
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            largest = std::max(largest, std::abs(row.weights[k] * column_scale[row.columns[k]]));
+            entries.emplace_back(i, row.columns[k], row.weights[k]);
         }
-        for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            entries.emplace_back(i, row.columns[k], row.weights[k] * column_scale[row.columns[k]] / largest);
-        }
-        offset_[i] = row.offset / largest;
+        offset_[i] = row.offset;
     }
     matrix_.setFromTriplets(entries.begin(), entries.end());
     if (matrix_.rows() > 0) normal_.compute(matrix_ * Eigen::SparseMatrix<double>(matrix_.transpose()));

@@ -12,6 +12,9 @@
 
 namespace camopt {
 
+/// The row over x = x_physical / column_scale, divided by its largest weight.
+[[nodiscard]] AffineRow unit_row(const AffineRow& row, const Eigen::VectorXd& column_scale);
+
 class EqualityProjection {
  public:
     /// rows: independent. column_scale: x_physical = column_scale · x.

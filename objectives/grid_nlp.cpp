@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid_nlp.hpp"
 
+#include "objectives/equality_projection.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +30,7 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
 /// The form in the optimizer's units, divided by reference².
 QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
     QuadraticForm form = mean_square_form(model.design, order);
-    Eigen::VectorXd scale(model.design.size());
-    for (int j = 0; j < scale.size(); ++j) scale[j] = variable_scale(model, j);
+    const Eigen::VectorXd scale = design_scales(model);
     const double factor = 1.0 / (reference * reference);
     const Eigen::SparseMatrix<double> rows_scaled = scale.asDiagonal() * form.matrix;
     form.matrix = rows_scaled * scale.asDiagonal();
@@ -45,6 +46,12 @@ double variable_scale(const CamModel& model, int index) {
     const int design_size = model.design.size();
     return index < design_size ? model.entry_scale[model.design.order(index)]
                                : model.parameters[index - design_size].reference;
+}
+
+Eigen::VectorXd design_scales(const CamModel& model) {
+    Eigen::VectorXd scales(model.design.size());
+    for (int j = 0; j < scales.size(); ++j) scales[j] = variable_scale(model, j);
+    return scales;
 }
 
 GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples)
@@ -65,15 +72,10 @@ void GridNlp::add_rows() {
     const CamModel& model = *model_;
     std::vector<double> lower;
     std::vector<double> upper;
+    const Eigen::VectorXd scale = design_scales(model);
     for (const Equality& equality : model.design.equalities()) {
-        Row row{equality.row.columns, equality.row.weights, equality.row.offset, -1, {}};
-        double largest = 0.0;
-        for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            row.weights[k] *= variable_scale(model, row.columns[k]);
-            largest = std::max(largest, std::abs(row.weights[k]));
-        }
-        for (double& weight : row.weights) weight /= largest;
-        row.offset /= largest;
+        AffineRow unit = unit_row(equality.row, scale);
+        Row row{std::move(unit.columns), std::move(unit.weights), unit.offset, -1, {}};
         rows_.push_back(std::move(row));
         lower.push_back(0.0);
         upper.push_back(0.0);

@@ -74,4 +74,7 @@ class GridNlp final : public Nlp {
 /// Unit of variable `index`: x_physical = scale · x.
 [[nodiscard]] double variable_scale(const CamModel& model, int index);
 
+/// Those of all design entries.
+[[nodiscard]] Eigen::VectorXd design_scales(const CamModel& model);
+
 }  // namespace camopt

@@ -19,10 +19,6 @@ constexpr double proof_seconds = 30.0;
 // How much further a point is pulled inside than its violation asks for.
 constexpr double pull = 1.0 + 1e-6;
 
-bool was_stopped(Termination termination) {
-    return termination == Termination::time_limit || termination == Termination::interrupted;
-}
-
 double gap_of(double objective, double bound) {
     return (objective - bound) / std::max(1.0, std::abs(objective));
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace camopt {
@@ -19,11 +20,11 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-bool stopped_early(Termination termination) {
+}  // namespace
+
+bool was_stopped(Termination termination) {
     return termination == Termination::time_limit || termination == Termination::interrupted;
 }
-
-}  // namespace
 
 Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
     Candidate candidate{problem.completed(x), infinity, infinity};
@@ -69,7 +70,7 @@ ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& so
             control.progress(fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,
                                          result.best.objective, problem.grid().shape().constraints()));
         }
-        if (stopped_early(result.termination) || result.termination == Termination::infeasible ||
+        if (was_stopped(result.termination) || result.termination == Termination::infeasible ||
             result.termination == Termination::unsupported) {
             return result;
         }

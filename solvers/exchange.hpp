@@ -9,8 +9,6 @@
 #include "core/continuous_problem.hpp"
 #include "solvers/solver.hpp"
 
-#include <chrono>
-
 namespace camopt {
 
 struct ExchangeOptions {
@@ -35,6 +33,9 @@ struct ExchangeResult {
     int rounds = 0;
     int iterations = 0;  ///< summed over the rounds
 };
+
+/// By a limit on time or by the user, not by an end of its own.
+[[nodiscard]] bool was_stopped(Termination termination);
 
 /// Completes x and judges it.
 [[nodiscard]] Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x);
