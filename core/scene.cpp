@@ -4,7 +4,43 @@
 namespace camopt {
 
 const char* name_of(MotionType value) {
-    return value == MotionType::drd ? "DRD" : "RR";
+    switch (value) {
+        case MotionType::drd:
+            return "DRD";
+        case MotionType::rr:
+            return "RR";
+        case MotionType::program:
+            break;
+    }
+    return "program";
+}
+
+const char* name_of(SegmentKind value) {
+    switch (value) {
+        case SegmentKind::dwell:
+            return "dwell";
+        case SegmentKind::law:
+            return "law";
+        case SegmentKind::spline:
+            break;
+    }
+    return "spline";
+}
+
+double MotionSpec::unit_angle() const {
+    if (type != MotionType::program) return rise;
+    for (const ProgramSegment& segment : segments) {
+        if (segment.kind == SegmentKind::spline) return segment.angle;
+    }
+    return segments.empty() ? rise : segments.front().angle;
+}
+
+double MotionSpec::length() const {
+    if (type == MotionType::drd) return 1.0;
+    if (type == MotionType::rr) return 1.0 + return_angle.value_or(rise) / rise;
+    double total = 0.0;
+    for (const ProgramSegment& segment : segments) total += segment.angle;
+    return total / unit_angle();
 }
 
 const char* name_of(EndJerk value) {

@@ -3,6 +3,9 @@
 // scene file, so that a scene can be written in a few lines of C++ without any file.
 #pragma once
 
+#include "core/cam_spec.hpp"
+
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,7 +14,8 @@
 
 namespace camopt {
 
-enum class MotionType { drd, rr };
+enum class MotionType { drd, rr, program };
+enum class SegmentKind { dwell, law, spline };
 enum class EndJerk { free, zero };
 enum class DesignKind { automatic, ordinates, coefficients, states };
 enum class TieBreak { none, rms_jerk };
@@ -20,6 +24,14 @@ enum class TieBreak { none, rms_jerk };
 struct SetPoint {
     double at = 0.0;
     std::optional<double> displacement = {}, velocity = {}, acceleration = {};
+};
+
+/// One stretch of a program. A dwell keeps the displacement it finds.
+struct ProgramSegment {
+    SegmentKind kind = SegmentKind::dwell;
+    double angle = 0.0;        ///< cam angle it takes, rad, > 0
+    std::string law = {};      ///< kind law: a key of the catalogue
+    std::optional<double> to;  ///< displacement at its end, in lifts; none: free (law, spline)
 };
 
 struct MotionSpec {
@@ -31,11 +43,13 @@ struct MotionSpec {
     std::optional<double> speed;           ///< rad/s, > 0; only time-domain limits and outputs need it
     bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
     std::vector<SetPoint> via;
+    std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
+    bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0
 
-    /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR.
-    [[nodiscard]] double length() const {
-        return type == MotionType::drd ? 1.0 : 1.0 + return_angle.value_or(rise) / rise;
-    }
+    /// The cam angle of x = 1, rad: the rise; in a program the angle of its first spline segment.
+    [[nodiscard]] double unit_angle() const;
+    /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR, all angles / unit angle for a program.
+    [[nodiscard]] double length() const;
 };
 
 struct SplineSpec {
@@ -59,6 +73,9 @@ struct Reference {
 struct ObjectiveSpec {
     double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
     double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
+    /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
+    /// the lift times the centre distance); the offset counts by its magnitude.
+    std::array<double, dimension_count> dimensions{};
     Reference reference;
     TieBreak tie_break = TieBreak::rms_jerk;
 };
@@ -71,10 +88,34 @@ struct PeakLimit {
     std::string unit = {};    ///< "", "mm/s", "deg/s^2", …
     /// given / normalised: what one unit of the normalised peak is in the unit of the key.
     [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
+    /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
+    /// own angle and displacement.
+    [[nodiscard]] bool in_time() const { return !unit.empty(); }
+};
+
+/// Any other hard limit, kept together with the way the user wrote it.
+struct WrittenLimit {
+    double value = 0.0;       ///< SI, rad
+    std::string key = {};     ///< as written, e.g. "limits.pressure_angle_deg"
+    double unit_value = 1.0;  ///< SI value of one unit of the key
+    std::string unit = {};    ///< "deg", "mm", "N", …; empty: dimensionless
+    [[nodiscard]] double given() const { return value / unit_value; }
 };
 
 struct LimitSpec {
     std::optional<PeakLimit> velocity, acceleration, jerk;
+    // The rest needs a cam.
+    std::optional<WrittenLimit> pressure_angle;                              ///< |φ| <=, in (0, π/2)
+    std::optional<WrittenLimit> rise_pressure_angle, return_pressure_angle;  ///< replace it there
+    std::optional<WrittenLimit> cam_radius_min;      ///< least convex radius of the cam surface, >= 0
+    std::optional<WrittenLimit> concave_radius_min;  ///< least concave radius of the cam surface, >= 0
+    /// Least regularity, in [0, 1): 1 − roller radius / pitch radius for a roller, cam radius / base radius
+    /// for a flat face. 0: just no undercut.
+    std::optional<WrittenLimit> undercut_margin;
+    // These need forces and a speed too.
+    std::optional<WrittenLimit> contact_force_min;   ///< of F (N) or M (N m) of ForceSpec
+    std::optional<WrittenLimit> torque_max;          ///< |camshaft torque|, N m
+    std::optional<WrittenLimit> hertz_pressure_max;  ///< Pa; needs a contact width
 };
 
 using OptionValue = std::variant<bool, long long, double, std::string>;
@@ -84,7 +125,7 @@ struct SolverSpec {
     double tolerance = 1e-9;    ///< feasibility and optimality of the solve, relative
     double gap = 1e-7;          ///< proved relative gap below which the verdict is optimal
     double max_seconds = 60.0;  ///< wall time of the whole solve; then the best feasible point is kept
-    int starts = 1;             ///< convex scenes need one
+    std::optional<int> starts;  ///< starting points; default: 1 where convex, 8 otherwise
     unsigned seed = 0;
     std::map<std::string, OptionValue> options;  ///< the backend's own, checked against its registry
 };
@@ -94,6 +135,8 @@ struct Scene {
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;
+    std::optional<CamSpec> cam;       ///< none: no profile exists and no profile code runs
+    std::optional<ForceSpec> forces;  ///< needs a cam and a speed
     LimitSpec limits;
     SolverSpec solver;
 };
@@ -112,6 +155,7 @@ struct SceneFault {
 void validate(const Scene& scene);
 
 [[nodiscard]] const char* name_of(MotionType value);
+[[nodiscard]] const char* name_of(SegmentKind value);
 [[nodiscard]] const char* name_of(EndJerk value);
 [[nodiscard]] const char* name_of(DesignKind value);
 [[nodiscard]] const char* name_of(TieBreak value);

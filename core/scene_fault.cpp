@@ -79,16 +79,17 @@ Fault number_fault(const Scene& scene) {
         if (value && !rule.range.contains(*value))
             return SceneFault{rule.member, fmt::format("{}", *value), rule.range.number_text()};
     }
-    if (scene.solver.starts < 1)
-        return SceneFault{"solver.starts", fmt::to_string(scene.solver.starts),
+    if (scene.solver.starts && *scene.solver.starts < 1)
+        return SceneFault{"solver.starts", fmt::to_string(*scene.solver.starts),
                           Range::at_least(1).integer_text()};
     return std::nullopt;
 }
 
 Fault angle_fault(const MotionSpec& motion) {
-    if (motion.type == MotionType::drd) {
+    if (motion.type != MotionType::rr) {
         if (motion.return_angle)
-            return SceneFault{"motion.return_angle", "a return in a motion of type \"DRD\"",
+            return SceneFault{"motion.return_angle",
+                              fmt::format("a return in a motion of type \"{}\"", name_of(motion.type)),
                               "only in type \"RR\""};
         return std::nullopt;
     }

@@ -176,7 +176,8 @@ class SceneReader {
         read_number("solver", "tolerance", solver.tolerance);
         read_number("solver", "gap", solver.gap);
         read_number("solver", "max_seconds", solver.max_seconds);
-        read_integer("solver", "starts", solver.starts);
+        if (const auto starts = source_.find("solver", "starts"))
+            solver.starts = static_cast<int>(starts->value().integer);
         read_integer("solver", "seed", solver.seed);
         if (const auto options = source_.find("solver", "options"))
             for (const Member& option : options->value().members)

@@ -165,7 +165,7 @@ std::vector<KeyCase> solver_cases() {
         {"solver.tolerance", "1e-8", 1e-8, [](const Scene& s) { return s.solver.tolerance; }},
         {"solver.gap", "1e-6", 1e-6, [](const Scene& s) { return s.solver.gap; }},
         {"solver.max_seconds", "5", 5, [](const Scene& s) { return s.solver.max_seconds; }},
-        {"solver.starts", "8", 8, [](const Scene& s) { return double(s.solver.starts); }},
+        {"solver.starts", "8", 8, [](const Scene& s) { return double(s.solver.starts.value_or(0)); }},
         {"solver.seed", "4294967295", 4294967295.0, [](const Scene& s) { return double(s.solver.seed); }},
         {"solver.options", "{ a = 1, b = 0.5, c = true, d = \"e\" }", 4,
          [](const Scene& s) { return double(s.solver.options.size()); }},

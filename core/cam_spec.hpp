@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The cam of a scene and what its follower carries. SI units and radians.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace camopt {
+
+enum class FollowerType {
+    translating_roller,
+    translating_knife,
+    translating_flat,
+    oscillating_roller,
+    oscillating_flat
+};
+enum class Rotation { counterclockwise, clockwise };
+
+[[nodiscard]] const char* name_of(FollowerType value);
+[[nodiscard]] const char* name_of(Rotation value);
+/// An oscillating follower swings: its lift is an angle.
+[[nodiscard]] constexpr bool is_oscillating(FollowerType value) {
+    return value == FollowerType::oscillating_roller || value == FollowerType::oscillating_flat;
+}
+[[nodiscard]] constexpr bool has_roller(FollowerType value) {
+    return value == FollowerType::translating_roller || value == FollowerType::oscillating_roller;
+}
+[[nodiscard]] constexpr bool has_flat_face(FollowerType value) {
+    return value == FollowerType::translating_flat || value == FollowerType::oscillating_flat;
+}
+
+/// A dimension of the cam: a number, or a range in which the optimizer is free. m.
+struct Dimension {
+    double low = 0.0, high = 0.0;
+    std::string key = {};  ///< as written, e.g. "cam.base_radius_mm"
+    double unit = 1e-3;    ///< m in one unit of the key
+
+    Dimension() = default;
+    Dimension(double value) : low(value), high(value) {}  // NOLINT(google-explicit-constructor)
+    Dimension(double from, double to) : low(from), high(to) {}
+    [[nodiscard]] bool is_variable() const { return high > low; }
+    [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+};
+
+/// Index of a dimension wherever the dimensions of a cam stand in a row: vectors of values, of partials.
+enum class DimensionIndex { base_radius, roller_radius, offset, center_distance, arm_length, face_offset };
+inline constexpr int dimension_count = 6;
+[[nodiscard]] const char* name_of(DimensionIndex value);  ///< "base_radius", …
+/// Whether a follower of this type has this dimension at all.
+[[nodiscard]] bool has_dimension(FollowerType follower, DimensionIndex dimension);
+
+/// A disk cam: cam centre at the origin, follower at the top (translating, lift along +y, axis at x = offset)
+/// or with its pivot at (center_distance, 0) (oscillating). Prime radius = base radius + roller radius.
+struct CamSpec {
+    FollowerType follower = FollowerType::translating_roller;
+    Rotation rotation = Rotation::counterclockwise;
+    std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
+    std::optional<double> face_half_width;                ///< translating flat face, m: |s'| <= it
+
+    [[nodiscard]] Dimension& operator[](DimensionIndex index) {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+    [[nodiscard]] const Dimension& operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// What the follower carries. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.
+/// Oscillating: the moment M = mass ω² ψ'' + spring_rate (ψ − ψ₀) + preload, in kg m², N m/rad, N m.
+/// F, M > 0 presses the follower on the cam. ω is the scene's speed.
+struct ForceSpec {
+    double mass = 0.0, spring_rate = 0.0, preload = 0.0;
+    std::optional<double> contact_width;                   ///< m; with the moduli it gives the Hertz pressure
+    double cam_modulus = 210e9, follower_modulus = 210e9;  ///< Pa
+    double cam_poisson = 0.3, follower_poisson = 0.3;
+};
+
+}  // namespace camopt

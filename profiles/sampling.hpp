@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A whole cam as points: where to place them, and the points.
+#pragma once
+
+#include "core/motion.hpp"
+#include "profiles/disk_cam.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+/// What one unit of a motion is: s = lift · y, θ = unit_angle · x.
+struct MotionScale {
+    double lift = 1.0;        ///< m or rad
+    double unit_angle = 1.0;  ///< rad
+};
+
+[[nodiscard]] FollowerState state_of(const MotionPoint& point, const MotionScale& scale);
+
+/// Points either by number or by chord tolerance; the motion's breakpoints are always among them.
+struct ProfileSampling {
+    std::optional<int> count;       ///< about this many, evenly by cam angle, breakpoints besides
+    double chord_tolerance = 1e-6;  ///< m: the polyline stays this close to the cam; used without a count
+};
+
+/// In order of the cam angle, from the motion's begin to its end, both included. `side` at a breakpoint:
+/// right (left at the end).
+[[nodiscard]] std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion,
+                                                        const MotionScale& scale,
+                                                        const ProfileSampling& sampling);
+
+}  // namespace camopt
