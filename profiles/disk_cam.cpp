@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/disk_cam.hpp"
+
+#include "profiles/disk_cam_formulas.hpp"
+
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using Eigen::Vector2d;
+using enum DimensionIndex;
+
+/// The vector seen from the cam that has turned by `angle`.
+Vector2d turned_back(const Vector2d& fixed, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
+}
+
+template <class Roller>
+void set_roller_values(const Roller& roller, ProfilePoint& point) {
+    point.pitch_curvature = roller.pitch().curvature();
+    point.cam_radius = 1.0 / point.pitch_curvature - roller.roller_radius;
+    point.regularity = formulas::roller_regularity(roller);
+    point.pressure_angle = std::atan2(roller.pressure_numerator(), roller.pressure_denominator());
+}
+
+template <class Flat>
+void set_flat_values(const Flat& flat, ProfilePoint& point) {
+    point.cam_radius = flat.cam_radius();
+    point.pitch_curvature = 1.0 / point.cam_radius;
+    point.regularity = flat.regularity();
+}
+
+void set_translating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
+    const double sense = formulas::sense_of(cam.rotation);
+    const double radius = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
+    const double start = formulas::translating_roller_start(cam[base_radius] + radius, cam[offset]);
+    const formulas::TranslatingRoller<double> roller{start + state.s, state.velocity, state.acceleration,
+                                                     sense * cam[offset], radius};
+    const auto pitch = roller.pitch();
+    point.center = {cam[offset], roller.position};
+    point.normal = Vector2d(-sense * pitch.across, pitch.along) / pitch.speed();
+    set_roller_values(roller, point);
+}
+
+void set_translating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
+    const formulas::TranslatingFlat<double> flat{cam[base_radius] + state.s, state.velocity,
+                                                 state.acceleration, cam[base_radius]};
+    point.contact_offset = formulas::sense_of(cam.rotation) * state.velocity;
+    point.center = {point.contact_offset, flat.position};
+    point.normal = Vector2d::UnitY();
+    set_flat_values(flat, point);
+}
+
+void set_oscillating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
+    const double start = formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
+                                                            cam[center_distance], cam[arm_length]);
+    const formulas::OscillatingRoller<double> roller{
+        start + state.s,    formulas::sense_of(cam.rotation) * state.velocity,
+        state.acceleration, cam[center_distance],
+        cam[arm_length],    cam[roller_radius]};
+    const auto pitch = roller.pitch();
+    const double c = std::cos(roller.position), s = std::sin(roller.position);
+    const Vector2d arm(-c, s), swing(s, c);
+    point.center = Vector2d(cam[center_distance], 0.0) + cam[arm_length] * arm;
+    point.normal = (pitch.across * arm + pitch.along * swing) / pitch.speed();
+    set_roller_values(roller, point);
+}
+
+void set_oscillating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
+    const double start =
+        formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
+    const formulas::OscillatingFlat<double> flat{
+        start + state.s,    formulas::sense_of(cam.rotation) * state.velocity,
+        state.acceleration, cam[center_distance],
+        cam[face_offset],   cam[base_radius]};
+    const double c = std::cos(flat.position), s = std::sin(flat.position);
+    const Vector2d arm(-c, s), swing(s, c);
+    point.contact_offset = flat.contact_offset();
+    point.center =
+        Vector2d(cam[center_distance], 0.0) - cam[face_offset] * swing + point.contact_offset * arm;
+    point.normal = swing;
+    point.pressure_angle = std::atan2(flat.pressure_numerator(), flat.pressure_denominator());
+    set_flat_values(flat, point);
+}
+
+void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return set_translating_roller(cam, state, point);
+        case FollowerType::translating_flat:
+            return set_translating_flat(cam, state, point);
+        case FollowerType::oscillating_roller:
+            return set_oscillating_roller(cam, state, point);
+        case FollowerType::oscillating_flat:
+            return set_oscillating_flat(cam, state, point);
+    }
+}
+
+}  // namespace
+
+DiskCam middle_cam(const CamSpec& spec) {
+    DiskCam cam{spec.follower, spec.rotation, {}};
+    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
+    return cam;
+}
+
+ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state) {
+    ProfilePoint point;
+    point.theta = theta;
+    set_in_fixed_frame(cam, state, point);
+    const double turn = formulas::sense_of(cam.rotation) * theta;
+    point.pitch = turned_back(point.center, turn);
+    point.normal = turned_back(point.normal, turn);
+    point.contact = point.pitch;
+    if (has_roller(cam.follower)) point.contact -= cam[roller_radius] * point.normal;
+    return point;
+}
+
+}  // namespace camopt
