@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/sampling.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+// A step is judged at the eighths between its ends, so that neither an S-shaped nor a symmetric stretch
+// hides.
+constexpr int parts_of_step = 8;
+// Between those places an arc is at most 1.6 %, an S at most 2.6 % farther from the chord.
+constexpr double seen_share = 0.97;
+// A motion may turn more than once between two breakpoints: no step is wider, so the eighths are 1.25
+// degrees.
+constexpr double widest_step = std::numbers::pi / 18.0;
+// Nor is one narrower: at a cusp or where the cam is torn apart no step is narrow enough. 1e-6 rad leaves
+// 1e-13 m on a radius of 1 m.
+constexpr double narrowest_step = 1e-6;
+// Places closer than this share of the motion are one place.
+constexpr double same_place = 1e-9;
+
+double distance_to_chord(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
+                         const Eigen::Vector2d& to) {
+    const Eigen::Vector2d chord = to - from;
+    const double squared = chord.squaredNorm();
+    const double along = squared > 0.0 ? std::clamp((point - from).dot(chord) / squared, 0.0, 1.0) : 0.0;
+    return (point - from - along * chord).norm();
+}
+
+class Sampler {
+ public:
+    Sampler(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
+        : cam_(cam), motion_(motion), scale_(scale) {}
+
+    [[nodiscard]] ProfilePoint at(double x) const {
+        const Side side = x < motion_.end() ? Side::right : Side::left;
+        return profile_point(cam_, scale_.unit_angle * x, state_of(motion_.at(x, side), scale_));
+    }
+
+    /// Appends the points after `from` up to and with `to`, so dense that the chords keep the tolerance.
+    void append(double from, double to, double tolerance, std::vector<ProfilePoint>& points) const {
+        const double width = std::abs(scale_.unit_angle) * (to - from);
+        const int steps = std::max(1, static_cast<int>(std::ceil(width / widest_step)));
+        for (int i = 0; i < steps; ++i) {
+            const double begin = from + (to - from) * i / steps;
+            const double end = i + 1 < steps ? from + (to - from) * (i + 1) / steps : to;
+            append_step({begin, end, points.back().contact}, at(end), tolerance, points);
+        }
+    }
+
+ private:
+    struct Step {
+        double from = 0.0, to = 0.0;
+        Eigen::Vector2d start;
+    };
+
+    void append_step(const Step& step, const ProfilePoint& end, double tolerance,
+                     std::vector<ProfilePoint>& points) const {
+        std::array<ProfilePoint, parts_of_step - 1> inner;
+        bool close = true;
+        for (int i = 1; i < parts_of_step; ++i) {
+            ProfilePoint& point = inner[static_cast<std::size_t>(i - 1)];
+            point = at(step.from + (step.to - step.from) * i / parts_of_step);
+            close =
+                close && distance_to_chord(point.contact, step.start, end.contact) <= seen_share * tolerance;
+        }
+        const bool narrow = std::abs(scale_.unit_angle) * (step.to - step.from) < 2.0 * narrowest_step;
+        if (narrow || close) {
+            points.push_back(end);
+            return;
+        }
+        const double middle = 0.5 * (step.from + step.to);
+        const ProfilePoint& halfway = inner[parts_of_step / 2 - 1];
+        append_step({step.from, middle, step.start}, halfway, tolerance, points);
+        append_step({middle, step.to, halfway.contact}, end, tolerance, points);
+    }
+
+    const DiskCam& cam_;
+    const Motion& motion_;
+    MotionScale scale_;
+};
+
+void check(const ProfileSampling& sampling) {
+    if (sampling.count && *sampling.count < 2)
+        throw InputError(fmt::format("count: found {}; allowed: at least 2", *sampling.count));
+    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
+}
+
+/// Evenly spaced places and the breakpoints, ascending; where both fall together the breakpoint stays.
+std::vector<double> even_places(const std::vector<double>& breakpoints, int count) {
+    const double begin = breakpoints.front(), length = breakpoints.back() - begin;
+    std::vector<double> places = breakpoints;
+    for (int i = 1; i + 1 < count; ++i) {
+        const double place = begin + length * i / (count - 1);
+        const auto next = std::ranges::lower_bound(breakpoints, place);
+        const double gap = std::min(*next - place, place - *std::prev(next));
+        if (gap > same_place * length) places.push_back(place);
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+}  // namespace
+
+FollowerState state_of(const MotionPoint& point, const MotionScale& scale) {
+    const double rate = scale.lift / scale.unit_angle;
+    return {scale.lift * point.derivative[0], rate * point.derivative[1],
+            rate / scale.unit_angle * point.derivative[2]};
+}
+
+std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
+                                          const ProfileSampling& sampling) {
+    check(sampling);
+    const Sampler sampler(cam, motion, scale);
+    const std::vector<double> breakpoints = motion.breakpoints();
+    std::vector<ProfilePoint> points;
+    if (sampling.count) {
+        for (const double place : even_places(breakpoints, *sampling.count))
+            points.push_back(sampler.at(place));
+        return points;
+    }
+    points.push_back(sampler.at(breakpoints.front()));
+    for (std::size_t i = 1; i < breakpoints.size(); ++i)
+        sampler.append(breakpoints[i - 1], breakpoints[i], sampling.chord_tolerance, points);
+    return points;
+}
+
+}  // namespace camopt
