@@ -38,13 +38,7 @@ class KeyCheck {
  public:
     explicit KeyCheck(const SceneSource& source) : source_(source) {}
 
-    void run() const {
-        // These two change what the other keys mean, so they are looked at before any of them.
-        if (const auto cam = source_.find("", "cam")) refuse_later(*cam, "cam");
-        if (const auto type = source_.find("motion", "type"); type && type->value().text == "program")
-            check_text(*type, "motion.type");
-        check_table(source_.root, "", "");
-    }
+    void run() const { check_table(source_.root, "", ""); }
 
  private:
     const SceneSource& source_;
@@ -61,7 +55,7 @@ class KeyCheck {
         }
         for (const KeyRow& row : scene_keys())
             if (row.table == table && row.required() && !SceneSource::find_in(node, table, row.name))
-                source_.fail(node.place, joined_key(path, row.name),
+                source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
     }
 
@@ -91,7 +85,6 @@ class KeyCheck {
     }
 
     void check_value(const Given& given, const std::string& key) const {
-        if (given.row->availability == Availability::later) refuse_later(given, key);
         switch (given.row->type) {
             case KeyType::text:
                 return check_text(given, key);
@@ -101,6 +94,8 @@ class KeyCheck {
                 return check_integer(given, key);
             case KeyType::number:
                 return check_number(given, key);
+            case KeyType::number_or_range:
+                return check_number_or_range(given, key);
             case KeyType::numbers:
                 return check_numbers(given, key);
             case KeyType::tables:
@@ -146,17 +141,39 @@ class KeyCheck {
 
     void check_number(const Given& given, const std::string& key) const {
         const Node& value = given.value();
-        const Range range =
-            given.row->range.scaled(given.row->spellings.front().factor / given.spelling->factor);
+        const Range range = written_range(given);
         refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
-        if (given.row->availability == Availability::needs_cam)
-            source_.fail_unavailable(
-                value.place, key,
-                fmt::format("found {}; needs a [cam] table, which is {}", value.shown(), not_yet));
         if (given.row->availability == Availability::only_zero && value.as_number() != 0.0)
             source_.fail_unavailable(
                 value.place, key,
                 fmt::format("found {}; this term is {}; allowed: 0", value.shown(), not_yet));
+    }
+
+    void check_number_or_range(const Given& given, const std::string& key) const {
+        if (given.value().kind != NodeKind::table) return check_number(given, key);
+        const Range range = written_range(given);
+        for (const Member& member : given.value().members) {
+            const std::string bound_key = joined_key(key, member.name);
+            if (member.name != "min" && member.name != "max")
+                source_.fail(member.place, bound_key, "found an unknown key; allowed: min, max");
+            if (!member.value.is_number() || !range.contains(member.value.as_number()))
+                source_.fail(member.value.place, bound_key,
+                             fmt::format("found {}; allowed: {}", member.value.shown(), range.number_text()));
+        }
+        for (const char* bound : {"min", "max"})
+            if (!given.value().find(bound))
+                source_.fail(given.value().place, joined_key(key, bound),
+                             fmt::format("missing; allowed: {}", range.number_text()));
+        const Node& min = given.value().find("min")->value;
+        const Node& max = given.value().find("max")->value;
+        if (!(min.as_number() < max.as_number()))
+            source_.fail(
+                given.value().place, key,
+                fmt::format("found a range from {} to {}; allowed: min below max", min.shown(), max.shown()));
+    }
+
+    static Range written_range(const Given& given) {
+        return given.row->range.scaled(given.row->spellings.front().factor / given.spelling->factor);
     }
 
     void check_numbers(const Given& given, const std::string& key) const {
@@ -195,10 +212,6 @@ class KeyCheck {
         }
     }
 
-    [[noreturn]] void refuse_later(const Given& given, const std::string& key) const {
-        source_.fail_unavailable(given.member->place, key, fmt::format("found this key; it is {}", not_yet));
-    }
-
     void refuse_unless(bool allowed, const Given& given, const std::string& key) const {
         if (!allowed)
             source_.fail(given.value().place, key,
@@ -222,6 +235,18 @@ std::string spelling_hint(std::string_view word, const std::vector<std::string>&
         nearest = &candidate;
     }
     return nearest ? fmt::format("; did you mean '{}'?", *nearest) : "";
+}
+
+void check_name(const SceneSource& source, const Given& given, const std::string& key,
+                const AllowedNames& allowed) {
+    const std::string& text = given.value().text;
+    if (std::ranges::find(allowed.names, text) != allowed.names.end()) return;
+    std::string list;
+    for (const std::string& name : allowed.names)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+    source.fail(given.value().place, key,
+                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before, list,
+                            allowed.after, spelling_hint(text, allowed.names)));
 }
 
 void check_keys(const SceneSource& source) {

@@ -13,4 +13,14 @@ void check_keys(const SceneSource& source);
 /// "; did you mean 'lift_mm'?" for the candidate nearest to a misspelt word, or nothing.
 [[nodiscard]] std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Names, and the words around their list in an error message.
+struct AllowedNames {
+    const std::vector<std::string>& names;
+    std::string_view before = {}, after = {};
+};
+
+/// Throws where the text is none of the names.
+void check_name(const SceneSource& source, const Given& given, const std::string& key,
+                const AllowedNames& allowed);
+
 }  // namespace camopt::input

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 
 namespace camopt::input {
 namespace {
@@ -23,25 +25,47 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-std::vector<std::string> key_parts(std::string_view key, const Place& place) {
-    std::vector<std::string> parts(1);
-    for (const char letter : key) {
-        if (letter == '.')
-            parts.emplace_back();
-        else
-            parts.back() += letter;
+/// "segments[1]": an entry of an array.
+struct KeyPart {
+    std::string name;
+    std::optional<std::size_t> index;
+};
+
+/// Nothing where the text is no name, or no name with an index.
+std::optional<KeyPart> key_part(std::string_view text) {
+    KeyPart part;
+    if (const std::size_t bracket = text.find('['); bracket != std::string_view::npos) {
+        const std::string_view digits = text.substr(bracket + 1);
+        std::size_t index = 0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+        if (error != std::errc() || end == digits.data() + digits.size() ||
+            std::string_view(end, digits.data() + digits.size()) != "]")
+            return std::nullopt;
+        part.index = index;
+        text = text.substr(0, bracket);
     }
-    const auto is_bare = [](const std::string& part) {
-        return !part.empty() && std::ranges::all_of(part, [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                   c == '-';
-        });
+    const auto is_bare = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
     };
+    if (text.empty() || !std::ranges::all_of(text, is_bare)) return std::nullopt;
+    part.name = text;
+    return part;
+}
+
+std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
     // No scene has deeper keys, and every part is a level of recursion later.
     constexpr std::size_t most_parts = 8;
-    if (!std::ranges::all_of(parts, is_bare) || parts.size() > most_parts)
-        fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
-    return parts;
+    std::vector<KeyPart> parts;
+    while (parts.size() <= most_parts) {
+        const std::size_t dot = key.find('.');
+        std::optional<KeyPart> part = key_part(key.substr(0, dot));
+        if (!part) break;
+        parts.push_back(std::move(*part));
+        if (dot == std::string_view::npos && parts.size() <= most_parts) return parts;
+        key.remove_prefix(dot + 1);
+    }
+    fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
 }
 
 bool says_the_same(std::string_view table, std::string_view one, std::string_view other) {
@@ -64,31 +88,66 @@ void set(Node& table, std::string_view table_path, const std::string& name, Node
     table.members.erase(std::remove_if(found + 1, table.members.end(), same), table.members.end());
 }
 
+/// The entry of an array that stands in the table.
+Node& entry(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
+    Member* member = table.find(part.name);
+    if (!member) fail(place, path, "found no such array in the scene; allowed: an entry that is there");
+    Node& array = member->value;
+    if (array.kind != NodeKind::array)
+        fail(place, path,
+             fmt::format("found {}, not an array; allowed: set {} as a whole", array.shown(), path));
+    if (*part.index >= array.items.size())
+        fail(place, path,
+             fmt::format("found {} entries, counted from 0; allowed: an entry that is there",
+                         array.items.size()));
+    return array.items[*part.index];
+}
+
+/// The table that a part of the key leads to; made where it is absent.
+Node& inner_table(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
+    if (!part.index && !table.find(part.name)) {
+        table.members.push_back({part.name, place, {}});
+        table.members.back().value.place = place;
+    }
+    Node& inner = part.index ? entry(table, part, path, place) : table.find(part.name)->value;
+    if (inner.kind == NodeKind::table) return inner;
+    const bool tables =
+        inner.kind == NodeKind::array && !inner.items.empty() && inner.items[0].kind == NodeKind::table;
+    fail(place, path,
+         fmt::format("found {}, not a table; allowed: set {} as a whole{}", inner.shown(), path,
+                     tables ? fmt::format(", or in one of its entries, {}[0] to {}[{}]", path, path,
+                                          inner.items.size() - 1)
+                            : ""));
+}
+
+void apply_override(Node& root, const std::string& text) {
+    const Place place{.line = 1, .column = 1, .override_text = text};
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) fail(place, "", fmt::format("found no '='; allowed: {}", example));
+    const std::vector<KeyPart> parts = key_parts(trimmed(std::string_view(text).substr(0, equals)), place);
+    Node value = parse_override_value(trimmed(std::string_view(text).substr(equals + 1)), place);
+    Node* table = &root;
+    std::string path;        // in the key table, without indices
+    std::string shown_path;  // as the user writes it
+    for (const KeyPart& part : parts) {
+        const std::string table_path = path;
+        path = joined_key(path, part.name);
+        shown_path = joined_key(shown_path, part.name);
+        const std::string array_path = shown_path;
+        if (part.index) shown_path += fmt::format("[{}]", *part.index);
+        if (&part != &parts.back())
+            table = &inner_table(*table, part, part.index ? array_path : shown_path, place);
+        else if (part.index)
+            entry(*table, part, array_path, place) = std::move(value);
+        else
+            set(*table, table_path, part.name, std::move(value));
+    }
+}
+
 }  // namespace
 
 void apply_overrides(Node& root, std::span<const std::string> overrides) {
-    for (const std::string& text : overrides) {
-        const Place place{.line = 1, .column = 1, .override_text = text};
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos) fail(place, "", fmt::format("found no '='; allowed: {}", example));
-        const std::vector<std::string> parts =
-            key_parts(trimmed(std::string_view(text).substr(0, equals)), place);
-        Node value = parse_override_value(trimmed(std::string_view(text).substr(equals + 1)), place);
-        Node* table = &root;
-        std::string path;
-        for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-            path = joined_key(path, parts[i]);
-            if (!table->find(parts[i])) {
-                table->members.push_back({parts[i], place, {}});
-                table->members.back().value.place = place;
-            }
-            table = &table->find(parts[i])->value;
-            if (table->kind != NodeKind::table)
-                fail(place, path,
-                     fmt::format("found {}, not a table; allowed: set {} as a whole", table->shown(), path));
-        }
-        set(*table, path, parts.back(), std::move(value));
-    }
+    for (const std::string& text : overrides) apply_override(root, text);
 }
 
 }  // namespace camopt::input

@@ -34,16 +34,18 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
             fmt::format("found a limit in {} without a speed; allowed: together with motion.speed_rpm or "
                         "motion.speed_rad_s",
                         limit.unit));
-    limit.normalised = given->number() / (motion.lift * std::pow(*motion.speed / motion.rise, order));
+    limit.normalised = given->number() / (motion.lift * std::pow(*motion.speed / motion.unit_angle(), order));
     return limit;
 }
 
 }  // namespace
 
-LimitSpec read_limits(const SceneSource& source, const MotionSpec& motion) {
-    return {.velocity = read_limit(source, motion, "velocity", 1),
-            .acceleration = read_limit(source, motion, "acceleration", 2),
-            .jerk = read_limit(source, motion, "jerk", 3)};
+LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) {
+    LimitSpec limits;
+    limits.velocity = read_limit(source, motion, "velocity", 1);
+    limits.acceleration = read_limit(source, motion, "acceleration", 2);
+    limits.jerk = read_limit(source, motion, "jerk", 3);
+    return limits;
 }
 
 }  // namespace camopt::input

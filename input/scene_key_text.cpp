@@ -31,6 +31,8 @@ std::string_view type_name(const KeyRow& row) {
             return "integer";
         case KeyType::number:
             return "number";
+        case KeyType::number_or_range:
+            return "number or range";
         case KeyType::numbers:
             return "array of numbers";
         case KeyType::table:
@@ -61,12 +63,12 @@ std::string range_text(const KeyRow& row) {
 
 std::string_view remark(const KeyRow& row) {
     switch (row.availability) {
-        case Availability::later:
-            return " *Not available yet.*";
+        case Availability::needs_cam:
+            return " *Needs a `[cam]` table.*";
+        case Availability::needs_forces:
+            return " *Needs a `[forces]` table.*";
         case Availability::only_zero:
             return " *Not available yet: only 0.*";
-        case Availability::needs_cam:
-            return " *Needs a `[cam]` table, which is not available yet.*";
         case Availability::now:
             break;
     }
@@ -102,6 +104,8 @@ std::string KeyRow::allowed(const Spelling& spelling) const {
             return range.integer_text();
         case KeyType::number:
             return written.number_text();
+        case KeyType::number_or_range:
+            return written.number_text() + ", or a range { min = …, max = … }";
         case KeyType::numbers:
             return "an array of numbers";
         case KeyType::table:

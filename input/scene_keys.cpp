@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "input/scene_keys.hpp"
 
-#include "core/units.hpp"
+#include "input/key_spellings.hpp"
 
 namespace camopt::input {
 namespace {
 
 using enum KeyType;
+using namespace spellings;
 
-constexpr Spelling plain[] = {{"", "", 1.0}};
-constexpr Spelling length[] = {
-    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch}, {"_m", "m", 1.0}};
-constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
-constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
-                             {"_in", "in", units::inch},
-                             {"_m", "m", 1.0},
-                             {"_deg", "deg", units::degree},
-                             {"_rad", "rad", 1.0}};
-constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
 constexpr Spelling velocity_limit[] = {
     {"", "", 1.0},        {"_mm_s", "mm/s", units::millimetre}, {"_in_s", "in/s", units::inch},
     {"_m_s", "m/s", 1.0}, {"_deg_s", "deg/s", units::degree},   {"_rad_s", "rad/s", 1.0}};
@@ -28,11 +19,7 @@ constexpr Spelling jerk_limit[] = {
     {"", "", 1.0},           {"_mm_s3", "mm/s^3", units::millimetre}, {"_in_s3", "in/s^3", units::inch},
     {"_m_s3", "m/s^3", 1.0}, {"_deg_s3", "deg/s^3", units::degree},   {"_rad_s3", "rad/s^3", 1.0}};
 
-const Range any = {};
-const Range positive = Range::above(0.0);
-const Range not_negative = Range::at_least(0.0);
 const Range within_turn = Range::above_up_to(0.0, 360.0);
-const Range right_angle = {.low = 0.0, .high = 90.0, .low_included = false, .high_included = false};
 
 using Rows = std::vector<KeyRow>;
 
@@ -44,17 +31,19 @@ Rows top_level() {
         {"", "motion", table, plain, any, {}, "required", "What must move."},
         {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
         {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
+        {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
+        {"", "forces", table, plain, any, {}, "no forces", "What the follower carries; needs a `[cam]` and a speed.",
+         Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
-        {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower.", Availability::later},
     };
 }
 
 Rows motion() {
     return {
-        {"motion", "type", text, plain, any, {"DRD", "RR"}, "required",
-         "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top.",
-         Availability::now, "program"},
+        {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
+         "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. `\"program\"`: the "
+         "segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place in it."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output."},
         {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
@@ -66,14 +55,21 @@ Rows motion() {
          "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles)."},
         {"motion", "via", tables, plain, any, {}, "none", "Points the curve meets exactly, one table each."},
         {"motion", "segments", tables, plain, any, {}, "none",
-         "The segments of a whole turn.", Availability::later},
+         "The segments of a program, one table each, from displacement 0 on."},
         {"motion", "closed", boolean, plain, any, {}, "true",
-         "A whole turn ends where it began.", Availability::later},
+         "The program is a whole turn: its angles add up to 360 deg and it ends at displacement 0."},
         {"motion.via", "at", number, plain, not_negative, {}, "required",
          "Where, in units of the rise: DRD 0 to 1, RR 0 to 1 + return/rise."},
         {"motion.via", "displacement", number, plain, any, {}, "free", "y = s/lift at that point."},
         {"motion.via", "velocity", number, plain, any, {}, "free", "dy/dx at that point."},
         {"motion.via", "acceleration", number, plain, any, {}, "free", "d²y/dx² at that point."},
+        {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
+         "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
+        {"motion.segments", "angle", number, angle, within_turn, {}, "required", "Cam angle of the segment."},
+        {"motion.segments", "law", text, plain, any, {}, "none", "A law of the catalogue; kind `\"law\"` only, and needed there."},
+        {"motion.segments", "to", number, displacement, any, {}, "free",
+         "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free means chosen by the "
+         "optimizer; the last one of a closed program is 0."},
     };
 }
 
@@ -81,9 +77,10 @@ Rows spline() {
     return {
         {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline."},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
-         "Uniform segments over the rise (DRD) or over rise and return (RR)."},
+         "Uniform segments over the rise (DRD), over rise and return (RR) or over each spline segment (program)."},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
-         "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise.",
+         "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a program "
+         "from 0 to 1, in units of each spline segment.",
          Availability::now, {}, "segments"},
         {"spline", "knots", text, plain, any, {"fixed"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables.", Availability::now, "free"},
@@ -108,9 +105,12 @@ Rows objective() {
         {"objective", "rms_jerk", number, plain, not_negative, {}, "0",
          "Weight of the root mean square of the jerk."},
         {"objective", "torque", number, plain, not_negative, {}, "0",
-         "Weight of the torque peak, max |y'·y''|.", Availability::only_zero},
-        {"objective", "base_radius", number, plain, not_negative, {}, "0",
-         "Weight of the base radius divided by the lift.", Availability::only_zero},
+         "Weight of the torque peak, the largest magnitude of y'·y''.", Availability::only_zero},
+    };
+}
+
+Rows reference() {
+    return {
         {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
          "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers."},
         {"objective", "tie_break", text, plain, any, {"rms_jerk", "none"}, "\"rms_jerk\"",
@@ -131,7 +131,6 @@ Rows objective() {
 }
 
 Rows limits() {
-    constexpr auto needs_cam = Availability::needs_cam;
     return {
         {"limits", "velocity", number, velocity_limit, positive, {}, "none",
          "Cap on the velocity: on the normalised peak V, or in time (needs a speed)."},
@@ -139,16 +138,6 @@ Rows limits() {
          "Cap on the acceleration: on the normalised peak A, or in time (needs a speed)."},
         {"limits", "jerk", number, jerk_limit, positive, {}, "none",
          "Cap on the jerk: on the normalised peak J, or in time (needs a speed)."},
-        {"limits", "pressure_angle", number, angle, right_angle, {}, "none",
-         "Cap on the pressure angle at every cam angle.", needs_cam},
-        {"limits", "rise_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower rises.", needs_cam},
-        {"limits", "return_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower returns.", needs_cam},
-        {"limits", "cam_radius_min", number, length, not_negative, {}, "none",
-         "Least convex radius of curvature of the cam surface; 0: just no undercut.", needs_cam},
-        {"limits", "concave_radius_min", number, length, not_negative, {}, "none",
-         "Least concave radius of curvature of the cam surface.", needs_cam},
     };
 }
 
@@ -162,7 +151,7 @@ Rows solver() {
          "Proved relative gap below which the verdict is optimal."},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
          "Wall time; then the best feasible curve so far is kept."},
-        {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1",
+        {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
          "Starting points; a convex scene needs one."},
         {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
          "Seed of the random starting points."},
@@ -177,7 +166,8 @@ Rows solver() {
 const std::vector<KeyRow>& scene_keys() {
     static const std::vector<KeyRow> rows = [] {
         Rows all;
-        for (const Rows& part : {top_level(), motion(), spline(), objective(), limits(), solver()})
+        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
+                                 reference(), cam_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

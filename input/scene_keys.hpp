@@ -14,23 +14,24 @@
 namespace camopt::input {
 
 enum class KeyType {
-    text,           ///< a string; one of `choices` where there are any
-    boolean,        ///< true or false
-    integer,        ///< an integer; one of `choices` where there are any
-    number,         ///< a finite number
-    numbers,        ///< an array of finite numbers
-    table,          ///< a table with rows of its own
-    tables,         ///< an array of such tables
-    text_or_table,  ///< a string, or a table with rows of its own
-    options,        ///< a table of any keys with text, boolean or number values
+    text,             ///< a string; one of `choices` where there are any
+    boolean,          ///< true or false
+    integer,          ///< an integer; one of `choices` where there are any
+    number,           ///< a finite number
+    number_or_range,  ///< a finite number, or a table of two: { min = …, max = … }
+    numbers,          ///< an array of finite numbers
+    table,            ///< a table with rows of its own
+    tables,           ///< an array of such tables
+    text_or_table,    ///< a string, or a table with rows of its own
+    options,          ///< a table of any keys with text, boolean or number values
 };
 
 /// What this version does with a key of the contract.
 enum class Availability {
     now,
-    only_zero,  ///< a weight that may stand there as 0
-    needs_cam,  ///< only together with a [cam] table
-    later,      ///< refused: UnavailableError
+    needs_cam,     ///< only together with a [cam] table
+    needs_forces,  ///< only together with a [forces] table
+    only_zero,     ///< a weight that may stand there as 0
 };
 
 /// One way to write a quantity: key = name + suffix, SI value = written value · factor.

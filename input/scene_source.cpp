@@ -44,6 +44,10 @@ std::optional<double> SceneSource::number(std::string_view table_path, std::stri
     return given ? std::optional(given->number()) : std::nullopt;
 }
 
+void SceneSource::read_number(std::string_view table_path, std::string_view quantity, double& target) const {
+    target = number(table_path, quantity).value_or(target);
+}
+
 void SceneSource::fail(const Place& place, std::string_view key, std::string_view what) const {
     throw InputError(error_prefix(name, place, key) + std::string(what));
 }
@@ -63,6 +67,13 @@ std::pair<std::string_view, std::optional<std::size_t>> split_index(std::string_
     return {part.substr(0, bracket), index};
 }
 
+/// Members of Scene that are called otherwise in the file ("return" is a word of C++), or may be.
+std::string_view other_name(std::string_view member) {
+    if (member == "return_angle") return "return";
+    if (member == "contact_force_min") return "contact_moment_min";
+    return member == "mass" ? "inertia" : member;
+}
+
 }  // namespace
 
 void SceneSource::fail_member(std::string_view member, std::string_view what) const {
@@ -74,8 +85,8 @@ void SceneSource::fail_member(std::string_view member, std::string_view what) co
         const std::size_t dot = rest.find('.');
         const auto [quantity, index] = split_index(rest.substr(0, dot));
         std::optional<Given> given;
-        // The one member of Scene that is not called as in the file: "return" is a word of C++.
-        if (node) given = find_in(*node, table_path, quantity == "return_angle" ? "return" : quantity);
+        if (node) given = find_in(*node, table_path, quantity);
+        if (node && !given) given = find_in(*node, table_path, other_name(quantity));
         key = joined_key(key, given ? std::string_view(given->member->name) : quantity);
         table_path = joined_key(table_path, quantity);
         node = given ? &given->value() : nullptr;

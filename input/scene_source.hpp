@@ -6,6 +6,7 @@
 #include "input/document.hpp"
 #include "input/scene_keys.hpp"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,23 @@ class SceneSource {
                                                       std::string_view quantity);
 
     [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
+
+    /// What is written replaces the target.
+    void read_number(std::string_view table_path, std::string_view quantity, double& target) const;
+    template <typename Integer>
+    void read_integer(std::string_view table_path, std::string_view quantity, Integer& target) const {
+        if (const auto given = find(table_path, quantity))
+            target = static_cast<Integer>(given->value().integer);
+    }
+    /// The value of `values` whose name_of is the text.
+    template <typename Choice>
+    void read_choice(std::string_view table_path, std::string_view quantity,
+                     std::initializer_list<Choice> values, Choice& target) const {
+        const auto given = find(table_path, quantity);
+        if (!given) return;
+        for (const Choice value : values)
+            if (given->value().text == name_of(value)) target = value;
+    }
 
     /// Throws InputError "PLACE: key: what".
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;

@@ -303,19 +303,16 @@ std::vector<BrokenScene> broken_combinations() {
          "angle_deg = 60\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found \"program\", which is not available yet in this version of camopt; "
-         "allowed: \"DRD\" or \"RR\"",
-         {},
-         true},
+         "s.toml:4:1: motion.segments: found no segment to optimise; allowed: at least one with kind = "
+         "\"spline\", its angle and, where it is wanted, the displacement `to` at its end"},
         {"program_key",
          "[motion]\n"
          "type = \"DRD\"\n"
          "closed = false\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:1: motion.closed: found this key; it is not available yet in this version of camopt",
-         {},
-         true},
+         "s.toml:3:1: motion.closed: found this key in a motion of type \"DRD\"; allowed: only in type "
+         "\"program\""},
         {"cam",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -323,15 +320,12 @@ std::vector<BrokenScene> broken_combinations() {
          "jerk = 1\n"
          "[cam]\n"
          "type = \"disk\"\n",
-         "s.toml:5:2: cam: found this key; it is not available yet in this version of camopt",
-         {},
-         true},
+         "s.toml:5:1: cam.follower: missing; allowed: \"translating_roller\", \"translating_flat\", "
+         "\"translating_knife\", \"oscillating_roller\" or \"oscillating_flat\""},
         {"cam_before_anything",
          "[cam]\n"
          "base_radius_mm = 40\n",
-         "s.toml:1:2: cam: found this key; it is not available yet in this version of camopt",
-         {},
-         true},
+         "s.toml:1:1: cam.type: missing; allowed: \"disk\""},
         {"knots_free",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -359,10 +353,8 @@ std::vector<BrokenScene> broken_combinations() {
          "[objective]\n"
          "jerk = 1\n"
          "base_radius = 1\n",
-         "s.toml:5:15: objective.base_radius: found 1; this term is not available yet in this version of "
-         "camopt; allowed: 0",
-         {},
-         true},
+         "s.toml:5:15: objective.base_radius: found 1 without a cam; allowed: 0, or a [cam] table with this "
+         "dimension"},
         {"torque_negative",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -377,10 +369,8 @@ std::vector<BrokenScene> broken_combinations() {
          "jerk = 1\n"
          "[limits]\n"
          "pressure_angle_deg = 30\n",
-         "s.toml:6:22: limits.pressure_angle_deg: found 30; needs a [cam] table, which is not available yet "
-         "in this version of camopt",
-         {},
-         true},
+         "s.toml:6:22: limits.pressure_angle_deg: found a limit of a cam without a cam; allowed: only "
+         "together with a [cam] table"},
         {"cam_radius",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -388,10 +378,8 @@ std::vector<BrokenScene> broken_combinations() {
          "jerk = 1\n"
          "[limits]\n"
          "cam_radius_min_in = 0.1\n",
-         "s.toml:6:21: limits.cam_radius_min_in: found 0.1; needs a [cam] table, which is not available yet "
-         "in this version of camopt",
-         {},
-         true},
+         "s.toml:6:21: limits.cam_radius_min_in: found a limit of a cam without a cam; allowed: only "
+         "together with a [cam] table"},
     };
 }
 

@@ -68,7 +68,7 @@ std::vector<BrokenScene> broken_files() {
          "rise_deg = 90\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: motion.type: missing; allowed: \"DRD\" or \"RR\""},
+         "s.toml:1:1: motion.type: missing; allowed: \"DRD\", \"RR\" or \"program\""},
         {"no_objective",
          "[motion]\n"
          "type = \"DRD\"\n",
@@ -79,7 +79,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "tie_break = \"none\"\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk > 0"},
+         "rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
         {"weights_zero",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -87,7 +87,7 @@ std::vector<BrokenScene> broken_files() {
          "velocity = 0\n"
          "jerk = 0.0\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk > 0"},
+         "rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
         {"via_without_at",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -101,8 +101,8 @@ std::vector<BrokenScene> broken_files() {
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, limits, "
-         "solver, cam; did you mean 'title'?"},
+         "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
+         "limits, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -145,8 +145,8 @@ std::vector<BrokenScene> broken_files() {
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, limits, "
-         "solver, cam; did you mean 'spline.degree'?"},
+         "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
+         "limits, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -162,7 +162,8 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerks = 1\n",
          "s.toml:4:1: objective.jerks: found an unknown key; allowed: velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk, torque, base_radius, reference, tie_break; did you mean 'jerk'?"},
+         "rms_acceleration, rms_jerk, torque, base_radius, roller_radius, offset, center_distance, "
+         "arm_length, face_offset, reference, tie_break; did you mean 'jerk'?"},
         {"unknown_reference",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -184,7 +185,9 @@ std::vector<BrokenScene> broken_files() {
          "jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, pressure_angle_deg, pressure_angle_rad, "
          "rise_pressure_angle_deg, rise_pressure_angle_rad, return_pressure_angle_deg, "
          "return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, cam_radius_min_m, "
-         "concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m; did you mean 'velocity_mm_s'?"},
+         "concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, undercut_margin, "
+         "contact_force_min_n, contact_moment_min_nm, torque_max_nm, hertz_pressure_max_mpa, "
+         "hertz_pressure_max_gpa, hertz_pressure_max_pa; did you mean 'velocity_mm_s'?"},
         {"unknown_solver",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -209,8 +212,8 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n"
          "[solvers]\n"
          "name = \"auto\"\n",
-         "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, limits, "
-         "solver, cam; did you mean 'solver'?"},
+         "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
+         "limits, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"
@@ -234,20 +237,20 @@ std::vector<BrokenScene> broken_files() {
          "type = 1\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found 1; allowed: \"DRD\" or \"RR\""},
+         "s.toml:2:8: motion.type: found 1; allowed: \"DRD\", \"RR\" or \"program\""},
         {"type_unknown",
          "[motion]\n"
          "type = \"drd\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\" or \"RR\""},
+         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\", \"RR\" or \"program\""},
         {"type_long",
          "[motion]\n"
          "type = \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\"\n"
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:2:8: motion.type: found \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…\"; "
-         "allowed: \"DRD\" or \"RR\""},
+         "allowed: \"DRD\", \"RR\" or \"program\""},
         {"lift_is_text",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -49,7 +49,7 @@ std::vector<BrokenScene> broken_overrides() {
          {"spline.degree=3.0"}},
         {"set_bare_word",
          plain_scene,
-         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\" or \"RR\"",
+         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\", \"RR\" or \"program\"",
          {"motion.type=rr"}},
         {"set_unknown_key",
          plain_scene,
@@ -59,7 +59,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_unknown_table",
          plain_scene,
          "--set splines.degree=3: splines: found an unknown key; allowed: title, motion, spline, objective, "
-         "limits, solver, cam; did you mean 'spline'?",
+         "cam, forces, limits, solver; did you mean 'spline'?",
          {"splines.degree=3"}},
         {"set_into_text",
          plain_scene,

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "input/cam_reader.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt::input {
+namespace {
+
+constexpr auto followers = {FollowerType::translating_roller, FollowerType::translating_flat,
+                            FollowerType::translating_knife, FollowerType::oscillating_roller,
+                            FollowerType::oscillating_flat};
+
+[[noreturn]] void refuse_key(const SceneSource& source, const Given& given, std::string_view what) {
+    source.fail(given.member->place, joined_key(given.row->table, given.member->name), what);
+}
+
+std::string followers_with(DimensionIndex index) {
+    std::string names;
+    for (const FollowerType follower : followers)
+        if (has_dimension(follower, index))
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", name_of(follower));
+    return names;
+}
+
+[[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, FollowerType follower,
+                                   std::string_view having) {
+    refuse_key(source, given,
+               fmt::format("found a dimension that the follower \"{}\" does not have; allowed: only with {}",
+                           name_of(follower), having));
+}
+
+[[noreturn]] void refuse_missing(const SceneSource& source, FollowerType follower, DimensionIndex index) {
+    for (const KeyRow& row : scene_keys())
+        if (row.table == "cam" && row.name == name_of(index))
+            source.fail(source.table("cam")->place, joined_key("cam", row.key(row.spellings.front())),
+                        fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(follower),
+                                    row.allowed(row.spellings.front())));
+    source.fail(source.table("cam")->place, joined_key("cam", name_of(index)), "missing");
+}
+
+/// What an oscillating follower has no default for.
+bool has_default(DimensionIndex index) {
+    return index == DimensionIndex::offset || index == DimensionIndex::face_offset;
+}
+
+Dimension read_dimension(const Given& given) {
+    const Node& value = given.value();
+    const double factor = given.spelling->factor;
+    Dimension dimension;
+    if (value.kind == NodeKind::table)
+        dimension = {value.find("min")->value.as_number() * factor,
+                     value.find("max")->value.as_number() * factor};
+    else
+        dimension = given.number();
+    dimension.key = joined_key("cam", given.member->name);
+    dimension.unit = factor;
+    return dimension;
+}
+
+/// Forces have units of N where the follower translates and of N m where it swings.
+void check_force_unit(const SceneSource& source, std::string_view table, std::string_view quantity,
+                      bool oscillating) {
+    const auto given = source.find(table, quantity);
+    if (!given) return;
+    const std::string_view unit = given->spelling->unit;
+    const bool fits_oscillating = unit.starts_with("N m") || unit == "kg m^2";
+    if (fits_oscillating == oscillating) return;
+    std::string allowed;
+    for (const KeyRow& row : scene_keys()) {
+        if (row.table != table ||
+            (row.name != quantity && row.instead_of != quantity && given->row->instead_of != row.name))
+            continue;
+        for (const Spelling& spelling : row.spellings)
+            if ((spelling.unit.starts_with("N m") || spelling.unit == "kg m^2") == oscillating)
+                allowed += (allowed.empty() ? "" : " or ") + row.key(spelling);
+    }
+    refuse_key(source, *given,
+               fmt::format("found {} where the follower {}; allowed: {}", unit,
+                           oscillating ? "oscillates" : "translates", allowed));
+}
+
+std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name) {
+    const auto given = source.find("limits", name);
+    if (!given) return std::nullopt;
+    return WrittenLimit{.value = given->number(),
+                        .key = joined_key("limits", given->member->name),
+                        .unit_value = given->spelling->factor,
+                        .unit = std::string(given->spelling->unit)};
+}
+
+}  // namespace
+
+std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion) {
+    const Node* table = source.table("cam");
+    if (!table) return std::nullopt;
+    CamSpec cam;
+    source.read_choice("cam", "follower", followers, cam.follower);
+    source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);
+    if (is_oscillating(cam.follower) != motion.lift_is_angle)
+        source.fail_member(
+            "cam.follower",
+            fmt::format("found \"{}\" where the lift is {}", name_of(cam.follower),
+                        motion.lift_is_angle
+                            ? "an angle; allowed: an oscillating follower, or motion.lift_mm, "
+                              "motion.lift_in or motion.lift_m"
+                            : "a length; allowed: a translating follower, or motion.lift_deg or "
+                              "motion.lift_rad"));
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        const bool owned = has_dimension(cam.follower, index);
+        const auto given = source.find("cam", name_of(index));
+        if (given && !owned) refuse_dimension(source, *given, cam.follower, followers_with(index));
+        if (!given && owned && !has_default(index)) refuse_missing(source, cam.follower, index);
+        if (given) cam[index] = read_dimension(*given);
+    }
+    if (const auto width = source.find("cam", "face_half_width")) {
+        if (cam.follower != FollowerType::translating_flat)
+            refuse_dimension(source, *width, cam.follower, "\"translating_flat\"");
+        cam.face_half_width = width->number();
+    }
+    return cam;
+}
+
+std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene) {
+    const Node* table = source.table("forces");
+    if (!table) return std::nullopt;
+    ForceSpec forces;
+    if (scene.cam)
+        for (const char* quantity : {"mass", "inertia", "spring_rate", "preload"})
+            check_force_unit(source, "forces", quantity, is_oscillating(scene.cam->follower));
+    source.read_number("forces", "mass", forces.mass);
+    source.read_number("forces", "inertia", forces.mass);
+    source.read_number("forces", "spring_rate", forces.spring_rate);
+    source.read_number("forces", "preload", forces.preload);
+    forces.contact_width = source.number("forces", "contact_width");
+    source.read_number("forces", "cam_modulus", forces.cam_modulus);
+    source.read_number("forces", "follower_modulus", forces.follower_modulus);
+    source.read_number("forces", "cam_poisson", forces.cam_poisson);
+    source.read_number("forces", "follower_poisson", forces.follower_poisson);
+    return forces;
+}
+
+void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {
+    if (scene.cam)
+        for (const char* quantity : {"contact_force_min", "contact_moment_min"})
+            check_force_unit(source, "limits", quantity, is_oscillating(scene.cam->follower));
+    limits.pressure_angle = read_limit(source, "pressure_angle");
+    limits.rise_pressure_angle = read_limit(source, "rise_pressure_angle");
+    limits.return_pressure_angle = read_limit(source, "return_pressure_angle");
+    limits.cam_radius_min = read_limit(source, "cam_radius_min");
+    limits.concave_radius_min = read_limit(source, "concave_radius_min");
+    limits.undercut_margin = read_limit(source, "undercut_margin");
+    limits.contact_force_min = read_limit(source, "contact_force_min");
+    if (!limits.contact_force_min) limits.contact_force_min = read_limit(source, "contact_moment_min");
+    limits.torque_max = read_limit(source, "torque_max");
+    limits.hertz_pressure_max = read_limit(source, "hertz_pressure_max");
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// [cam], [forces] and the limits on them, of a checked scene file. Errors: InputError for dimensions the
+// follower does not have or misses, units of a translating follower on an oscillating one. Internal to
+// input/.
+#pragma once
+
+#include "core/scene.hpp"
+#include "input/scene_source.hpp"
+
+namespace camopt::input {
+
+[[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion);
+
+[[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
+
+/// Adds to the limits on the peaks.
+void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits);
+
+}  // namespace camopt::input

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The units in which quantities may be written, and the ranges several keys share. Internal to input/.
+#pragma once
+
+#include "core/units.hpp"
+#include "input/scene_keys.hpp"
+
+namespace camopt::input::spellings {
+
+inline constexpr Spelling plain[] = {{"", "", 1.0}};
+inline constexpr Spelling length[] = {
+    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch}, {"_m", "m", 1.0}};
+inline constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
+inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
+                                    {"_in", "in", units::inch},
+                                    {"_m", "m", 1.0},
+                                    {"_deg", "deg", units::degree},
+                                    {"_rad", "rad", 1.0}};
+inline constexpr Spelling displacement[] = {
+    {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
+    {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
+inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
+inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}};
+inline constexpr Spelling inertia[] = {{"_kg_m2", "kg m^2", 1.0}};
+inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
+                                           {"_n_m", "N/m", 1.0},
+                                           {"_nm_rad", "N m/rad", 1.0},
+                                           {"_nm_deg", "N m/deg", 1.0 / units::degree}};
+inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
+inline constexpr Spelling force[] = {{"_n", "N", 1.0}};
+inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0}};
+inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
+inline constexpr Spelling pressure[] = {{"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}};
+
+inline const Range any = {};
+inline const Range positive = Range::above(0.0);
+inline const Range not_negative = Range::at_least(0.0);
+
+}  // namespace camopt::input::spellings
+
+namespace camopt::input {
+
+/// Rows of [cam], [forces] and of what [objective] and [limits] say about a cam.
+[[nodiscard]] std::vector<KeyRow> cam_rows();
+[[nodiscard]] std::vector<KeyRow> force_rows();
+[[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
+[[nodiscard]] std::vector<KeyRow> cam_limit_rows();
+
+}  // namespace camopt::input

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// [motion] of a checked scene file → MotionSpec. Errors: InputError for keys that do not fit the type of the
+// motion, unknown laws, units that do not fit the lift. Internal to input/.
+#pragma once
+
+#include "core/scene.hpp"
+#include "input/scene_source.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt::input {
+
+[[nodiscard]] MotionSpec read_motion(const SceneSource& source, const std::vector<std::string>& laws);
+
+}  // namespace camopt::input

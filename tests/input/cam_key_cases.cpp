@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "tests/input/scene_key_cases.hpp"
+
+#include <numbers>
+
+namespace camopt::input {
+namespace {
+
+using enum DimensionIndex;
+
+constexpr double pi = std::numbers::pi;
+
+/// A scene's cam, without one of its quantities.
+std::string cam(FollowerType follower, const std::string& except = "") {
+    std::string toml = is_oscillating(follower) ? "motion.lift_deg = 20\n" : "motion.lift_mm = 20\n";
+    const auto add = [&](const std::string& quantity, const std::string& line) {
+        if (quantity != except) toml += "cam." + line + "\n";
+    };
+    add("type", "type = \"disk\"");
+    add("follower", "follower = \"" + std::string(name_of(follower)) + "\"");
+    add("base_radius", "base_radius_mm = 40");
+    if (has_roller(follower)) add("roller_radius", "roller_radius_mm = 10");
+    if (is_oscillating(follower)) add("center_distance", "center_distance_mm = 80");
+    if (has_dimension(follower, arm_length)) add("arm_length", "arm_length_mm = 70");
+    return toml;
+}
+
+std::string forces(FollowerType follower) {
+    return cam(follower) + "motion.speed_rpm = 300\n";
+}
+
+std::function<double(const Scene&)> low(DimensionIndex index) {
+    return [index](const Scene& s) { return s.cam.value()[index].low; };
+}
+
+std::function<double(const Scene&)> high(DimensionIndex index) {
+    return [index](const Scene& s) { return s.cam.value()[index].high; };
+}
+
+std::function<double(const Scene&)> of_forces(double ForceSpec::*member) {
+    return [member](const Scene& s) { return s.forces.value().*member; };
+}
+
+std::function<double(const Scene&)> of_limit(std::optional<WrittenLimit> LimitSpec::*limit) {
+    return [limit](const Scene& s) { return (s.limits.*limit).value().value; };
+}
+
+constexpr auto roller = FollowerType::translating_roller;
+constexpr auto knife = FollowerType::translating_knife;
+constexpr auto flat = FollowerType::translating_flat;
+constexpr auto arm = FollowerType::oscillating_roller;
+constexpr auto face = FollowerType::oscillating_flat;
+
+}  // namespace
+
+std::vector<KeyCase> segment_cases() {
+    const std::string program = "motion.type = \"program\"\nmotion.closed = false\n";
+    const std::string length = program + "motion.lift_mm = 20\n";
+    const std::string angle = program + "motion.lift_rad = 0.5\n";
+    const auto to = [](const Scene& s) { return s.motion.segments.at(0).to.value(); };
+    const auto first_angle = [](const Scene& s) { return s.motion.segments.at(0).angle; };
+    return {
+        {"motion.type", "\"program\"", 1,
+         [](const Scene& s) { return s.motion.type == MotionType::program ? 1.0 : 0.0; },
+         "motion.segments = [{ kind = \"spline\", angle_deg = 360 }]\n"},
+        {"motion.segments", "[{ kind = \"dwell\", angle_deg = 300 }, { kind = \"spline\", angle_deg = 60 }]",
+         2, [](const Scene& s) { return double(s.motion.segments.size()); }, "motion.type = \"program\"\n"},
+        {"motion.closed", "false", 0, [](const Scene& s) { return s.motion.closed ? 1.0 : 0.0; },
+         "motion.type = \"program\"\nmotion.segments = [{ kind = \"spline\", angle_deg = 36, to = 1 }]\n"},
+        {"motion.segments.kind", "\"dwell\"", 1,
+         [](const Scene& s) { return s.motion.segments.at(0).kind == SegmentKind::dwell ? 1.0 : 0.0; },
+         program},
+        {"motion.segments.kind", "\"spline\"", 1,
+         [](const Scene& s) { return s.motion.segments.at(0).kind == SegmentKind::spline ? 1.0 : 0.0; },
+         program},
+        {"motion.segments.law", "\"cycloidal\"", 1,
+         [](const Scene& s) { return s.motion.segments.at(0).law == "cycloidal" ? 1.0 : 0.0; }, program},
+        {"motion.segments.angle_deg", "90", pi / 2, first_angle, program},
+        {"motion.segments.angle_rad", "0.25", 0.25, first_angle, program},
+        {"motion.segments.to", "-0.5", -0.5, to, program},
+        {"motion.segments.to_mm", "5", 0.25, to, length},
+        {"motion.segments.to_in", "1", 1.27, to, length},
+        {"motion.segments.to_m", "0.01", 0.5, to, length},
+        {"motion.segments.to_deg", "45", pi / 2, to, angle},
+        {"motion.segments.to_rad", "0.5", 1, to, angle},
+    };
+}
+
+std::vector<KeyCase> cam_cases() {
+    const auto width = [](const Scene& s) { return s.cam.value().face_half_width.value(); };
+    return {
+        {"cam.type", "\"disk\"", 1, [](const Scene& s) { return s.cam ? 1.0 : 0.0; }, cam(roller, "type")},
+        {"cam.follower", "\"translating_knife\"", 1,
+         [](const Scene& s) { return s.cam.value().follower == FollowerType::translating_knife ? 1.0 : 0.0; },
+         cam(knife, "follower")},
+        {"cam.rotation", "\"clockwise\"", 1,
+         [](const Scene& s) { return s.cam.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },
+         cam(roller)},
+        {"cam.base_radius_mm", "40", 0.04, low(base_radius), cam(roller, "base_radius")},
+        {"cam.base_radius_mm", "40", 0.04, high(base_radius), cam(roller, "base_radius")},
+        {"cam.base_radius_mm", "{ min = 20, max = 60 }", 0.02, low(base_radius), cam(roller, "base_radius")},
+        {"cam.base_radius_mm", "{ min = 20, max = 60 }", 0.06, high(base_radius), cam(roller, "base_radius")},
+        {"cam.base_radius_in", "{ max = 3.0, min = 2 }", 0.0508, low(base_radius),
+         cam(roller, "base_radius")},
+        {"cam.base_radius_in", "{ max = 3.0, min = 2 }", 0.0254,
+         [](const Scene& s) { return s.cam.value()[base_radius].unit; }, cam(roller, "base_radius")},
+        {"cam.base_radius_m", "0.05", 0.05, low(base_radius), cam(arm, "base_radius")},
+        {"cam.roller_radius_mm", "8", 0.008, low(roller_radius), cam(roller, "roller_radius")},
+        {"cam.roller_radius_in", "0.5", 0.0127, low(roller_radius), cam(arm, "roller_radius")},
+        {"cam.roller_radius_m", "0.01", 0.01, low(roller_radius), cam(roller, "roller_radius")},
+        {"cam.offset_mm", "-12", -0.012, low(offset), cam(roller)},
+        {"cam.offset_in", "{ min = -1, max = 1 }", -0.0254, low(offset), cam(knife)},
+        {"cam.offset_m", "0", 0, high(offset), cam(roller)},
+        {"cam.center_distance_mm", "90", 0.09, low(center_distance), cam(arm, "center_distance")},
+        {"cam.center_distance_in", "4", 0.1016, low(center_distance), cam(face, "center_distance")},
+        {"cam.center_distance_m", "{ min = 0.08, max = 0.1 }", 0.1, high(center_distance),
+         cam(arm, "center_distance")},
+        {"cam.arm_length_mm", "75", 0.075, low(arm_length), cam(arm, "arm_length")},
+        {"cam.arm_length_in", "3", 0.0762, low(arm_length), cam(arm, "arm_length")},
+        {"cam.arm_length_m", "0.06", 0.06, low(arm_length), cam(arm, "arm_length")},
+        {"cam.face_offset_mm", "-5", -0.005, low(face_offset), cam(face)},
+        {"cam.face_offset_in", "0.5", 0.0127, low(face_offset), cam(face)},
+        {"cam.face_offset_m", "{ min = 0, max = 0.01 }", 0.01, high(face_offset), cam(face)},
+        {"cam.face_half_width_mm", "30", 0.03, width, cam(flat)},
+        {"cam.face_half_width_in", "1", 0.0254, width, cam(flat)},
+        {"cam.face_half_width_m", "0.02", 0.02, width, cam(flat)},
+    };
+}
+
+std::vector<KeyCase> force_cases() {
+    const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
+    return {
+        {"forces.mass_kg", "1.5", 1.5, of_forces(&ForceSpec::mass), forces(roller)},
+        {"forces.inertia_kg_m2", "0.01", 0.01, of_forces(&ForceSpec::mass), forces(arm)},
+        {"forces.spring_rate_n_mm", "12", 12000, of_forces(&ForceSpec::spring_rate), forces(flat)},
+        {"forces.spring_rate_n_m", "12", 12, of_forces(&ForceSpec::spring_rate), forces(knife)},
+        {"forces.spring_rate_nm_rad", "5", 5, of_forces(&ForceSpec::spring_rate), forces(face)},
+        {"forces.spring_rate_nm_deg", "5", 900 / pi, of_forces(&ForceSpec::spring_rate), forces(arm)},
+        {"forces.preload_n", "-20", -20, of_forces(&ForceSpec::preload), forces(roller)},
+        {"forces.preload_nm", "2", 2, of_forces(&ForceSpec::preload), forces(arm)},
+        {"forces.contact_width_mm", "10", 0.01, width, forces(roller)},
+        {"forces.contact_width_in", "0.5", 0.0127, width, forces(roller)},
+        {"forces.contact_width_m", "0.02", 0.02, width, forces(roller)},
+        {"forces.cam_modulus_gpa", "200", 200e9, of_forces(&ForceSpec::cam_modulus), forces(roller)},
+        {"forces.cam_modulus_mpa", "200", 200e6, of_forces(&ForceSpec::cam_modulus), forces(roller)},
+        {"forces.cam_modulus_pa", "2e11", 2e11, of_forces(&ForceSpec::cam_modulus), forces(roller)},
+        {"forces.follower_modulus_gpa", "100", 100e9, of_forces(&ForceSpec::follower_modulus),
+         forces(roller)},
+        {"forces.follower_modulus_mpa", "1e5", 1e11, of_forces(&ForceSpec::follower_modulus), forces(roller)},
+        {"forces.follower_modulus_pa", "1e11", 1e11, of_forces(&ForceSpec::follower_modulus), forces(roller)},
+        {"forces.cam_poisson", "0.25", 0.25, of_forces(&ForceSpec::cam_poisson), forces(roller)},
+        {"forces.follower_poisson", "0", 0, of_forces(&ForceSpec::follower_poisson), forces(roller)},
+    };
+}
+
+std::vector<KeyCase> dimension_weight_cases() {
+    const auto weight = [](DimensionIndex index) {
+        return [index](const Scene& s) { return s.objective.dimensions.at(static_cast<std::size_t>(index)); };
+    };
+    return {
+        {"objective.base_radius", "0.1", 0.1, weight(base_radius), cam(flat)},
+        {"objective.roller_radius", "0.2", 0.2, weight(roller_radius), cam(roller)},
+        {"objective.offset", "0.3", 0.3, weight(offset), cam(knife)},
+        {"objective.center_distance", "0.4", 0.4, weight(center_distance), cam(arm)},
+        {"objective.arm_length", "0.5", 0.5, weight(arm_length), cam(arm)},
+        {"objective.face_offset", "0.6", 0.6, weight(face_offset), cam(face)},
+    };
+}
+
+std::vector<KeyCase> cam_limit_cases() {
+    const std::string width = forces(roller) + "forces.contact_width_mm = 10\n";
+    const std::string mass = forces(roller) + "forces.mass_kg = 1\n";
+    const std::string inertia = forces(arm) + "forces.inertia_kg_m2 = 1\n";
+    return {
+        {"limits.pressure_angle_deg", "30", pi / 6, of_limit(&LimitSpec::pressure_angle), cam(roller)},
+        {"limits.pressure_angle_rad", "0.5", 0.5, of_limit(&LimitSpec::pressure_angle), cam(flat)},
+        {"limits.rise_pressure_angle_deg", "45", pi / 4, of_limit(&LimitSpec::rise_pressure_angle), cam(arm)},
+        {"limits.rise_pressure_angle_rad", "1", 1, of_limit(&LimitSpec::rise_pressure_angle), cam(arm)},
+        {"limits.return_pressure_angle_deg", "45", pi / 4, of_limit(&LimitSpec::return_pressure_angle),
+         cam(face)},
+        {"limits.return_pressure_angle_rad", "1", 1, of_limit(&LimitSpec::return_pressure_angle), cam(face)},
+        {"limits.cam_radius_min_mm", "2", 0.002, of_limit(&LimitSpec::cam_radius_min), cam(roller)},
+        {"limits.cam_radius_min_in", "0.5", 0.0127, of_limit(&LimitSpec::cam_radius_min), cam(flat)},
+        {"limits.cam_radius_min_m", "0", 0, of_limit(&LimitSpec::cam_radius_min), cam(face)},
+        {"limits.concave_radius_min_mm", "12", 0.012, of_limit(&LimitSpec::concave_radius_min), cam(roller)},
+        {"limits.concave_radius_min_in", "1", 0.0254, of_limit(&LimitSpec::concave_radius_min), cam(arm)},
+        {"limits.concave_radius_min_m", "0.05", 0.05, of_limit(&LimitSpec::concave_radius_min), cam(knife)},
+        {"limits.undercut_margin", "0.2", 0.2, of_limit(&LimitSpec::undercut_margin), cam(flat)},
+        {"limits.contact_force_min_n", "10", 10, of_limit(&LimitSpec::contact_force_min), mass},
+        {"limits.contact_moment_min_nm", "0.5", 0.5, of_limit(&LimitSpec::contact_force_min), inertia},
+        {"limits.torque_max_nm", "25", 25, of_limit(&LimitSpec::torque_max), mass},
+        {"limits.hertz_pressure_max_mpa", "1200", 1.2e9, of_limit(&LimitSpec::hertz_pressure_max), width},
+        {"limits.hertz_pressure_max_gpa", "1.2", 1.2e9, of_limit(&LimitSpec::hertz_pressure_max), width},
+        {"limits.hertz_pressure_max_pa", "1.2e9", 1.2e9, of_limit(&LimitSpec::hertz_pressure_max), width},
+    };
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Every key of a scene file in every unit, with the value that must arrive in the Scene.
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace camopt::input {
+
+struct KeyCase {
+    std::string key;    ///< "motion.lift_mm"
+    std::string value;  ///< TOML
+    double expected;    ///< in the unit of the Scene
+    std::function<double(const Scene&)> got;
+    std::string rest = {};  ///< what the key needs beside it
+};
+
+std::vector<KeyCase> motion_cases();
+std::vector<KeyCase> segment_cases();
+std::vector<KeyCase> spline_cases();
+std::vector<KeyCase> objective_cases();
+std::vector<KeyCase> cam_cases();
+std::vector<KeyCase> force_cases();
+std::vector<KeyCase> dimension_weight_cases();
+std::vector<KeyCase> limit_cases();
+std::vector<KeyCase> cam_limit_cases();
+std::vector<KeyCase> solver_cases();
+
+}  // namespace camopt::input
