@@ -2,7 +2,9 @@
 #include "motions/law_catalogue.hpp"
 
 #include "core/errors.hpp"
+#include "motions/asymmetric_law.hpp"
 #include "motions/harmonic_law.hpp"
+#include "motions/one_dwell_laws.hpp"
 #include "motions/polynomial_law.hpp"
 
 #include <fmt/format.h>
@@ -158,10 +160,45 @@ std::unique_ptr<Law> modified_trapezoid() {
     return make_modified_trapezoid(0.125);
 }
 
-constexpr std::array kMakers{&parabolic,       &simple_harmonic,  &cycloidal,        &polynomial_345,
-                             &polynomial_4567, &polynomial_56789, &modified_sine,    &modified_trapezoid,
-                             &mcv_50,          &mcv_33,           &mcv_20,           &cycloidal_cv50,
-                             &gutman_13,       &freudenstein_13,  &freudenstein_135, &double_harmonic};
+std::unique_ptr<Law> one_dwell_modified_sine() {
+    return make_one_dwell_modified_sine(0.125);
+}
+
+std::unique_ptr<Law> one_dwell_modified_trapezoid() {
+    return make_one_dwell_modified_trapezoid(0.125);
+}
+
+template <auto Maker>
+std::unique_ptr<Law> asymmetric() {
+    return make_asymmetric(Maker(), kCatalogueSplit);
+}
+
+constexpr std::array kMakers{&parabolic,
+                             &simple_harmonic,
+                             &cycloidal,
+                             &polynomial_345,
+                             &polynomial_4567,
+                             &polynomial_56789,
+                             &modified_sine,
+                             &modified_trapezoid,
+                             &mcv_50,
+                             &mcv_33,
+                             &mcv_20,
+                             &cycloidal_cv50,
+                             &gutman_13,
+                             &freudenstein_13,
+                             &freudenstein_135,
+                             &double_harmonic,
+                             &asymmetric<&parabolic>,
+                             &asymmetric<&cycloidal>,
+                             &asymmetric<&polynomial_345>,
+                             &asymmetric<&modified_sine>,
+                             &asymmetric<&modified_trapezoid>,
+                             &one_dwell_modified_sine,
+                             &one_dwell_modified_trapezoid,
+                             &make_one_dwell_cycloidal,
+                             &make_one_dwell_polynomial_345,
+                             &make_one_dwell_polynomial_3456};
 
 std::vector<LawInfo> collect() {
     std::vector<LawInfo> infos;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The catalogue of the classical laws and the factories of those with a free shape parameter.
 //
-// Parameters are in units of the rise (x). Errors: InputError naming what was found and what is allowed.
-// Sources: H. A. Rothbart, Cams (1956); R. L. Norton, Cam Design and Manufacturing Handbook; VDI 2143; the
-// single laws name theirs in LawInfo::source. Definitions are in law_catalogue.cpp, one function a law.
+// Those with unequal parts are made by motions/asymmetric_law.hpp, the one-dwell laws by
+// motions/one_dwell_laws.hpp. Parameters are in units of the rise (x). Errors: InputError naming what was
+// found and what is allowed. Sources: H. A. Rothbart, Cams (1956); R. L. Norton, Cam Design and Manufacturing
+// Handbook; VDI 2143; the single laws name theirs in LawInfo::source. Definitions are in law_catalogue.cpp,
+// one function a law.
 #pragma once
 
 #include "motions/law.hpp"
@@ -16,6 +18,10 @@ namespace camopt {
 
 /// Narrower pieces than this cannot be told from jumps in double precision; parameters keep this distance.
 inline constexpr double kNarrowestPiece = 1e-9;
+/// The share of the acceleration part in the asymmetric laws of the catalogue: a softer, longer
+/// deceleration, as the return spring has to supply it. A choice of this catalogue; other splits by
+/// make_asymmetric.
+inline constexpr double kCatalogueSplit = 0.4;
 
 /// Every law that make_law knows, with the parameters it gives them.
 [[nodiscard]] std::span<const LawInfo> law_catalogue();
