@@ -20,7 +20,7 @@ struct MotionScale {
 
 /// Points either by number or by chord tolerance; the motion's breakpoints are always among them.
 struct ProfileSampling {
-    std::optional<int> count;       ///< about this many, evenly by cam angle, breakpoints besides
+    std::optional<int> count = {};  ///< about this many, evenly by cam angle, breakpoints besides
     double chord_tolerance = 1e-6;  ///< m: the polyline stays this close to the cam; used without a count
 };
 
