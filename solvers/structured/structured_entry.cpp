@@ -12,19 +12,21 @@ SolverEntry structured_entry() {
     SolverEntry entry;
     entry.name = "structured";
     entry.method =
-        "primal-dual interior point, sparse quasi-definite factorization, for convex problems with linear "
-        "rows";
+        "primal-dual interior point, sparse quasi-definite factorization; around it a trust-region method of "
+        "quadratic programs for nonlinear rows";
     entry.available = true;
     entry.version =
         fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
     entry.gives_multipliers = true;
-    entry.needs_convex = true;
     entry.options = {
         integer_option("max_iterations", "200", {1.0, 1e9}, "iterations, the elastic phase apart"),
         number_option("regularisation", "1e-9", {1e-14, 1e-3}, "diagonal shift of the scaled Newton matrix"),
         integer_option("correctors", "2", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
         integer_option("patience", "12", {2.0, 1e9},
                        "iterations without a better point before the search ends"),
+        integer_option("max_passes", "200", {1.0, 1e9}, "nonlinear rows: linearizations, at most"),
+        number_option("first_radius", "1", {1e-8, 1e8},
+                      "nonlinear rows: how far the first linearization is trusted, relative to max(1, |x|)"),
     };
     return entry;
 }

@@ -31,6 +31,8 @@ void StructuredOptions::validate() const {
     require(regularisation >= 1e-14 && regularisation <= 1e-3, "regularisation", "1e-14 … 1e-3");
     require(correctors >= 0 && correctors <= 10, "correctors", "0 … 10");
     require(patience >= 2, "patience", ">= 2");
+    require(max_passes >= 1, "max_passes", ">= 1");
+    require(first_radius >= 1e-8 && first_radius <= 1e8, "first_radius", "1e-8 … 1e8");
 }
 
 StructuredOptions structured_options(const std::map<std::string, OptionValue>& native) {
@@ -44,11 +46,15 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
             options.correctors = integer(name, value);
         else if (name == "patience")
             options.patience = integer(name, value);
+        else if (name == "max_passes")
+            options.max_passes = integer(name, value);
+        else if (name == "first_radius")
+            options.first_radius = number(name, value);
         else
-            throw InputError(
-                fmt::format("structured has no option \"{}\"; allowed: correctors, max_iterations, patience, "
-                            "regularisation",
-                            name));
+            throw InputError(fmt::format(
+                "structured has no option \"{}\"; allowed: correctors, first_radius, max_iterations, "
+                "max_passes, patience, regularisation",
+                name));
     }
     options.validate();
     return options;

@@ -4,6 +4,8 @@
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/infeasibility.hpp"
+#include "solvers/structured/run_limits.hpp"
+#include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/standard_form.hpp"
 
 #include <fmt/core.h>
@@ -20,7 +22,6 @@ using structured::InteriorPointResult;
 using structured::StandardForm;
 using structured::Stop;
 
-constexpr double aim = 0.1;           // of the tolerance: what is asked for is then met with room
 constexpr double acceptable = 100.0;  // times the tolerance
 constexpr double elastic_tolerance = 1e-13;
 constexpr double least_proof = 1e-11;  // scaled common violation below which double precision proves nothing
@@ -58,15 +59,7 @@ class StructuredRun {
           control_(control),
           tolerance_(options.tolerance),
           form_(problem, start) {
-        const StructuredOptions own = structured_options(options.native);
-        limits_.tolerance = aim * options.tolerance;
-        limits_.max_iterations = std::min(own.max_iterations, options.max_iterations);
-        limits_.patience = own.patience;
-        limits_.shift = own.regularisation;
-        limits_.correctors = own.correctors;
-        const auto budget = std::chrono::duration<double>(std::min(options.max_seconds, 1e8));
-        limits_.deadline = std::chrono::steady_clock::now() +
-                           std::chrono::duration_cast<std::chrono::steady_clock::duration>(budget);
+        limits_ = structured::interior_point_limits(options, structured_options(options.native));
     }
 
     BackendResult run();
@@ -213,14 +206,8 @@ class StructuredSolver final : public Solver {
         check_backend_input(entry, problem, start, options);
         const bool linear =
             std::all_of(shape.rows.begin(), shape.rows.end(), [](const RowKind& row) { return row.linear; });
-        if (!shape.convex || !linear) {
-            BackendResult result;
-            result.termination = Termination::unsupported;
-            result.native_status =
-                linear ? "the problem is not known to be convex" : "a constraint row is not linear";
-            result.x = start;
-            return result;
-        }
+        if (!shape.convex || !linear)
+            return structured::sequential_minimize(problem, start, options, control);
         return StructuredRun(problem, start, options, control).run();
     }
 };

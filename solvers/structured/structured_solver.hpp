@@ -38,10 +38,16 @@ struct StructuredOptions {
     int correctors = 2;
     /// Iterations without a better point before the search ends with the best one. >= 2.
     int patience = 12;
+    /// Of problems with nonlinear rows, or not known to be convex: linearizations at most; iterations of
+    /// BackendOptions count these. >= 1.
+    int max_passes = 200;
+    /// How far the first linearization is trusted, in units of a variable, or of its value where that is
+    /// larger; in [1e-8, 1e8]. Smaller where first steps are rejected.
+    double first_radius = 1.0;
     void validate() const;  ///< throws InputError
 };
 
-/// Reads "max_iterations", "regularisation", "correctors" and "patience". Throws InputError for an unknown
+/// Reads the members by name. Throws InputError for an unknown
 /// name, a value of the wrong kind or out of range.
 [[nodiscard]] StructuredOptions structured_options(const std::map<std::string, OptionValue>& native);
 

@@ -234,16 +234,26 @@ TEST(StructuredBasic, NamesUnboundedProblems) {
     EXPECT_EQ(solve(QuadraticNlp(free)).termination, Termination::unbounded);
 }
 
-TEST(StructuredBasic, RefusesWhatItCannotTake) {
+TEST(StructuredBasic, TakesRowsAndCostsThatAreOnlyCalledDifficult) {
+    // x² − 2 x with −1 <= x <= 3 as a row: the flags alone choose the sequential method.
     QuadraticData data(1, 1);
+    data.hessian.insert(0, 0) = 2.0;
+    data.cost << -2.0;
     data.rows.insert(0, 0) = 1.0;
+    data.lower << -1.0;
+    data.upper << 3.0;
     QuadraticNlp nonlinear(data);
     nonlinear.mutable_shape().rows[0].linear = false;
-    EXPECT_EQ(solve(nonlinear).termination, Termination::unsupported);
-    EXPECT_FALSE(solve(nonlinear).native_status.empty());
+    expect_optimal(nonlinear, solve(nonlinear), tolerance);
     QuadraticNlp concave(data);
     concave.mutable_shape().convex = false;
-    EXPECT_EQ(solve(concave).termination, Termination::unsupported);
+    const BackendResult result = solve(concave);
+    expect_optimal(concave, result, tolerance);
+    EXPECT_NEAR(result.x[0], 1.0, 1e-8);
+}
+
+TEST(StructuredBasic, RefusesAStartOfTheWrongSize) {
+    const QuadraticData data(1, 1);
     EXPECT_THROW(
         static_cast<void>(make_structured_solver()->minimize(QuadraticNlp(data), Eigen::VectorXd(3), {}, {})),
         InputError);

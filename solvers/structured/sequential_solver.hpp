@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Internal to solvers/structured/: problems with nonlinear rows, or not known to be convex.
+//
+// Each pass linearizes the nonlinear rows at the newest point x and solves, by the interior point for linear
+// rows,   min ∇fᵀd + ½ dᵀHd + ν t   over steps d in a trust region, linear rows kept, nonlinear ones relaxed
+// by t w_i (step problem of linearized_problem.hpp; t is left out as soon as the rows can do without). H is
+// the Lagrangian's Hessian, convexified. The step is judged by the merit f + ν max_i violation_i / w_i; where
+// the curvature of the rows spoils a good step, they are linearized once more with their values at its end
+// (second-order correction).
+// Convex: tangents are cuts, so contradicting tangents prove that there is no feasible point.
+// Sources: Fletcher, Practical Methods of Optimization (1987), section 14.4 (S l1 QP); Conn, Gould, Toint,
+// Trust-Region Methods (2000), chapter 15.
+#pragma once
+
+#include "solvers/solver.hpp"
+
+namespace camopt::structured {
+
+[[nodiscard]] BackendResult sequential_minimize(const Nlp& problem, const Eigen::VectorXd& start,
+                                                const BackendOptions& options, const SolveControl& control);
+
+}  // namespace camopt::structured
