@@ -33,9 +33,9 @@ Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
     const std::string member = fmt::format("cam.{}", name_of(index));
     if (!has_dimension(cam.follower, index)) {
         if (dimension.low == 0.0 && dimension.high == 0.0) return std::nullopt;
-        return SceneFault{member,
-                          fmt::format("a dimension that a \"{}\" does not have", name_of(cam.follower)),
-                          "only with the followers " + followers_with(index)};
+        return SceneFault{
+            member, fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
+            "only with the followers " + followers_with(index)};
     }
     const Range range = is_offset(index) ? Range{} : Range::above(0.0);
     for (const double value : {dimension.low, dimension.high})
@@ -49,9 +49,10 @@ Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
 Fault face_fault(const CamSpec& cam) {
     if (!cam.face_half_width) return std::nullopt;
     if (cam.follower != FollowerType::translating_flat)
-        return SceneFault{"cam.face_half_width",
-                          fmt::format("a dimension that a \"{}\" does not have", name_of(cam.follower)),
-                          "only with the follower \"translating_flat\""};
+        return SceneFault{
+            "cam.face_half_width",
+            fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
+            "only with the follower \"translating_flat\""};
     const Range range = Range::above(0.0);
     if (!range.contains(*cam.face_half_width))
         return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether any cam within the ranges of its dimensions can be built at rest. With p = base + roller radius:
 //   translating roller, knife: |offset| < p            oscillating roller: |a − l| < p < a + l
-//   oscillating flat: base + face offset <= a          (a centre distance, l arm length)
+//   oscillating flat: |base + face offset| < a         (a centre distance, l arm length)
 #include "core/scene_faults.hpp"
 
 #include <fmt/format.h>
@@ -65,12 +65,15 @@ Fault arm_fault(const CamSpec& cam) {
 
 Fault face_fault(const CamSpec& cam) {
     const Dimension& base = cam[base_radius];
-    const double smallest = base.low + cam[face_offset].low;
     const double center = cam[center_distance].high;
-    if (smallest <= center) return std::nullopt;
-    return SceneFault{"cam.base_radius",
-                      fmt::format("{} for base radius + face offset", length_text(smallest, base)),
-                      fmt::format("at most {}, the largest center distance", length_text(center, base))};
+    const double smallest = base.low + cam[face_offset].low;
+    const double largest = base.high + cam[face_offset].high;
+    if (smallest < center && largest > -center) return std::nullopt;
+    return SceneFault{
+        "cam.base_radius",
+        fmt::format("{} for base radius + face offset",
+                    length_text(smallest < center ? largest : smallest, base)),
+        fmt::format("less than {} to either side, the center distance", length_text(center, base))};
 }
 
 }  // namespace

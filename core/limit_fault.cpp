@@ -57,11 +57,11 @@ Fault follower_fault(const Scene& scene) {
     const FollowerType follower = scene.cam->follower;
     if (limits.concave_radius_min && has_flat_face(follower))
         return SceneFault{"limits.concave_radius_min",
-                          fmt::format("a concave radius with a \"{}\"", name_of(follower)),
+                          fmt::format("a concave radius for the follower \"{}\"", name_of(follower)),
                           "only with rollers and knife edges: a flat face touches no concave cam"};
     if (!limits.hertz_pressure_max) return std::nullopt;
     if (follower == FollowerType::translating_knife)
-        return SceneFault{"limits.hertz_pressure_max", "a pressure under a \"translating_knife\"",
+        return SceneFault{"limits.hertz_pressure_max", "a pressure for the follower \"translating_knife\"",
                           "only with rollers and flat faces: under an edge it is infinite"};
     if (!scene.forces->contact_width)
         return SceneFault{"limits.hertz_pressure_max", "a pressure without a contact width",

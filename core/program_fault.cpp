@@ -43,9 +43,9 @@ Fault turn_fault(const MotionSpec& motion) {
     const double excess = total / full_turn - 1.0;
     const bool allowed = motion.closed ? std::abs(excess) <= turn_tolerance : excess <= turn_tolerance;
     if (allowed) return std::nullopt;
-    return SceneFault{
-        "motion.segments", fmt::format("angles that add up to {:.12g} deg", total / degree),
-        motion.closed ? "360 deg, or closed = false for a part of a turn" : "360 deg, a whole turn, at most"};
+    return SceneFault{"motion.segments", fmt::format("angles that add up to {:.12g} deg", total / degree),
+                      motion.closed ? "360 deg, or motion.closed = false for a part of a turn"
+                                    : "360 deg, a whole turn, at most"};
 }
 
 /// A closed program ends where it began: at 0.
@@ -56,8 +56,8 @@ Fault end_fault(const MotionSpec& motion) {
     if (last == motion.segments.rend() || last->to.value_or(0.0) == 0.0) return std::nullopt;
     const auto index = std::distance(last, motion.segments.rend()) - 1;
     return SceneFault{fmt::format("motion.segments[{}].to", index),
-                      fmt::format("a closed program that ends at {} of the lift", *last->to),
-                      "0, where it began, or nothing, or closed = false"};
+                      fmt::format("a closed program that ends at {} lifts", *last->to),
+                      "0, where it began, or no `to`, or motion.closed = false"};
 }
 
 }  // namespace

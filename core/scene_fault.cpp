@@ -74,7 +74,7 @@ Fault dimension_weight_fault(const Scene& scene, bool& found) {
                               "0, or a [cam] table with this dimension"};
         if (!has_dimension(scene.cam->follower, index))
             return SceneFault{member,
-                              fmt::format("{} for a dimension that a \"{}\" does not have", weight,
+                              fmt::format("{} for a dimension that the follower \"{}\" does not have", weight,
                                           name_of(scene.cam->follower)),
                               "0"};
         if ((*scene.cam)[index].is_variable()) found = true;

@@ -22,21 +22,23 @@ std::vector<KeyRow> cam_rows() {
     return {
         {"cam", "type", text, plain, any, {"disk"}, "required", "The kind of cam."},
         {"cam", "follower", text, plain, any,
-         {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller", "oscillating_flat"},
-         "required", "What touches the cam. The lift of an oscillating follower is an angle, that of the others a length."},
+         {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller",
+          "oscillating_flat"},
+         "required",
+         "What touches the cam. The lift of an oscillating follower is an angle, that of the others a length."},
         {"cam", "base_radius", number_or_range, length, positive, {}, "required",
          "Radius of the base circle, the cam's own smallest circle; the prime circle is base + roller."},
         {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
          "Radius of the roller; `translating_roller` and `oscillating_roller` only."},
         {"cam", "offset", number_or_range, length, any, {}, "0",
-         "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam turns "
-         "counterclockwise. `translating_roller` and `translating_knife` only."},
+         "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam "
+         "turns counterclockwise. `translating_roller` and `translating_knife` only."},
         {"cam", "center_distance", number_or_range, length, positive, {}, "required for oscillating",
          "From the cam's centre to the follower's pivot; oscillating followers only."},
         {"cam", "arm_length", number_or_range, length, positive, {}, "required for oscillating_roller",
          "From the pivot to the roller's centre; `oscillating_roller` only."},
         {"cam", "face_offset", number_or_range, length, any, {}, "0",
-         "Distance of the flat face from the parallel through the pivot, positive away from the cam; "
+         "Distance of the flat face from its parallel through the pivot, positive towards the cam's centre; "
          "`oscillating_flat` only."},
         {"cam", "face_half_width", number, length, positive, {}, "unlimited",
          "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
@@ -54,7 +56,8 @@ std::vector<KeyRow> force_rows() {
         {"forces", "spring_rate", number, spring_rate, not_negative, {}, "0",
          "Rate of the return spring: per length for translating, per angle for oscillating followers."},
         {"forces", "preload", number, force_or_moment, any, {}, "0",
-         "Force (translating) or moment (oscillating) on the cam at rest at the bottom, spring and load together."},
+         "Force (translating) or moment (oscillating) that presses the follower on the cam at displacement 0, "
+         "standing still: spring, weight, load."},
         {"forces", "contact_width", number, length, positive, {}, "none",
          "Width of the line of contact; the Hertz pressure needs it."},
         {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam."},
@@ -69,7 +72,8 @@ std::vector<KeyRow> force_rows() {
 std::vector<KeyRow> dimension_weight_rows() {
     return {
         {"objective", "base_radius", number, plain, not_negative, {}, "0",
-         "Weight of the base radius divided by the lift (oscillating: by lift in rad · centre distance).", needs_cam},
+         "Weight of the base radius divided by the lift (oscillating: by lift in rad · centre distance).",
+         needs_cam},
         {"objective", "roller_radius", number, plain, not_negative, {}, "0",
          "Weight of the roller radius, divided likewise.", needs_cam},
         {"objective", "offset", number, plain, not_negative, {}, "0",
@@ -94,14 +98,16 @@ std::vector<KeyRow> cam_limit_rows() {
         {"limits", "cam_radius_min", number, length, not_negative, {}, "none",
          "Least convex radius of curvature of the cam surface; 0: just no undercut.", needs_cam},
         {"limits", "concave_radius_min", number, length, not_negative, {}, "none",
-         "Least concave radius of curvature of the cam surface; not for flat faces, which touch no concave cam.", needs_cam},
+         "Least concave radius of curvature of the cam surface; not for flat faces, which touch no concave cam.",
+         needs_cam},
         {"limits", "undercut_margin", number, plain, below_one, {}, "none",
-         "Least distance from undercut: 1 - roller radius / radius of the pitch curve (roller), cam radius / base radius "
-         "(flat face); 0: just no undercut.", needs_cam},
+         "Least distance from undercut: 1 - roller radius / radius of the pitch curve (roller), cam radius / "
+         "base radius (flat face); 0: just no undercut.", needs_cam},
         {"limits", "contact_force_min", number, force, not_negative, {}, "none",
          "Least force that presses a translating follower on the cam.", needs_forces},
         {"limits", "contact_moment_min", number, moment, not_negative, {}, "none",
-         "Least moment that presses an oscillating follower on the cam.", needs_forces, {}, "contact_force_min"},
+         "Least moment that presses an oscillating follower on the cam.", needs_forces, {},
+         "contact_force_min"},
         {"limits", "torque_max", number, moment, positive, {}, "none",
          "Cap on the torque of the camshaft, to either side.", needs_forces},
         {"limits", "hertz_pressure_max", number, pressure, positive, {}, "none",

@@ -75,7 +75,7 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
                 allowed += (allowed.empty() ? "" : " or ") + row.key(spelling);
     }
     refuse_key(source, *given,
-               fmt::format("found {} where the follower {}; allowed: {}", unit,
+               fmt::format("found a value in {} where the follower {}; allowed: {}", unit,
                            oscillating ? "oscillates" : "translates", allowed));
 }
 

@@ -56,11 +56,10 @@ class MotionReader {
                                  fmt::format("found this key in a motion of type \"{}\"; allowed: only in {}",
                                              name_of(type), allowed));
         };
-        if (program)
-            refuse({"rise", "return", "symmetric", "via"},
-                   "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
-        else
-            refuse({"segments", "closed"}, "type \"program\"");
+        if (!program) return refuse({"segments", "closed"}, "type \"program\"");
+        refuse({"rise", "return"},
+               "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
+        refuse({"symmetric", "via"}, "type \"DRD\" or \"RR\"");
     }
 
     static SetPoint read_point(const Node& table) {
@@ -100,7 +99,7 @@ class MotionReader {
         if (unit.empty()) return to.number();
         if (is_angle_unit(unit) != motion.lift_is_angle)
             source_.fail(to.member->place, key,
-                         fmt::format("found a displacement in {} where the lift is {}", unit,
+                         fmt::format("found {} where the lift is {}", to.member->name,
                                      motion.lift_is_angle ? "an angle; allowed: to, to_deg or to_rad"
                                                           : "a length; allowed: to, to_mm, to_in or to_m"));
         return to.number() / motion.lift;

@@ -13,7 +13,7 @@
 namespace camopt::input {
 namespace {
 
-constexpr std::string_view example = "KEY=VALUE, for example motion.rise_deg=90";
+constexpr std::string_view example = "KEY=VALUE, for example motion.rise_deg=90 or motion.segments[1].to=0.5";
 
 [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) {
     throw InputError(error_prefix("", place, key) + std::string(what));

@@ -32,8 +32,8 @@ Rows top_level() {
         {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
         {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
-        {"", "forces", table, plain, any, {}, "no forces", "What the follower carries; needs a `[cam]` and a speed.",
-         Availability::needs_cam},
+        {"", "forces", table, plain, any, {}, "no forces",
+         "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
     };
@@ -42,8 +42,9 @@ Rows top_level() {
 Rows motion() {
     return {
         {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
-         "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. `\"program\"`: the "
-         "segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place in it."},
+         "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
+         "`\"program\"`: the segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place "
+         "in it."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output."},
         {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
@@ -66,10 +67,11 @@ Rows motion() {
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
         {"motion.segments", "angle", number, angle, within_turn, {}, "required", "Cam angle of the segment."},
-        {"motion.segments", "law", text, plain, any, {}, "none", "A law of the catalogue; kind `\"law\"` only, and needed there."},
+        {"motion.segments", "law", text, plain, any, {}, "none",
+         "A law of the catalogue; kind `\"law\"` only, and needed there."},
         {"motion.segments", "to", number, displacement, any, {}, "free",
-         "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free means chosen by the "
-         "optimizer; the last one of a closed program is 0."},
+         "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
+         "chooses it; but the last one of a closed program is 0."},
     };
 }
 
@@ -77,10 +79,11 @@ Rows spline() {
     return {
         {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline."},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
-         "Uniform segments over the rise (DRD), over rise and return (RR) or over each spline segment (program)."},
+         "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
+         "program."},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
-         "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a program "
-         "from 0 to 1, in units of each spline segment.",
+         "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
+         "program from 0 to 1, in units of each spline segment.",
          Availability::now, {}, "segments"},
         {"spline", "knots", text, plain, any, {"fixed"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables.", Availability::now, "free"},

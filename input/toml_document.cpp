@@ -141,9 +141,9 @@ Node parse_override_value(std::string_view value, const Place& place) {
         result = document.members.front().value;
     } catch (const toml::parse_error&) {
         if (!is_bare_word(value))
-            throw InputError(
-                error_prefix("", place, "") +
-                "found no TOML value; allowed: a number, true, false, a word, a \"text\" or an [array]");
+            throw InputError(error_prefix("", place, "") +
+                             "found no TOML value; allowed: a number, true, false, a word, a \"text\", an "
+                             "[array] or a { table }");
         result.kind = NodeKind::text;
         result.text = value;
     }

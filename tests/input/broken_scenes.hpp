@@ -25,6 +25,9 @@ inline void PrintTo(const BrokenScene& broken, std::ostream* out) {
 std::vector<BrokenScene> broken_files();
 std::vector<BrokenScene> broken_values();
 std::vector<BrokenScene> broken_combinations();
+std::vector<BrokenScene> broken_programs();
+std::vector<BrokenScene> broken_cams();
+std::vector<BrokenScene> broken_forces();
 std::vector<BrokenScene> broken_overrides();
 
 }  // namespace camopt::input

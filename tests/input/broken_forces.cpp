@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Forces, and the limits on a cam and on its forces.
+#include "tests/input/broken_scenes.hpp"
+
+namespace camopt::input {
+namespace {
+
+/// Nine lines: [limits] of a cam without forces.
+const std::string no_forces =
+    "objective.jerk = 1\n"
+    "motion.type = \"DRD\"\n"
+    "motion.lift_mm = 10\n"
+    "[cam]\n"
+    "type = \"disk\"\n"
+    "follower = \"translating_roller\"\n"
+    "base_radius_mm = 40\n"
+    "roller_radius_mm = 10\n"
+    "[limits]\n";
+
+/// Ten lines: forces on a translating roller.
+const std::string forces =
+    "objective.jerk = 1\n"
+    "motion.type = \"DRD\"\n"
+    "motion.lift_mm = 10\n"
+    "motion.speed_rpm = 300\n"
+    "[cam]\n"
+    "type = \"disk\"\n"
+    "follower = \"translating_roller\"\n"
+    "base_radius_mm = 40\n"
+    "roller_radius_mm = 10\n"
+    "[forces]\n";
+
+/// Twelve lines: forces on an oscillating roller.
+const std::string moments =
+    "objective.jerk = 1\n"
+    "motion.type = \"DRD\"\n"
+    "motion.lift_deg = 20\n"
+    "motion.speed_rpm = 300\n"
+    "[cam]\n"
+    "type = \"disk\"\n"
+    "follower = \"oscillating_roller\"\n"
+    "roller_radius_mm = 10\n"
+    "base_radius_mm = 40\n"
+    "center_distance_mm = 80\n"
+    "arm_length_mm = 70\n"
+    "[forces]\n";
+
+}  // namespace
+
+std::vector<BrokenScene> broken_forces() {
+    return {
+        {"forces_without_cam",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "[forces]\n"
+         "mass_kg = 1\n",
+         "s.toml:3:1: forces: found forces without a cam; allowed: only together with a [cam] table"},
+        {"forces_without_speed",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "motion.lift_mm = 10\n"
+         "[cam]\n"
+         "type = \"disk\"\n"
+         "follower = \"translating_roller\"\n"
+         "base_radius_mm = 40\n"
+         "roller_radius_mm = 10\n"
+         "[forces]\n"
+         "mass_kg = 1\n",
+         "s.toml:9:1: forces: found forces without a speed; allowed: only where motion.speed is given"},
+        {"forces_key_unknown", forces + "mass_g = 1\n",
+         "s.toml:11:1: forces.mass_g: found an unknown key; allowed: mass_kg, inertia_kg_m2, "
+         "spring_rate_n_mm, spring_rate_n_m, spring_rate_nm_rad, spring_rate_nm_deg, preload_n, preload_nm, "
+         "contact_width_mm, contact_width_in, contact_width_m, cam_modulus_gpa, cam_modulus_mpa, "
+         "cam_modulus_pa, follower_modulus_gpa, follower_modulus_mpa, follower_modulus_pa, cam_poisson, "
+         "follower_poisson; did you mean 'mass_kg'?"},
+        {"forces_unit_missing", forces + "spring_rate = 1\n",
+         "s.toml:11:1: forces.spring_rate: found an unknown key; allowed: mass_kg, inertia_kg_m2, "
+         "spring_rate_n_mm, spring_rate_n_m, spring_rate_nm_rad, spring_rate_nm_deg, preload_n, preload_nm, "
+         "contact_width_mm, contact_width_in, contact_width_m, cam_modulus_gpa, cam_modulus_mpa, "
+         "cam_modulus_pa, follower_modulus_gpa, follower_modulus_mpa, follower_modulus_pa, cam_poisson, "
+         "follower_poisson; did you mean 'spring_rate_n_mm'?"},
+        {"forces_mass_negative", forces + "mass_kg = -1\n",
+         "s.toml:11:11: forces.mass_kg: found -1; allowed: a number >= 0"},
+        {"forces_mass_and_inertia",
+         forces + "mass_kg = 1\n"
+                  "inertia_kg_m2 = 1\n",
+         "s.toml:12:1: forces.inertia_kg_m2: found beside forces.mass_kg, which says the same; allowed: only "
+         "one of the two"},
+        {"forces_spring_twice",
+         forces + "spring_rate_n_m = 1\n"
+                  "spring_rate_n_mm = 1\n",
+         "s.toml:12:1: forces.spring_rate_n_mm: found beside forces.spring_rate_n_m, which says the same; "
+         "allowed: only one of the two"},
+        {"forces_inertia_of_translating", forces + "inertia_kg_m2 = 1\n",
+         "s.toml:11:1: forces.inertia_kg_m2: found a value in kg m^2 where the follower translates; allowed: "
+         "mass_kg"},
+        {"forces_mass_of_oscillating", moments + "mass_kg = 1\n",
+         "s.toml:13:1: forces.mass_kg: found a value in kg where the follower oscillates; allowed: "
+         "inertia_kg_m2"},
+        {"forces_spring_of_translating", forces + "spring_rate_nm_deg = 1\n",
+         "s.toml:11:1: forces.spring_rate_nm_deg: found a value in N m/deg where the follower translates; "
+         "allowed: spring_rate_n_mm or spring_rate_n_m"},
+        {"forces_spring_of_oscillating", moments + "spring_rate_n_mm = 1\n",
+         "s.toml:13:1: forces.spring_rate_n_mm: found a value in N/mm where the follower oscillates; "
+         "allowed: spring_rate_nm_rad or spring_rate_nm_deg"},
+        {"forces_preload_of_translating", forces + "preload_nm = 1\n",
+         "s.toml:11:1: forces.preload_nm: found a value in N m where the follower translates; allowed: "
+         "preload_n"},
+        {"forces_preload_of_oscillating", moments + "preload_n = 1\n",
+         "s.toml:13:1: forces.preload_n: found a value in N where the follower oscillates; allowed: "
+         "preload_nm"},
+        {"forces_preload_infinite", forces + "preload_n = -inf\n",
+         "s.toml:11:13: forces.preload_n: found -inf; allowed: a finite number"},
+        {"forces_width_zero", forces + "contact_width_mm = 0\n",
+         "s.toml:11:20: forces.contact_width_mm: found 0; allowed: a number > 0"},
+        {"forces_modulus_zero", forces + "cam_modulus_mpa = 0\n",
+         "s.toml:11:19: forces.cam_modulus_mpa: found 0; allowed: a number > 0"},
+        {"forces_poisson_half", forces + "follower_poisson = 0.5\n",
+         "s.toml:11:20: forces.follower_poisson: found 0.5; allowed: a number >= 0 and < 0.5"},
+        {"forces_poisson_negative", forces + "cam_poisson = -0.1\n",
+         "s.toml:11:15: forces.cam_poisson: found -0.1; allowed: a number >= 0 and < 0.5"},
+        {"limit_pressure_angle_right", no_forces + "pressure_angle_deg = 90\n",
+         "s.toml:10:22: limits.pressure_angle_deg: found 90; allowed: a number > 0 and < 90"},
+        {"limit_pressure_angle_rad", no_forces + "rise_pressure_angle_rad = 1.6\n",
+         "s.toml:10:27: limits.rise_pressure_angle_rad: found 1.6; allowed: a number > 0 and < "
+         "1.5707963267948966"},
+        {"limit_pressure_angle_zero", no_forces + "return_pressure_angle_deg = 0\n",
+         "s.toml:10:29: limits.return_pressure_angle_deg: found 0; allowed: a number > 0 and < 90"},
+        {"limit_pressure_angle_twice",
+         no_forces + "pressure_angle_deg = 30\n"
+                     "pressure_angle_rad = 0.5\n",
+         "s.toml:11:1: limits.pressure_angle_rad: found beside limits.pressure_angle_deg, which says the "
+         "same; allowed: only one of the two"},
+        {"limit_pressure_angle_range", no_forces + "pressure_angle_deg = { min = 1, max = 2 }\n",
+         "s.toml:10:22: limits.pressure_angle_deg: found a table; allowed: a number > 0 and < 90"},
+        {"limit_cam_radius_negative", no_forces + "cam_radius_min_in = -1\n",
+         "s.toml:10:21: limits.cam_radius_min_in: found -1; allowed: a number >= 0"},
+        {"limit_undercut_margin_one", no_forces + "undercut_margin = 1\n",
+         "s.toml:10:19: limits.undercut_margin: found 1; allowed: a number >= 0 and < 1"},
+        {"limit_undercut_margin_unit", no_forces + "undercut_margin_mm = 1\n",
+         "s.toml:10:1: limits.undercut_margin_mm: found an unknown key; allowed: velocity, velocity_mm_s, "
+         "velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, acceleration, acceleration_mm_s2, "
+         "acceleration_in_s2, acceleration_m_s2, acceleration_deg_s2, acceleration_rad_s2, jerk, jerk_mm_s3, "
+         "jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, pressure_angle_deg, pressure_angle_rad, "
+         "rise_pressure_angle_deg, rise_pressure_angle_rad, return_pressure_angle_deg, "
+         "return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, cam_radius_min_m, "
+         "concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, undercut_margin, "
+         "contact_force_min_n, contact_moment_min_nm, torque_max_nm, hertz_pressure_max_mpa, "
+         "hertz_pressure_max_gpa, hertz_pressure_max_pa"},
+        {"limit_concave_on_flat",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "motion.lift_mm = 10\n"
+         "[cam]\n"
+         "type = \"disk\"\n"
+         "follower = \"translating_flat\"\n"
+         "base_radius_mm = 40\n"
+         "[limits]\n"
+         "concave_radius_min_mm = 12\n",
+         "s.toml:9:25: limits.concave_radius_min_mm: found a concave radius for the follower "
+         "\"translating_flat\"; allowed: only with rollers and knife edges: a flat face touches no concave "
+         "cam"},
+        {"limit_concave_on_face",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "motion.lift_deg = 20\n"
+         "[cam]\n"
+         "type = \"disk\"\n"
+         "follower = \"oscillating_flat\"\n"
+         "center_distance_mm = 80\n"
+         "base_radius_mm = 40\n"
+         "[limits]\n"
+         "concave_radius_min_in = 1\n",
+         "s.toml:10:25: limits.concave_radius_min_in: found a concave radius for the follower "
+         "\"oscillating_flat\"; allowed: only with rollers and knife edges: a flat face touches no concave "
+         "cam"},
+        {"limit_contact_force_without_forces", no_forces + "contact_force_min_n = 1\n",
+         "s.toml:10:23: limits.contact_force_min_n: found a limit of a force without forces; allowed: only "
+         "together with a [forces] table"},
+        {"limit_torque_without_forces", no_forces + "torque_max_nm = 1\n",
+         "s.toml:10:17: limits.torque_max_nm: found a limit of a force without forces; allowed: only "
+         "together with a [forces] table"},
+        {"limit_torque_without_cam",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "[limits]\n"
+         "torque_max_nm = 1\n",
+         "s.toml:4:17: limits.torque_max_nm: found a limit of a cam without a cam; allowed: only together "
+         "with a [cam] table"},
+        {"limit_moment_without_cam",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "[limits]\n"
+         "contact_moment_min_nm = 1\n",
+         "s.toml:4:25: limits.contact_moment_min_nm: found a limit of a cam without a cam; allowed: only "
+         "together with a [cam] table"},
+        {"limit_moment_of_translating",
+         forces + "[limits]\n"
+                  "contact_moment_min_nm = 1\n",
+         "s.toml:12:1: limits.contact_moment_min_nm: found a value in N m where the follower translates; "
+         "allowed: contact_force_min_n"},
+        {"limit_force_of_oscillating",
+         moments + "[limits]\n"
+                   "contact_force_min_n = 1\n",
+         "s.toml:14:1: limits.contact_force_min_n: found a value in N where the follower oscillates; "
+         "allowed: contact_moment_min_nm"},
+        {"limit_force_and_moment",
+         moments + "[limits]\n"
+                   "contact_moment_min_nm = 1\n"
+                   "contact_force_min_n = 1\n",
+         "s.toml:15:1: limits.contact_force_min_n: found beside limits.contact_moment_min_nm, which says the "
+         "same; allowed: only one of the two"},
+        {"limit_contact_force_negative",
+         forces + "[limits]\n"
+                  "contact_force_min_n = -1\n",
+         "s.toml:12:23: limits.contact_force_min_n: found -1; allowed: a number >= 0"},
+        {"limit_torque_zero",
+         forces + "[limits]\n"
+                  "torque_max_nm = 0\n",
+         "s.toml:12:17: limits.torque_max_nm: found 0; allowed: a number > 0"},
+        {"limit_hertz_without_width",
+         forces + "[limits]\n"
+                  "hertz_pressure_max_mpa = 1000\n",
+         "s.toml:12:26: limits.hertz_pressure_max_mpa: found a pressure without a contact width; allowed: "
+         "only where forces.contact_width is given"},
+        {"limit_hertz_of_knife",
+         "objective.jerk = 1\n"
+         "motion.type = \"DRD\"\n"
+         "motion.lift_mm = 10\n"
+         "motion.speed_rpm = 300\n"
+         "[cam]\n"
+         "type = \"disk\"\n"
+         "follower = \"translating_knife\"\n"
+         "base_radius_mm = 40\n"
+         "[forces]\n"
+         "contact_width_mm = 5\n"
+         "[limits]\n"
+         "hertz_pressure_max_gpa = 1\n",
+         "s.toml:12:26: limits.hertz_pressure_max_gpa: found a pressure for the follower "
+         "\"translating_knife\"; allowed: only with rollers and flat faces: under an edge it is infinite"},
+        {"limit_hertz_zero",
+         forces + "contact_width_mm = 5\n"
+                  "[limits]\n"
+                  "hertz_pressure_max_pa = 0\n",
+         "s.toml:13:25: limits.hertz_pressure_max_pa: found 0; allowed: a number > 0"},
+    };
+}
+
+}  // namespace camopt::input
