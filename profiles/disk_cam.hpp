@@ -7,13 +7,22 @@
 //                s0 = sqrt((base + roller)² − e²); flat face: the line y = base + s.
 //   oscillating: pivot A = (a, 0), ψ = ψ0 + s at the pivot from the line to the cam centre up to the arm;
 //                roller centre C = (a − l cos ψ, l sin ψ), ψ0 from (base + roller)² = a² + l² − 2 a l cos ψ0;
-//                flat face: the line from the arm, displaced by the face offset f: base = a sin ψ0 − f.
-// s (or ψ), s', s'' are by the cam angle θ: m, m/rad, m/rad² (rad for oscillating). All lengths m.
+//                flat face: the line of the arm, displaced by the face offset f towards the cam centre (away
+//                from it where f < 0): base = a sin ψ0 − f.
+// s, s', s'' are by the cam angle θ: m, m/rad, m/rad² (rad, 1, 1/rad for oscillating). All lengths m.
 //
 // With V = C' − σ z × C (velocity in the cam frame) the pitch curve has the outward normal
 // n = σ (−V_y, V_x)/|V|, the curvature κ = −σ (V × V')/|V|³ (V' in the cam frame; positive where the cam is
-// convex), and the cam lies at C − r n. Source: MECHANISMS §5 of the design notes, checked there against
-// envelopes; J. Angeles, C. López-Cajún, Optimization of Cam Mechanisms (1991).
+// convex), and the cam lies at C − r n. A flat face is an envelope of lines: with p its distance from the cam
+// centre and α the angle of its normal u in the cam frame, the contact is p u + p_α u⊥, the radius
+// p + p_αα.
+//
+// Pressure angle φ = atan2(numerator, denominator), its sign that of the numerator:
+//   translating roller: s' − σe over s0 + s           oscillating roller: l(1 + σψ') − a cos ψ over a sin ψ
+//   translating flat:   0 over base + s               oscillating flat:   f(1 + σψ') over a cos ψ
+// Source: J. Angeles, C. López-Cajún, Optimization of Cam Mechanisms (1991). Checked against envelopes made
+// from follower positions alone (tests/profiles/envelope_test.cpp).
+// A cam with a geometry_fault may give NaN; nothing here throws for it.
 #pragma once
 
 #include "core/cam_spec.hpp"
@@ -53,19 +62,22 @@ struct ProfilePoint {
     Eigen::Vector2d center, pitch;  ///< roller centre (flat: contact point) in the fixed and the cam frame
     Eigen::Vector2d contact;        ///< contact point in the cam frame: a point of the cam's surface
     Eigen::Vector2d normal;         ///< outward unit normal of the cam there, cam frame
-    double pressure_angle = 0.0;    ///< signed, rad: the normal against the follower's velocity
+    double pressure_angle = 0.0;    ///< signed, rad: between the normal and the follower's velocity
     double pitch_curvature = 0.0;   ///< 1/m, > 0 convex; flat: the cam's own
-    double cam_radius = 0.0;        ///< signed radius of curvature of the cam, m: > 0 convex, < 0 concave
+    /// Signed radius of curvature of the cam, m: > 0 convex, < 0 concave, infinite where straight. Past
+    /// undercut (regularity < 0) the sign is that of the formula.
+    double cam_radius = 0.0;
     /// Roller: 1 − r κ; knife: 1; flat: cam radius / base radius (its oscillating form times (1 + σψ')).
     /// <= 0: undercut.
     double regularity = 0.0;
-    double contact_offset =
-        0.0;  ///< flat: contact from the follower's axis or pivot's foot along the face, m
+    /// Flat, m: where the face is touched. Translating: x from the follower's axis, σ s'; oscillating: from
+    /// the pivot's foot on the face towards the cam, a cos ψ / (1 + σψ').
+    double contact_offset = 0.0;
 };
 
 [[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state);
 
-/// What limits are made of. Each is smooth wherever the cam is regular.
+/// What limits are made of. Each is smooth wherever the mechanism moves (oscillating flat: and 1 + σψ' ≠ 0).
 enum class Quantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< > 0 where the mechanism moves; m
@@ -73,7 +85,7 @@ enum class Quantity {
     cam_radius,            ///< flat: signed radius of the cam, m
     regularity,            ///< as in ProfilePoint
     contact_offset,        ///< flat, m
-    normal_lever  ///< contact force = F / lever (translating: cos φ, 1) or M / lever (oscillating, m)
+    normal_lever  ///< force along the normal = F / lever (translating: cos φ) or M / lever (oscillating, m)
 };
 
 /// Variables of the partials: (s, s', s'', six dimensions by DimensionIndex).
@@ -86,7 +98,7 @@ struct QuantityValue {
     Eigen::Matrix<double, quantity_variables, quantity_variables> hessian;
 };
 
-/// Throws ModelError where the follower has no such quantity.
+/// Throws ModelError where the follower has no such quantity. 0.1 to 2 µs.
 [[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which);
 
 }  // namespace camopt
