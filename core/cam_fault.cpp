@@ -5,27 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace camopt {
 namespace {
 
-constexpr std::array followers = {FollowerType::translating_roller, FollowerType::translating_knife,
-                                  FollowerType::translating_flat, FollowerType::oscillating_roller,
-                                  FollowerType::oscillating_flat};
-
 /// Offsets have a sign, lengths are positive.
 bool is_offset(DimensionIndex index) {
     return index == DimensionIndex::offset || index == DimensionIndex::face_offset;
-}
-
-std::string followers_with(DimensionIndex index) {
-    std::string names;
-    for (const FollowerType follower : followers)
-        if (has_dimension(follower, index))
-            names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name_of(follower));
-    return names;
 }
 
 Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
@@ -35,7 +22,7 @@ Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
         if (dimension.low == 0.0 && dimension.high == 0.0) return std::nullopt;
         return SceneFault{
             member, fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
-            "only with the followers " + followers_with(index)};
+            "only with " + followers_with(index)};
     }
     const Range range = is_offset(index) ? Range{} : Range::above(0.0);
     for (const double value : {dimension.low, dimension.high})
@@ -52,7 +39,7 @@ Fault face_fault(const CamSpec& cam) {
         return SceneFault{
             "cam.face_half_width",
             fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
-            "only with the follower \"translating_flat\""};
+            "only with \"translating_flat\""};
     const Range range = Range::above(0.0);
     if (!range.contains(*cam.face_half_width))
         return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width),

@@ -60,4 +60,14 @@ bool has_dimension(FollowerType follower, DimensionIndex dimension) {
     return follower == FollowerType::oscillating_flat;
 }
 
+std::string followers_with(DimensionIndex dimension) {
+    std::string names;
+    for (const FollowerType follower :
+         {FollowerType::translating_roller, FollowerType::translating_knife, FollowerType::translating_flat,
+          FollowerType::oscillating_roller, FollowerType::oscillating_flat})
+        if (has_dimension(follower, dimension))
+            names += (names.empty() ? "\"" : " or \"") + std::string(name_of(follower)) + "\"";
+    return names;
+}
+
 }  // namespace camopt

@@ -49,6 +49,8 @@ inline constexpr int dimension_count = 6;
 [[nodiscard]] const char* name_of(DimensionIndex value);  ///< "base_radius", …
 /// Whether a follower of this type has this dimension at all.
 [[nodiscard]] bool has_dimension(FollowerType follower, DimensionIndex dimension);
+/// The followers that have it, as a message says it: "translating_roller" or "translating_knife", in quotes.
+[[nodiscard]] std::string followers_with(DimensionIndex dimension);
 
 /// A disk cam: cam centre at the origin, follower at the top (translating, lift along +y, axis at x = offset)
 /// or with its pivot at (center_distance, 0) (oscillating). Prime radius = base radius + roller radius.

@@ -14,14 +14,6 @@ constexpr auto followers = {FollowerType::translating_roller, FollowerType::tran
     source.fail(given.member->place, joined_key(given.row->table, given.member->name), what);
 }
 
-std::string followers_with(DimensionIndex index) {
-    std::string names;
-    for (const FollowerType follower : followers)
-        if (has_dimension(follower, index))
-            names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", name_of(follower));
-    return names;
-}
-
 [[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, FollowerType follower,
                                    std::string_view having) {
     refuse_key(source, given,

@@ -113,6 +113,99 @@ TEST(SceneReader, OptionsKeepTheirTypes) {
     EXPECT_EQ(std::get<std::string>(options.at("d")), "e");
 }
 
+TEST(SceneReader, TheProgramOfTheContractArrives) {
+    const Scene scene = read(jerk_only +
+                             "[motion]\n"
+                             "type = \"program\"\n"
+                             "lift_mm = 80\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"dwell\"\n"
+                             "angle_deg = 60\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"spline\"\n"
+                             "angle_deg = 120\n"
+                             "to_mm = 80\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"law\"\n"
+                             "law = \"cycloidal\"\n"
+                             "angle_deg = 90\n"
+                             "to = 0.5\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"spline\"\n"
+                             "angle_deg = 45\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"dwell\"\n"
+                             "angle_deg = 30\n"
+                             "[[motion.segments]]\n"
+                             "kind = \"dwell\"\n"
+                             "angle_deg = 15\n"
+                             "[spline]\n"
+                             "breakpoints = [0, 0.5, 1]\n");
+    ASSERT_EQ(scene.motion.segments.size(), 6U);
+    EXPECT_TRUE(scene.motion.closed);
+    EXPECT_EQ(scene.motion.segments[1].to, 1.0);
+    EXPECT_EQ(scene.motion.segments[2].law, "cycloidal");
+    EXPECT_EQ(scene.motion.segments[2].to, 0.5);
+    EXPECT_FALSE(scene.motion.segments[3].to);
+    EXPECT_DOUBLE_EQ(scene.motion.unit_angle(), 2 * pi / 3);
+    EXPECT_DOUBLE_EQ(scene.motion.length(), 3.0);
+}
+
+TEST(SceneReader, LimitsInTimeOfAProgramUseItsFirstSpline) {
+    const Scene scene = read(jerk_only +
+                             "motion.type = \"program\"\n"
+                             "motion.lift_mm = 20\n"
+                             "motion.speed_rad_s = 10\n"
+                             "motion.closed = false\n"
+                             "motion.segments = [{ kind = \"dwell\", angle_rad = 1 },\n"
+                             "  { kind = \"spline\", angle_rad = 2, to = 1 }]\n"
+                             "limits.velocity_mm_s = 180\n");
+    EXPECT_NEAR(scene.limits.velocity.value().normalised, 1.8, 1e-14);
+    EXPECT_TRUE(scene.limits.velocity->in_time());
+}
+
+const std::string knife =
+    "motion.lift_mm = 10\ncam.type = \"disk\"\ncam.follower = \"translating_knife\"\ncam.base_radius_mm = "
+    "40\n";
+
+TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
+    const Scene scene = read(drd + jerk_only + knife + "cam.offset_in = { min = 0, max = 1 }\n");
+    const Dimension& offset = scene.cam.value()[DimensionIndex::offset];
+    EXPECT_TRUE(offset.is_variable());
+    EXPECT_EQ(offset.key, "cam.offset_in");
+    EXPECT_EQ(offset.unit, 0.0254);
+    const Dimension& base = scene.cam.value()[DimensionIndex::base_radius];
+    EXPECT_FALSE(base.is_variable());
+    EXPECT_EQ(base.key, "cam.base_radius_mm");
+    EXPECT_EQ(scene.cam.value()[DimensionIndex::roller_radius].high, 0.0);
+}
+
+TEST(SceneReader, ALimitOfTheCamRemembersHowItWasWritten) {
+    const Scene scene = read(drd + jerk_only + knife + "limits.pressure_angle_deg = 30\n");
+    const WrittenLimit& limit = scene.limits.pressure_angle.value();
+    EXPECT_EQ(limit.key, "limits.pressure_angle_deg");
+    EXPECT_DOUBLE_EQ(limit.given(), 30.0);
+    EXPECT_EQ(limit.unit, "deg");
+}
+
+TEST(SceneReader, AVariableDimensionIsEnoughOfAnObjective) {
+    const Scene scene =
+        read(drd + "objective.offset = 1\n" + knife + "cam.offset_mm = { min = -5, max = 5 }\n");
+    EXPECT_EQ(scene.objective.jerk, 0.0);
+}
+
+TEST(SceneReader, AbsentForcesAndDimensionsKeepTheirDefaults) {
+    const Scene scene = read(drd + jerk_only + knife + "motion.speed_rpm = 60\n[forces]\n");
+    EXPECT_EQ(scene.cam.value().rotation, Rotation::counterclockwise);
+    EXPECT_FALSE(scene.cam->face_half_width);
+    EXPECT_EQ((*scene.cam)[DimensionIndex::offset].low, 0.0);
+    EXPECT_EQ(scene.forces.value().mass, 0.0);
+    EXPECT_EQ(scene.forces->cam_modulus, 210e9);
+    EXPECT_FALSE(scene.forces->contact_width);
+    const Scene plain = read(drd + jerk_only);
+    EXPECT_FALSE(plain.cam || plain.forces || plain.solver.starts || plain.limits.pressure_angle);
+}
+
 TEST(Overrides, ReplaceAddAndTakeBareWords) {
     const Scene scene =
         read(drd + jerk_only, {"motion.type=RR", "motion.rise_deg = 90", "solver.name=nlopt.slsqp",
@@ -131,6 +224,33 @@ TEST(Overrides, ReplaceEveryOtherWayToSayTheSame) {
     EXPECT_TRUE(scene.spline.breakpoints.empty());
     EXPECT_EQ(scene.spline.segments, 24);
     EXPECT_DOUBLE_EQ(read(toml, {"motion.lift_mm=4", "motion.lift_mm=5"}).motion.lift, 0.005);
+}
+
+TEST(Overrides, ReachTheEntriesOfArrays) {
+    const std::string toml = jerk_only +
+                             "motion.type = \"program\"\n"
+                             "motion.lift_mm = 20\n"
+                             "motion.segments = [{ kind = \"spline\", angle_deg = 120, to_mm = 5 },\n"
+                             "  { kind = \"spline\", angle_deg = 240 }]\n";
+    const Scene scene =
+        read(toml, {"motion.segments[0].to=0.75", "motion.segments[0].angle_deg=90",
+                    "motion.segments[1]={ kind = \"dwell\", angle_deg = 200 }", "motion.closed=false"});
+    EXPECT_EQ(scene.motion.segments.at(0).to, 0.75);
+    EXPECT_DOUBLE_EQ(scene.motion.segments.at(0).angle, pi / 2);
+    EXPECT_EQ(scene.motion.segments.at(1).kind, SegmentKind::dwell);
+    const std::string points = drd + jerk_only + "spline.breakpoints = [0, 0.5, 1]\n";
+    EXPECT_EQ(read(points, {"spline.breakpoints[1]=0.25"}).spline.breakpoints.at(1), 0.25);
+}
+
+TEST(Overrides, SetCamsAndTheirLimits) {
+    const Scene scene = read(drd + jerk_only + knife + "cam.offset_in = 1\n",
+                             {"cam.base_radius_mm={min=20,max=60}", "cam.base_radius_mm.max=50",
+                              "cam.offset_mm=-3", "cam.rotation=clockwise", "limits.pressure_angle_deg=30"});
+    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::base_radius].low, 0.02);
+    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::base_radius].high, 0.05);
+    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::offset].low, -0.003);
+    EXPECT_EQ(scene.cam.value().rotation, Rotation::clockwise);
+    EXPECT_DOUBLE_EQ(scene.limits.pressure_angle.value().given(), 30.0);
 }
 
 TEST(Overrides, MendABrokenFile) {
