@@ -335,7 +335,8 @@ bool SequentialRun::settled(const Step& step) {
     const double now = std::max(stationarity(step.multipliers), violation(here_));
     const bool better = !best_ || now < 0.5 * best_->error;
     if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now};
-    return now <= polished * options_.tolerance || !better || ++polishing_ > most_polishing;
+    return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
+           ++polishing_ > most_polishing;
 }
 
 void SequentialRun::raise_penalty(const StepModel& model, const Step& step) {

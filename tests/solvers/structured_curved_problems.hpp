@@ -54,6 +54,7 @@ class CurvedNlp final : public Nlp {
                 shape_.hessian.columns.push_back(j);
             }
     }
+    CurvedNlp(const CurvedNlp& other) : Nlp(other.shape_), cost_(other.cost_), rows_(other.rows_) {}
     CurvedNlp& add(Quadratic row, double lower, double upper, double scale = 1.0) {
         const auto i = static_cast<int>(rows_.size());
         for (int j = 0; j < shape_.variables(); ++j) {
@@ -188,7 +189,8 @@ class PitchCurveNlp final : public Nlp {
         for (int k = 1; k + 1 < n; ++k)
             sum.block<3, 3>(k - 1, k - 1) +=
                 lambda[first_curved_ + k - 1] * map().transpose() * curved(x, k).hessian * map();
-        for (std::size_t e = 0; e < out.size(); ++e) out[e] = sum(shape_.hessian.rows[e], shape_.hessian.columns[e]);
+        for (std::size_t e = 0; e < out.size(); ++e)
+            out[e] = sum(shape_.hessian.rows[e], shape_.hessian.columns[e]);
     }
     [[nodiscard]] std::string variable_name(int index) const override {
         return std::string("y").append(std::to_string(index));
