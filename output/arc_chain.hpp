@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A smooth plane curve as a chain of circular arcs (biarcs) within a tolerance: what CAD and CAM systems
+// read.
+//
+// Between two points of the curve stand two arcs that touch each other and, at the points, the curve's own
+// tangents (control lengths equal at both ends). Each pair reaches as far as the tolerance allows; its
+// deviation is of the third order in that length. Deviation: from dense points of the true curve to the chain
+// along the curve's normal. Lengths in m; nothing here knows a cam. Source: K. M. Bolton, Biarc curves,
+// Computer-Aided Design 7 (1975).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace camopt {
+
+/// A point of a plane curve and its unit normal, to either side.
+struct CurvePoint {
+    Eigen::Vector2d position, normal;
+};
+using PlaneCurve = std::function<CurvePoint(double parameter)>;
+
+/// A point of the chain and the arc from it to the next one: bulge = tan(angle / 4), > 0 turns to the left,
+/// 0 is a straight line.
+struct ArcVertex {
+    Eigen::Vector2d position;
+    double bulge = 0.0;
+};
+
+struct ArcChainOptions {
+    double tolerance = 1e-6;             ///< m, > 0: the largest deviation wanted
+    double longest_step = 0.5235987756;  ///< of the parameter, > 0: a pair of arcs reaches no farther
+
+    void validate() const;  ///< throws InputError
+};
+
+struct ArcChain {
+    std::vector<ArcVertex> vertices;  ///< closed: the last arc ends at the first vertex; open: its bulge is 0
+    bool closed = false;
+    int arcs = 0;
+    double deviation = 0.0;  ///< m; above the tolerance only where the curve is not smooth between the knots
+};
+
+/// knots: ascending parameters, at least two; between them the curve is smooth, its curvature may jump there
+/// and its direction may reverse (a cusp). `closed`: its end is its beginning. Throws InputError for knots
+/// that do not ascend, a closed curve whose ends are apart, and points that are not finite.
+[[nodiscard]] ArcChain arc_chain(const PlaneCurve& curve, std::span<const double> knots, bool closed,
+                                 const ArcChainOptions& options = {});
+
+}  // namespace camopt
