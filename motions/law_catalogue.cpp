@@ -59,8 +59,8 @@ std::vector<AccelerationPiece> antisymmetric(std::vector<AccelerationPiece> piec
     return pieces;
 }
 
-std::unique_ptr<Law> polynomial(LawInfo info, std::vector<double> coefficients) {
-    return std::make_unique<PolynomialLaw>(std::move(info), std::move(coefficients));
+std::unique_ptr<Law> polynomial(LawInfo info, const std::vector<double>& coefficients) {
+    return std::make_unique<PolynomialLaw>(std::move(info), coefficients);
 }
 
 std::unique_ptr<Law> harmonic(LawInfo info, std::vector<AccelerationPiece> pieces) {

@@ -55,7 +55,7 @@ TEST(SmallestCam, OffsetShiftsTheBoundUntilTheRestDecides) {
 
 struct Case {
     CamStroke stroke;
-    double angle, pressure_angle;
+    double angle = 0.0, pressure_angle = 0.0;
 };
 
 std::vector<Case> random_cases() {
