@@ -27,7 +27,8 @@ std::vector<KeyRow> cam_rows() {
          "required",
          "What touches the cam. The lift of an oscillating follower is an angle, that of the others a length."},
         {"cam", "base_radius", number_or_range, length, positive, {}, "required",
-         "Radius of the base circle, the cam's own smallest circle; the prime circle is base + roller."},
+         "Radius of the base circle, on which the follower rests at displacement 0; the prime circle is base + "
+         "roller."},
         {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
          "Radius of the roller; `translating_roller` and `oscillating_roller` only."},
         {"cam", "offset", number_or_range, length, any, {}, "0",

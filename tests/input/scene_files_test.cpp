@@ -15,7 +15,8 @@ namespace camopt::input {
 namespace {
 
 const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
-const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal"}, .solvers = {}};
+const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid"},
+                          .solvers = {}};
 
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -53,6 +54,21 @@ TEST(SceneDocumentation, HoldsTheKeyTableOfTheCode) {
     else
         EXPECT_EQ(text.substr(first + begin.size(), last - first - begin.size()), rendered)
             << "Regenerate the table: CAMOPT_WRITE_DOCS=1 ctest -R SceneDocumentation";
+}
+
+TEST(SceneDocumentation, ShowsWholeScenesThatRead) {
+    const std::string text = text_of(source_folder / "docs" / "scene_file.md");
+    const std::string fence = "```toml\n";
+    int count = 0;
+    for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+        at += fence.size();
+        const std::string toml = text.substr(at, text.find("```", at) - at);
+        if (!toml.starts_with("title")) continue;  // the others show a part
+        SCOPED_TRACE(toml);
+        EXPECT_NO_THROW((void)read_scene(toml, "scene_file.md", known));
+        ++count;
+    }
+    EXPECT_GE(count, 4);
 }
 
 }  // namespace
