@@ -18,18 +18,18 @@ Vector2d turned_back(const Vector2d& fixed, double angle) {
 }
 
 template <class Roller>
-void set_roller_values(const Roller& roller, ProfilePoint& point) {
+void set_roller_values(const Roller& roller, double radius, ProfilePoint& point) {
     point.pitch_curvature = roller.pitch().curvature();
-    point.cam_radius = 1.0 / point.pitch_curvature - roller.roller_radius;
-    point.regularity = formulas::roller_regularity(roller);
+    point.cam_radius = 1.0 / point.pitch_curvature - radius;
+    point.regularity = 1.0 - radius * point.pitch_curvature;
     point.pressure_angle = std::atan2(roller.pressure_numerator(), roller.pressure_denominator());
 }
 
-template <class Flat>
-void set_flat_values(const Flat& flat, ProfilePoint& point) {
-    point.cam_radius = flat.cam_radius();
-    point.pitch_curvature = 1.0 / point.cam_radius;
-    point.regularity = flat.regularity();
+/// `turning` of the face against the cam, in units of the cam's own.
+void set_flat_values(const DiskCam& cam, double turned_radius, double turning, ProfilePoint& point) {
+    point.cam_radius = turned_radius / turning;
+    point.pitch_curvature = turning / turned_radius;
+    point.regularity = turned_radius / cam[base_radius];
 }
 
 void set_translating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
@@ -37,44 +37,41 @@ void set_translating_roller(const DiskCam& cam, const FollowerState& state, Prof
     const double radius = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
     const double start = formulas::translating_roller_start(cam[base_radius] + radius, cam[offset]);
     const formulas::TranslatingRoller<double> roller{start + state.s, state.velocity, state.acceleration,
-                                                     sense * cam[offset], radius};
+                                                     sense * cam[offset]};
     const auto pitch = roller.pitch();
     point.center = {cam[offset], roller.position};
     point.normal = Vector2d(-sense * pitch.across, pitch.along) / pitch.speed();
-    set_roller_values(roller, point);
+    set_roller_values(roller, radius, point);
 }
 
 void set_translating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
-    const formulas::TranslatingFlat<double> flat{cam[base_radius] + state.s, state.velocity,
-                                                 state.acceleration, cam[base_radius]};
+    const double height = cam[base_radius] + state.s;
     point.contact_offset = formulas::sense_of(cam.rotation) * state.velocity;
-    point.center = {point.contact_offset, flat.position};
+    point.center = {point.contact_offset, height};
     point.normal = Vector2d::UnitY();
-    set_flat_values(flat, point);
+    set_flat_values(cam, height + state.acceleration, 1.0, point);
 }
 
 void set_oscillating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
     const double start = formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
                                                             cam[center_distance], cam[arm_length]);
     const formulas::OscillatingRoller<double> roller{
-        start + state.s,    formulas::sense_of(cam.rotation) * state.velocity,
-        state.acceleration, cam[center_distance],
-        cam[arm_length],    cam[roller_radius]};
+        start + state.s, formulas::sense_of(cam.rotation) * state.velocity, state.acceleration,
+        cam[center_distance], cam[arm_length]};
     const auto pitch = roller.pitch();
     const double c = std::cos(roller.position), s = std::sin(roller.position);
     const Vector2d arm(-c, s), swing(s, c);
     point.center = Vector2d(cam[center_distance], 0.0) + cam[arm_length] * arm;
     point.normal = (pitch.across * arm + pitch.along * swing) / pitch.speed();
-    set_roller_values(roller, point);
+    set_roller_values(roller, cam[roller_radius], point);
 }
 
 void set_oscillating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
     const double start =
         formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
-    const formulas::OscillatingFlat<double> flat{
-        start + state.s,    formulas::sense_of(cam.rotation) * state.velocity,
-        state.acceleration, cam[center_distance],
-        cam[face_offset],   cam[base_radius]};
+    const formulas::OscillatingFlat<double> flat{start + state.s,
+                                                 formulas::sense_of(cam.rotation) * state.velocity,
+                                                 state.acceleration, cam[center_distance], cam[face_offset]};
     const double c = std::cos(flat.position), s = std::sin(flat.position);
     const Vector2d arm(-c, s), swing(s, c);
     point.contact_offset = flat.contact_offset();
@@ -82,7 +79,7 @@ void set_oscillating_flat(const DiskCam& cam, const FollowerState& state, Profil
         Vector2d(cam[center_distance], 0.0) - cam[face_offset] * swing + point.contact_offset * arm;
     point.normal = swing;
     point.pressure_angle = std::atan2(flat.pressure_numerator(), flat.pressure_denominator());
-    set_flat_values(flat, point);
+    set_flat_values(cam, flat.turned_radius(), flat.turning(), point);
 }
 
 void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {

@@ -52,8 +52,9 @@ struct Expansion {
         QuantityValue result;
         result.value = value;
         result.gradient.noalias() = jacobian.transpose() * gradient;
-        const Jacobian<n> half = hessian * jacobian;
-        result.hessian.noalias() = jacobian.transpose() * half;
+        // Eigen would hand matrices of this size to its kernels for large ones.
+        const Jacobian<n> half = hessian.lazyProduct(jacobian);
+        result.hessian = jacobian.transpose().lazyProduct(half);
         return result;
     }
 };

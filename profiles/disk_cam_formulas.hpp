@@ -60,10 +60,10 @@ struct PitchMotion {
     }
 };
 
-/// A knife edge is a roller of radius 0.
+/// Of its centre; a knife edge is a roller of radius 0.
 template <class T>
 struct TranslatingRoller {
-    T position, velocity, acceleration, offset, roller_radius;
+    T position, velocity, acceleration, offset;
 
     [[nodiscard]] T pressure_numerator() const { return velocity - offset; }
     [[nodiscard]] T pressure_denominator() const { return position; }
@@ -75,7 +75,7 @@ struct TranslatingRoller {
 
 template <class T>
 struct OscillatingRoller {
-    T position, velocity, acceleration, center_distance, arm_length, roller_radius;
+    T position, velocity, acceleration, center_distance, arm_length;
 
     /// Speed of the arm's end in the cam frame where the pivot stands above it.
     [[nodiscard]] T end_speed() const { return arm_length * T(velocity + 1.0); }
@@ -97,24 +97,9 @@ struct OscillatingRoller {
     }
 };
 
-/// 1 - roller radius times curvature.
-template <class Roller>
-[[nodiscard]] auto roller_regularity(const Roller& roller) {
-    using T = decltype(roller.roller_radius);
-    return T(1.0 - T(roller.roller_radius * roller.pitch().curvature()));
-}
-
-template <class T>
-struct TranslatingFlat {
-    T position, velocity, acceleration, base_radius;
-
-    [[nodiscard]] T cam_radius() const { return position + acceleration; }
-    [[nodiscard]] T regularity() const { return cam_radius() / base_radius; }
-};
-
 template <class T>
 struct OscillatingFlat {
-    T position, velocity, acceleration, center_distance, face_offset, base_radius;
+    T position, velocity, acceleration, center_distance, face_offset;
 
     /// Turning of the face against the cam, in units of the cam's own.
     [[nodiscard]] T turning() const { return velocity + 1.0; }
@@ -134,7 +119,6 @@ struct OscillatingFlat {
         return T(sine_part + cosine_part) * inverse - face_offset * turning();
     }
     [[nodiscard]] T cam_radius() const { return turned_radius() / turning(); }
-    [[nodiscard]] T regularity() const { return turned_radius() / base_radius; }
 };
 
 }  // namespace camopt::formulas

@@ -38,13 +38,39 @@ QuantityValue constant(double value) {
     return linear(value, std::array<Term, 0>{});
 }
 
+/// 1 - roller radius times curvature.
+QuantityValue roller_regularity(const QuantityValue& pitch_curvature, double radius) {
+    constexpr int column = column_of(roller_radius);
+    QuantityValue result;
+    result.value = 1.0 - radius * pitch_curvature.value;
+    result.gradient = -radius * pitch_curvature.gradient;
+    result.gradient(column) -= pitch_curvature.value;
+    result.hessian = -radius * pitch_curvature.hessian;
+    result.hessian.col(column) -= pitch_curvature.gradient;
+    result.hessian.row(column) -= pitch_curvature.gradient;
+    return result;
+}
+
+/// A radius as a share of the base radius; the partials are those of share * base = radius.
+QuantityValue flat_regularity(const QuantityValue& radius, double base) {
+    constexpr int column = column_of(base_radius);
+    QuantityValue share;
+    share.value = radius.value / base;
+    share.gradient = radius.gradient / base;
+    share.gradient(column) -= share.value / base;
+    share.hessian = radius.hessian / base;
+    share.hessian.col(column) -= share.gradient / base;
+    share.hessian.row(column) -= share.gradient / base;
+    return share;
+}
+
+constexpr auto curvature = [](const auto& roller) { return roller.pitch().curvature(); };
+
 QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const double sense = formulas::sense_of(cam.rotation);
     const auto expand = [&](const auto& formula) {
-        const std::array<Local, 4> locals = {{{velocity_column},
-                                              {acceleration_column},
-                                              {column_of(offset), sense},
-                                              {column_of(roller_radius)}}};
+        const std::array<Local, 3> locals = {
+            {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
         return Expander(cam, state).expand<formulas::TranslatingRoller>(locals, formula);
     };
     switch (which) {
@@ -54,10 +80,10 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
         case Quantity::pressure_denominator:
             return Expander(cam, state).position();
         case Quantity::pitch_curvature:
-            return expand([](const auto& roller) { return roller.pitch().curvature(); });
+            return expand(curvature);
         case Quantity::regularity:
             if (cam.follower == FollowerType::translating_knife) return constant(1.0);
-            return expand([](const auto& roller) { return formulas::roller_regularity(roller); });
+            return roller_regularity(expand(curvature), cam[roller_radius]);
         case Quantity::normal_lever:
             return expand([](const auto& roller) { return roller.normal_lever(); });
         case Quantity::cam_radius:
@@ -69,11 +95,10 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
 
 QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const auto expand = [&](const auto& formula) {
-        const std::array<Local, 5> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
+        const std::array<Local, 4> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
                                               {acceleration_column},
                                               {column_of(center_distance)},
-                                              {column_of(arm_length)},
-                                              {column_of(roller_radius)}}};
+                                              {column_of(arm_length)}}};
         return Expander(cam, state).expand<formulas::OscillatingRoller>(locals, formula);
     };
     switch (which) {
@@ -82,9 +107,9 @@ QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerStat
         case Quantity::pressure_denominator:
             return expand([](const auto& roller) { return roller.pressure_denominator(); });
         case Quantity::pitch_curvature:
-            return expand([](const auto& roller) { return roller.pitch().curvature(); });
+            return expand(curvature);
         case Quantity::regularity:
-            return expand([](const auto& roller) { return formulas::roller_regularity(roller); });
+            return roller_regularity(expand(curvature), cam[roller_radius]);
         case Quantity::normal_lever:
             return expand([](const auto& roller) { return roller.normal_lever(); });
         case Quantity::cam_radius:
@@ -94,26 +119,23 @@ QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerStat
     refuse(cam.follower);
 }
 
+QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& state) {
+    return linear(cam[base_radius] + state.s + state.acceleration,
+                  std::array<Term, 3>{{{0, 1.0}, {acceleration_column, 1.0}, {column_of(base_radius), 1.0}}});
+}
+
 QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const double sense = formulas::sense_of(cam.rotation);
     switch (which) {
         case Quantity::pressure_numerator:
             return constant(0.0);
         case Quantity::pressure_denominator:
-            return Expander(cam, state).position();
-        case Quantity::cam_radius: {
-            QuantityValue radius = Expander(cam, state).position();
-            radius.value += state.acceleration;
-            radius.gradient(acceleration_column) = 1.0;
-            return radius;
-        }
-        case Quantity::regularity: {
-            const std::array<Local, 3> locals = {
-                {{velocity_column}, {acceleration_column}, {column_of(base_radius)}}};
-            return Expander(cam, state).expand<formulas::TranslatingFlat>(locals, [](const auto& flat) {
-                return flat.regularity();
-            });
-        }
+            return linear(cam[base_radius] + state.s,
+                          std::array<Term, 2>{{{0, 1.0}, {column_of(base_radius), 1.0}}});
+        case Quantity::cam_radius:
+            return translating_flat_radius(cam, state);
+        case Quantity::regularity:
+            return flat_regularity(translating_flat_radius(cam, state), cam[base_radius]);
         case Quantity::contact_offset:
             return linear(sense * state.velocity, std::array<Term, 1>{{{velocity_column, sense}}});
         case Quantity::normal_lever:
@@ -126,11 +148,10 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
 
 QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const auto expand = [&](const auto& formula) {
-        const std::array<Local, 5> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
+        const std::array<Local, 4> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
                                               {acceleration_column},
                                               {column_of(center_distance)},
-                                              {column_of(face_offset)},
-                                              {column_of(base_radius)}}};
+                                              {column_of(face_offset)}}};
         return Expander(cam, state).expand<formulas::OscillatingFlat>(locals, formula);
     };
     switch (which) {
@@ -141,7 +162,8 @@ QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState&
         case Quantity::cam_radius:
             return expand([](const auto& flat) { return flat.cam_radius(); });
         case Quantity::regularity:
-            return expand([](const auto& flat) { return flat.regularity(); });
+            return flat_regularity(expand([](const auto& flat) { return flat.turned_radius(); }),
+                                   cam[base_radius]);
         case Quantity::contact_offset:
         case Quantity::normal_lever:
             return expand([](const auto& flat) { return flat.contact_offset(); });
