@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "motions/asymmetric_law.hpp"
 #include "motions/law_catalogue.hpp"
+#include "motions/polynomial_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace camopt {
 namespace {
@@ -157,6 +159,13 @@ TEST(AsymmetricLaws, RefusalsNameFoundAndAllowed) {
               "asymmetric_cycloidal: split = 0 found, allowed 0.01 <= split <= 0.99");
     EXPECT_NE(refusal(make_law("cycloidal"), std::nan("")), "no refusal");
     EXPECT_NE(refusal(nullptr, 0.4), "no refusal");
+    // Antisymmetric, but it sets out downwards: y''' = -60 at x = 0.
+    LawInfo info;
+    info.key = "dips";
+    info.continuity = 2;
+    auto dips = std::make_unique<PolynomialLaw>(
+        info, std::vector<double>{0.0, 0.0, 0.0, -10.0, 85.0, -174.0, 140.0, -40.0});
+    EXPECT_TRUE(refusal(std::move(dips), 0.4).starts_with("asymmetric law: dips found"));
     for (const char* key : {"double_harmonic", "one_dwell_cycloidal", "one_dwell_polynomial_345",
                             "asymmetric_cycloidal", "asymmetric_parabolic"}) {
         const std::string text = refusal(make_law(key), 0.4);
