@@ -21,6 +21,9 @@ std::vector<BrokenScene> broken_files() {
          "s.toml:2:8: TOML: Error while parsing value: could not determine value type"},
         {"syntax_open_header", "[motion\n",
          "s.toml:1:8: TOML: Error while parsing table header: expected ']', saw '\\n'"},
+        {"syntax_empty_header", "[\nmotion]\n",
+         "s.toml:1:2: TOML: Error while parsing key: expected bare key starting character or string "
+         "delimiter, saw '\\n'"},
         {"syntax_key_twice",
          "[motion]\n"
          "type = \"DRD\"\n"
