@@ -37,7 +37,8 @@ double row_sum(const Matrix& lower) {
 }  // namespace
 
 ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, double least) {
-    constexpr double most_weight = 1e4, first_shift = 1e-4;
+    constexpr double most_weight = 1e4, first_shift = 1e-4, growth = 4.0, margin = 1.2;
+    constexpr int halvings = 4;
     const Eigen::Index size = lower.rows();
     const Matrix unit = identity(size);
     const double bound = row_sum(lower);
@@ -55,10 +56,20 @@ ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, do
         }
         result.slope = bound * (active.normals.transpose() * active.residuals);
     }
-    for (result.shift = first_shift * bound;; result.shift *= 4.0) {
-        result.lower = lower + bound * gram + (result.shift + least) * unit;
-        if (result.shift > bound || positive_definite(result.lower)) return result;
+    const Matrix base = lower + bound * gram + least * unit;
+    double refused = 0.0;
+    for (result.shift = first_shift * bound; result.shift < bound; result.shift *= growth) {
+        if (positive_definite(base + result.shift * unit)) break;
+        refused = result.shift;
     }
+    // Little more than is needed: a large shift keeps the sequence at saddle points for long.
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = 0.5 * (refused + result.shift);
+        (positive_definite(base + middle * unit) ? result.shift : refused) = middle;
+    }
+    result.shift *= margin;
+    result.lower = base + result.shift * unit;
+    return result;
 }
 
 }  // namespace camopt::structured

@@ -71,7 +71,7 @@ void LinearizedProblem::add_elastic_rows() {
     const int t = variables_;
     shape_.x_lower.conservativeResize(t + 1);
     shape_.x_upper.conservativeResize(t + 1);
-    shape_.x_lower[t] = 0.0;
+    shape_.x_lower[t] = -model_.elastic_base / model_.unit;
     shape_.x_upper[t] = infinity;
     std::vector<int> extra_of(static_cast<std::size_t>(base.constraints()), -1);
     const auto add_entry = [&](int row, int column, double value) {
@@ -83,6 +83,9 @@ void LinearizedProblem::add_elastic_rows() {
     for (int i = 0; i < base.constraints(); ++i) {
         if (base.rows[static_cast<std::size_t>(i)].linear) continue;
         const bool upper = std::isfinite(base.g_upper[i]), lower = std::isfinite(base.g_lower[i]);
+        const double room = model_.weights[i] * model_.elastic_base / model_.unit;
+        shape_.g_upper[i] += room;
+        shape_.g_lower[i] -= room;
         if (upper || lower) add_entry(i, t, upper ? -model_.weights[i] : model_.weights[i]);
         if (!upper || !lower) continue;
         const int row = base.constraints() + static_cast<int>(extra_rows_.size());
@@ -151,7 +154,7 @@ VectorXd LinearizedProblem::step_of(const VectorXd& u) const {
 }
 
 double LinearizedProblem::elastic_of(const VectorXd& u) const {
-    return u.size() > variables_ ? model_.unit * u[variables_] : 0.0;
+    return u.size() > variables_ ? model_.elastic_base + model_.unit * u[variables_] : 0.0;
 }
 
 VectorXd LinearizedProblem::multipliers_of(const VectorXd& lambda) const {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Internal to solvers/structured/: an Nlp around one point, as a problem with linear rows for a step d = h u.
 //
-//     min (cᵀd + ½ dᵀHd + ν t) / (h F)   subject to   d_L <= d <= d_U,   t >= 0,
+//     min (cᵀd + ½ dᵀHd + ν t) / (h F)   subject to   d_L <= d <= d_U,   t = t_0 + h τ >= 0,
 //         g_L <= g + G d <= g_U            (linear rows),
 //         g_L − w t <= g + G d <= g_U + w t  (nonlinear rows; ν = 0: t = 0, the rows are kept).
 //
 // h (`unit`) and F (`cost_unit`) bring a small step of a large cost to order 1, where the interior point
-// works to full accuracy. Rows keep the numbers of the Nlp; with ν > 0 the lower sides of nonlinear rows with
-// two sides follow them.
+// works to full accuracy; t_0 (`elastic_base`) is the violation at d = 0. Rows keep the numbers of the Nlp;
+// with ν > 0 the lower sides of nonlinear rows with two sides follow them.
 #pragma once
 
 #include "core/nlp.hpp"
@@ -38,6 +38,7 @@ struct StepModel {
     Eigen::VectorXd step_lower, step_upper;  ///< d_L, d_U
     Eigen::VectorXd weights;                 ///< w, one for every row
     double penalty = 0.0;                    ///< ν
+    double elastic_base = 0.0;               ///< t_0
     double unit = 1.0, cost_unit = 1.0;      ///< h, F
     bool without_nonlinear_rows = false;
     bool sharp = false;  ///< to be solved as far as rounding lets

@@ -27,12 +27,17 @@ constexpr double significant = 1e-6;    // part of the largest multiplier that m
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
 constexpr double at_bound = 1e-7;       // relative distance
 constexpr double least_unit = 1e-3;     // of a step problem while the last digits are sought
-constexpr double penalty_excess = 1e3, least_penalty = 1e-6;
+constexpr double penalty_excess =
+    8.0;  // over what the multipliers ask for: the merit then clings to the rows
+constexpr double least_penalty = 1e-6;
+constexpr int most_reductions = 20;
 constexpr int most_polishing = 6;    // passes
 constexpr double polished = 1e-3;    // of the tolerance: stationarity that no pass can improve
 constexpr double stationary = 1e-6;  // what deserves the word converged
+constexpr double nearly_kept = 1e3;  // tolerances of violation that further passes remove
 constexpr int slow_passes = 25;      // in which the violation must fall by a tenth
-constexpr int most_failures = 8;     // step problems in a row that end without a step
+constexpr int most_corrections = 3;
+constexpr int most_failures = 8;  // step problems in a row that end without a step
 constexpr double stationary_violation = 1e-7;
 constexpr double nudge = 0.01;  // of the size of a variable
 constexpr double rounding = 1e-14;
@@ -89,13 +94,14 @@ class SequentialRun {
     double radius_, penalty_ = 1.0, last_length_ = infinity, least_elastic_ = 0.0;
     bool fresh_ = true, relaxed_ = true, spoiled_ = false;
     double marked_violation_ = infinity;
-    int marked_pass_ = 0;
-    bool nudged_ = false;
+    int marked_pass_ = 0, reductions_ = 0;
+    bool nudged_ = false, shrunk_ = false, flat_ = false;
     int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
     struct Best {
         NlpPoint point;
         VectorXd multipliers;
         double error = infinity;  ///< stationarity or violation
+        bool kept = false;        ///< every row to the tolerance
     };
     std::optional<Best> best_;
 };
@@ -267,6 +273,7 @@ StepModel SequentialRun::step_model() const {
     model.step_lower = (shape_.x_lower - here_.x).cwiseMax(-radius_ * reach_);
     model.step_upper = (shape_.x_upper - here_.x).cwiseMin(radius_ * reach_);
     model.weights = weights_;
+    model.elastic_base = violation(here_);
     model.cost_unit = cost_size();
     model.unit = std::min(1.0, radius_);
     model.sharp = polishing_ > 0;
@@ -327,14 +334,13 @@ double SequentialRun::slope_change(const VectorXd& step) const {
 }
 
 bool SequentialRun::settled(const Step& step) {
-    const double change = slope_change(step.step);
-    if (!(std::abs(change) <= options_.tolerance * cost_size()) || !kept(here_)) {
-        polishing_ = 0;
-        return false;
-    }
+    flat_ = std::abs(slope_change(step.step)) <= options_.tolerance * cost_size();
+    if (!flat_) polishing_ = 0;
+    if (!flat_ || violation(here_) > nearly_kept * options_.tolerance) return false;
+    if (!kept(here_) && ++polishing_ <= most_polishing) return false;
     const double now = std::max(stationarity(step.multipliers), violation(here_));
     const bool better = !best_ || now < 0.5 * best_->error;
-    if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now};
+    if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now, kept(here_)};
     return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
            ++polishing_ > most_polishing;
 }
@@ -344,8 +350,11 @@ void SequentialRun::raise_penalty(const StepModel& model, const Step& step) {
     for (Index i = 0; i < weights_.size(); ++i)
         if (!shape_.rows[static_cast<std::size_t>(i)].linear)
             needed += std::abs(step.multipliers[i]) * weights_[i];
-    if (model.penalty == 0.0 && (penalty_ < 1.1 * needed || penalty_ > penalty_excess * needed))
-        penalty_ = 1.5 * needed + least_penalty;
+    const bool too_large = penalty_ > penalty_excess * needed && reductions_ < most_reductions;
+    if (model.penalty == 0.0 && (penalty_ < 1.1 * needed || too_large)) {
+        penalty_ = 2.0 * needed + least_penalty;
+        reductions_ += too_large ? 1 : 0;
+    }
     const double change = slope_change(step.step), reduction = violation(here_) - step.elastic;
     if (reduction > 0.0 && change > 0.0) penalty_ = std::max(penalty_, 2.0 * change / reduction);
 }
@@ -369,18 +378,18 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     };
     NlpPoint trial = moved(step.step);
     double gained = ratio(trial);
-    if (gained < good && std::isfinite(gained) && violation(trial) > step.elastic + rounding) {
+    for (int k = 0; k < most_corrections; ++k) {
+        if (!(gained < good) || !std::isfinite(gained) || violation(trial) <= step.elastic + rounding) break;
         StepModel again = model;
         again.rows = corrected_rows(trial, step.step);
         Step corrected = steps_.solve(here_, again);
-        if (corrected.usable) {
-            NlpPoint other = moved(corrected.step);
-            if (const double value = ratio(other); value > gained) {
-                trial = std::move(other);
-                step = std::move(corrected);
-                gained = value;
-            }
-        }
+        if (!corrected.usable) break;
+        NlpPoint other = moved(corrected.step);
+        const double value = ratio(other);
+        if (!(value > gained)) break;
+        trial = std::move(other);
+        step = std::move(corrected);
+        gained = value;
     }
     const double length = step.step.cwiseAbs().cwiseQuotient(reach_).maxCoeff();
     if (gained > accept) {
@@ -389,8 +398,7 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     }
     spoiled_ = gained == -infinity;
     // The last digits do not show in the merit any more.
-    const bool polishing = polishing_ > 0 && !spoiled_ && kept(trial) &&
-                           merit(trial) - before <= options_.tolerance * cost_size();
+    const bool polishing = flat_ && !spoiled_ && merit(trial) - before <= options_.tolerance * cost_size();
     if (polishing && gained <= accept) {
         differentiate(problem_, trial);
         gained = trial.finite() ? 1.0 : -infinity;
@@ -400,17 +408,19 @@ bool SequentialRun::take(const StepModel& model, Step step) {
         multipliers_ = step.multipliers;
         last_length_ = length;
         fresh_ = true;
-        if (gained > good && length > 0.9 * radius_) radius_ *= 4.0;
+        if (gained > good && length > 0.9 * radius_) radius_ *= shrunk_ ? 1.5 : 4.0;
+        shrunk_ = false;
         if (gained < poor) radius_ = std::min(radius_, 0.5 * length);
     } else {
         radius_ = 0.25 * std::min(radius_, length);
+        shrunk_ = true;
     }
     return gained > accept;
 }
 
 BackendResult SequentialRun::finished() const {
-    return best_->error <= stationary ? ended(Termination::converged, "converged")
-                                      : ended(Termination::acceptable, "no further progress");
+    return best_->kept && best_->error <= stationary ? ended(Termination::converged, "converged")
+                                                     : ended(Termination::acceptable, "no further progress");
 }
 
 /// No step reduces the linearized violation. By convexity a feasible point would then be far away: at
@@ -512,12 +522,6 @@ BackendResult SequentialRun::run(const VectorXd& start) {
         ++passes_;
         guard_.report(passes_, here_.cost, violation(here_));
         if (std::optional<BackendResult> end = pass()) return *end;
-        if (std::getenv("SQP_TRACE"))
-            fmt::print(
-                stderr,
-                "{:3} f {:.12g} v {:.2e} radius {:.2e} nu {:.1e} relaxed {} shift {:.1e} len {:.2e} it {}\n",
-                passes_, here_.cost, violation(here_), radius_, penalty_, relaxed_, hessian_.shift,
-                last_length_, steps_.interior_iterations());
     }
 }
 

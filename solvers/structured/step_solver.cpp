@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double usable_error = 1e-6;  // of the scaled step problem
+// Of the scaled step problem. A step is only tried; what is delivered is judged by the Nlp itself.
+constexpr double usable_error = 1e-4, usable_primal = 1e-7;
 constexpr double sharp_part = 1e-3, sharpest = 1e-14;
 constexpr int sharp_patience = 8;
 constexpr double kept = 1e-8;         // elastic part below which the linearized rows count as kept
@@ -37,7 +38,8 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     const InteriorPointResult solved = interior_point(form.model(), form.to_model(start), limits, control_);
     iterations_ += solved.iterations;
     result.stop = solved.stop;
-    result.usable = solved.has_point() && solved.errors.worst() <= usable_error && !result.stopped();
+    result.usable = solved.has_point() && solved.errors.worst() <= usable_error &&
+                    solved.errors.primal <= usable_primal && !result.stopped();
     if (!result.usable) return result;
     const VectorXd u = form.to_problem(solved.best.x(form.model().variables()));
     result.step = linearized.step_of(u);
