@@ -58,6 +58,12 @@ class ContinuousProblem {
     /// box holds every feasible curve). Entries nothing bounds are ±infinity.
     [[nodiscard]] virtual Box box(double incumbent, double relaxation) const = 0;
 
+    /// Whether the problem is proved convex over that box, so that tangents of its rows are bounds.
+    [[nodiscard]] virtual bool convex(double incumbent) const {
+        static_cast<void>(incumbent);
+        return grid().shape().convex;
+    }
+
  protected:
     ContinuousProblem() = default;
     ContinuousProblem(const ContinuousProblem&) = default;

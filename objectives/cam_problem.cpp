@@ -3,13 +3,14 @@
 
 #include "core/errors.hpp"
 #include "objectives/curve_bounds.hpp"
+#include "objectives/rule_maxima.hpp"
 #include "splines/extrema.hpp"
-#include "splines/polynomial.hpp"
 
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace camopt {
 
@@ -20,29 +21,42 @@ constexpr double same_sample = 1e-9;
 // A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
 constexpr double bracket = 0.25;
 
-/// The rule along one segment as a polynomial in t, for a linear rule.
-Eigen::VectorXd along_segment(const PointRule& rule, const SplineCurve& curve, const Eigen::VectorXd& q,
-                              int segment) {
-    const RuleValue affine = rule.evaluate({0.0, {}}, q);
-    Eigen::VectorXd polynomial = Eigen::VectorXd::Zero(curve.degree() + 1);
-    polynomial[0] = affine.value;
-    for (int order = 0; order < 4; ++order) {
-        if (affine.gradient[order] == 0.0) continue;
-        const Eigen::VectorXd derivative = curve.derivative_polynomial(segment, order);
-        polynomial.head(derivative.size()) += affine.gradient[order] * derivative;
+// Random starting motions: this many loads, bending the smoothest motion by up to this part of a lift.
+constexpr int random_loads = 3;
+constexpr double farthest_random_move = 0.3;
+constexpr int move_samples = 64;
+// Steps with which the range of displacements is bounded.
+constexpr int range_samples = 200;
+
+/// max |a − b| over samples: only the size of a random move hangs on it.
+double largest_move(const Motion& a, const Motion& b) {
+    double largest = 0.0;
+    for (int k = 0; k <= move_samples; ++k) {
+        const double x = a.begin() + (a.end() - a.begin()) * k / move_samples;
+        largest = std::max(largest, std::abs(a.at(x).derivative[0] - b.at(x).derivative[0]));
     }
-    return polynomial;
+    return largest;
 }
 
-/// The highest derivative the rule looks at, and with it where the rule may jump or bend.
-int highest_order(const PointRule& rule) {
-    const RuleValue affine =
-        rule.evaluate({0.0, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
-    int highest = 0;
-    for (int order = 0; order < 4; ++order) {
-        if (affine.gradient[order] != 0.0) highest = order;
+/// y^{(r)} of the family over the normalised one: the largest and the smallest over the stretches.
+double largest_stretch_factor(const CamModel& model, int order) {
+    double largest = model.stretch_scales.empty() ? 1.0 : 0.0;
+    for (const StretchScale& scale : model.stretch_scales) {
+        largest = std::max(largest, scale.displacement / std::pow(scale.angle, order));
     }
-    return highest;
+    return largest;
+}
+double smallest_stretch_factor(const CamModel& model, int order) {
+    double smallest = model.stretch_scales.empty() ? 1.0 : infinity;
+    for (const StretchScale& scale : model.stretch_scales) {
+        smallest = std::min(smallest, scale.displacement / std::pow(scale.angle, order));
+    }
+    return smallest;
+}
+
+/// Degree of a rule along a spline piece, as far as the first grid cares: curved ones like a high one.
+int degree_along(const PointRule& rule, int spline_degree) {
+    return rule.linear() ? spline_degree - rule.highest_order() : spline_degree;
 }
 
 }  // namespace
@@ -51,10 +65,6 @@ CamProblem::CamProblem(CamModel model) : CamProblem(std::move(model), {}) {}
 
 CamProblem::CamProblem(CamModel model, std::vector<RuleSample> samples)
     : model_(std::make_shared<const CamModel>(std::move(model))), places_(model_->rules.size()) {
-    for (const auto& rule : model_->rules) {
-        if (!rule->linear())
-            throw ModelError(rule->name() + ": its continuous maxima cannot be found: it is not linear");
-    }
     projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
     start_grid();
     for (const RuleSample& sample : samples) add_sample(sample.rule, sample.at, sample.side);
@@ -62,32 +72,51 @@ CamProblem::CamProblem(CamModel model, std::vector<RuleSample> samples)
 }
 
 void CamProblem::start_grid() {
-    const SplineSpace& space = model_->design.space();
-    for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
-        const int order = highest_order(*model_->rules[r]);
-        const int degree = space.degree() - order;  // of the rule on a segment
-        const bool jumps = order > space.continuity();
-        for (int i = 0; i < space.segments(); ++i) {
-            const double left = space.breakpoints()[i];
+    for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) start_rule(r);
+}
+
+void CamProblem::start_rule(int index) {
+    const PlacedRule& rule = model_->rules[index];
+    const MotionFamily& family = model_->design;
+    const int order = rule->highest_order();
+    int last_stretch = -1;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
+        const bool first = piece.stretch != last_stretch;
+        last_stretch = piece.stretch;
+        const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
+        if (stretch.kind == StretchRequest::Kind::spline) {
+            const SplineSpace& space = family.run_space(stretch.run);
+            const int degree = degree_along(*rule, space.degree());
+            const bool jumps = order > space.continuity();
             if (degree >= 1 || jumps) {
-                if (i == 0 || jumps) add_sample(r, left, Side::right);
-                if (degree >= 1) add_sample(r, space.breakpoints()[i + 1], Side::left);
+                if (first || jumps) add_sample(index, piece.begin, Side::right);
+                if (degree >= 1) add_sample(index, piece.end, Side::left);
             }
-            if (degree >= 2) add_sample(r, left + 0.5 * space.width(i), Side::right);
+            if (degree >= 2) add_sample(index, 0.5 * (piece.begin + piece.end), Side::right);
+            continue;
+        }
+        // Where the motion is fixed, only the cam's dimensions can still move the rule.
+        if (rule->parameters().empty() && stretch.from.columns.empty() && stretch.to.columns.empty())
+            continue;
+        const bool dwell = stretch.kind == StretchRequest::Kind::dwell;
+        const int parts = dwell ? 1 : 4;
+        for (int k = 0; k < parts; ++k) {
+            add_sample(index, piece.begin + (k + 0.5) / parts * (piece.end - piece.begin), Side::right);
         }
     }
 }
 
 bool CamProblem::add_sample(int rule, double at, Side side) {
-    const SplineSpace& space = model_->design.space();
-    const int segment = space.segment_of(at, side);
-    const double tolerance = same_sample * space.width(segment);
+    const int index = model_->design.piece_of(at, side);
+    const MotionFamily::Piece& piece = model_->design.pieces()[index];
+    const double tolerance = same_sample * (piece.end - piece.begin);
     auto& places = places_[rule];
-    const auto next = places.lower_bound({segment, at - tolerance});
-    if (next != places.end() && next->first.first == segment && next->first.second <= at + tolerance) {
+    const auto next = places.lower_bound({index, at - tolerance});
+    if (next != places.end() && next->first.first == index && next->first.second <= at + tolerance) {
         return false;
     }
-    places.emplace(std::pair{segment, at}, static_cast<int>(samples_.size()));
+    places.emplace(std::pair{index, at}, static_cast<int>(samples_.size()));
     samples_.push_back({rule, at, side});
     return true;
 }
@@ -101,16 +130,19 @@ Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {
 }
 
 SplineCurve CamProblem::curve(const Eigen::VectorXd& x) const {
-    return model_->design.curve(design_values(x));
+    return model_->design.run_curve(0, design_values(x));
 }
 
-Eigen::VectorXd CamProblem::start() const {
-    // The curve of least mean square jerk: smooth, unique, close to every optimum, and one linear system
-    // away.
-    const DesignVector& design = model_->design;
+MotionChain CamProblem::motion(const Eigen::VectorXd& x) const {
+    return model_->design.motion(design_values(x));
+}
+
+/// The entries of least mean square jerk under a load: one linear system, always smooth.
+Eigen::VectorXd CamProblem::smoothest(const Eigen::VectorXd& load) const {
+    const MotionFamily& design = model_->design;
     const Eigen::Index size = design.size();
     const Eigen::Index rows = projection_->matrix().rows();
-    const QuadraticForm energy = mean_square_form(design, 3);
+    const QuadraticForm energy = design.mean_square(3, model_->mean_square_weights(3));
     const Eigen::VectorXd scale = design_scales(*model_);
     const double unit = model_->jerk_reference * model_->jerk_reference;
     std::vector<Eigen::Triplet<double>> entries;
@@ -129,36 +161,120 @@ Eigen::VectorXd CamProblem::start() const {
     Eigen::SparseMatrix<double> system(size + rows, size + rows);
     system.setFromTriplets(entries.begin(), entries.end());
     Eigen::VectorXd right(size + rows);
-    right << -scale.cwiseProduct(energy.linear) / unit, -projection_->offset();
+    right << load - scale.cwiseProduct(energy.linear) / unit, -projection_->offset();
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
+    if (size == 0) return x;
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(system);
+    if (factor.info() != Eigen::Success) return x;
+    const Eigen::VectorXd solution = factor.solve(right);
+    if (solution.allFinite()) x = solution.head(size);
+    return x;
+}
+
+Eigen::VectorXd CamProblem::start() const {
+    // Close to every optimum, unique, and one linear system away. Dimensions start in the middle.
+    const Eigen::Index size = model_->design.size();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(grid_->shape().variables());
-    if (size > 0) {
-        const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(system);
-        const Eigen::VectorXd solution =
-            factor.info() == Eigen::Success ? Eigen::VectorXd(factor.solve(right)) : Eigen::VectorXd();
-        if (solution.size() > 0 && solution.allFinite()) x.head(size) = solution.head(size);
+    x.head(size) = smoothest(Eigen::VectorXd::Zero(size));
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        if (parameter.kind != Parameter::Kind::dimension) continue;
+        x[size + static_cast<Eigen::Index>(p)] = 0.5 * (parameter.lower + parameter.upper);
     }
     return completed(x);
 }
 
-Eigen::VectorXd CamProblem::parameter_values(const SplineCurve& curve) const {
+Eigen::VectorXd CamProblem::random_start(unsigned seed) const {
+    const MotionFamily& design = model_->design;
+    const Eigen::Index size = design.size();
+    Eigen::VectorXd x = start();
+    // Plain arithmetic on the engine: the standard's distributions differ from library to library.
+    std::mt19937 engine(seed);
+    const auto uniform = [&engine](double low, double high) {
+        return low + (high - low) * static_cast<double>(engine()) / 4294967295.0;
+    };
+    const Eigen::VectorXd scale = design_scales(*model_);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(size);
+    for (int k = 0; k < random_loads; ++k) {
+        const AffineRow place = design.functional(uniform(design.begin(), design.end()), 0);
+        const double force = uniform(-1.0, 1.0);
+        for (std::size_t j = 0; j < place.columns.size(); ++j) {
+            load[place.columns[j]] += force * place.weights[j] * scale[place.columns[j]];
+        }
+    }
+    const Eigen::VectorXd bend = smoothest(load) - x.head(size);
+    Eigen::VectorXd bent = x;
+    bent.head(size) += bend;
+    const double size_of_bend = largest_move(motion(bent), motion(x));
+    if (size_of_bend > 0.0) x.head(size) += uniform(0.0, farthest_random_move) / size_of_bend * bend;
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        if (parameter.kind != Parameter::Kind::dimension) continue;
+        x[size + static_cast<Eigen::Index>(p)] = uniform(parameter.lower, parameter.upper);
+    }
+    return completed(x);
+}
+
+Eigen::VectorXd CamProblem::own_parameters(int rule, const Eigen::VectorXd& x) const {
+    return x.tail(static_cast<Eigen::Index>(model_->parameters.size()))(model_->rules[rule]->parameters());
+}
+
+/// The peaks of DRD and RR, whose normalised motion is the spline itself.
+void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {
     const Peaks peaks = peaks_of(curve);
     const std::array<double, 4> peak = {0.0, peaks.velocity.value, peaks.acceleration.value,
                                         peaks.jerk.value};
     const std::array<double, 4> rms = {0.0, peaks.rms_velocity, peaks.rms_acceleration, peaks.rms_jerk};
-    Eigen::VectorXd values(static_cast<Eigen::Index>(model_->parameters.size()));
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
-        const bool is_peak = parameter.kind == Parameter::Kind::peak;
-        values[static_cast<Eigen::Index>(p)] = (is_peak ? peak : rms)[parameter.order] / parameter.reference;
+        double& value = x[model_->design.size() + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::peak) value = peak[parameter.order] / parameter.reference;
+        if (parameter.kind == Parameter::Kind::rms) value = rms[parameter.order] / parameter.reference;
     }
-    return values;
+}
+
+/// The normalised peaks of a program: each the largest over its stretches, by the rules that define it.
+void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorXd& x) const {
+    const Eigen::Index size = model_->design.size();
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        double& value = x[size + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::peak) value = 0.0;
+        if (parameter.kind != Parameter::Kind::rms) continue;
+        const QuadraticForm form =
+            model_->design.mean_square(parameter.order, model_->mean_square_weights(parameter.order));
+        value = std::sqrt(std::max(0.0, form.value(design_values(x)))) / parameter.reference;
+    }
+    for (const PlacedRule& rule : model_->rules) {
+        if (rule->limit() || rule->parameters().empty()) continue;
+        double& peak = x[size + rule->parameters().front()];
+        peak = std::max(peak,
+                        largest_of(rule_maxima(rule, model_->design, chain, Eigen::VectorXd::Zero(1))).value);
+    }
+}
+
+/// Peaks and root mean squares become those of the motion behind x; dimensions keep their range.
+void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
+    if (model_->stretch_scales.empty()) {
+        complete_peaks(curve(x), x);
+    } else {
+        complete_program_peaks(motion(x), x);
+    }
+    const Eigen::Index size = model_->design.size();
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        double& value = x[size + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::dimension)
+            value = std::clamp(value, parameter.lower, parameter.upper);
+        if (parameter.kind == Parameter::Kind::magnitude) value = std::abs(x[size + parameter.order]);
+    }
 }
 
 Eigen::VectorXd CamProblem::completed(const Eigen::VectorXd& x) const {
     Eigen::VectorXd full = x;
     const Eigen::Index size = model_->design.size();
     full.head(size) = projection_->project(x.head(size));
-    full.tail(x.size() - size) = parameter_values(curve(full));
+    if (full.allFinite()) complete_parameters(full);
     return full;
 }
 
@@ -168,15 +284,14 @@ double CamProblem::objective(const Eigen::VectorXd& x) const {
 
 std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double slack) const {
     std::vector<Violation> found;
-    const SplineCurve spline = curve(x);
+    const MotionChain chain = motion(x);
     const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
-        const PointRule& rule = *model_->rules[r];
-        const Eigen::VectorXd own = q(rule.parameters());
-        const auto along = [&](int segment) { return along_segment(rule, spline, own, segment); };
-        for (const Extremum& maximum : local_maxima(spline.space(), along)) {
-            const double amount = maximum.value / rule.scale();
-            if (amount > -slack) found.push_back({r, maximum, amount, rule.limit()});
+        const PlacedRule& rule = model_->rules[r];
+        for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
+            // What has no value (an arm that cannot reach) is as broken as can be.
+            const double amount = std::isfinite(maximum.value) ? maximum.value / rule->scale() : infinity;
+            if (amount > -slack) found.push_back({r, maximum, amount, rule->limit()});
         }
     }
     for (int k = 0; k < static_cast<int>(model_->parameter_rows.size()); ++k) {
@@ -186,7 +301,7 @@ std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double s
             value += row.weights[i] * q[row.parameters[i]];
         const int rule = static_cast<int>(model_->rules.size()) + k;
         if (value / row.scale > -slack)
-            found.push_back({rule, {value, spline.begin()}, value / row.scale, row.limit});
+            found.push_back({rule, {value, model_->design.begin()}, value / row.scale, row.limit});
     }
     std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
     return found;
@@ -194,18 +309,18 @@ std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double s
 
 int CamProblem::refine(std::span<const Violation> worst) {
     const std::size_t before = samples_.size();
-    const SplineSpace& space = model_->design.space();
+    const MotionFamily& family = model_->design;
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
             continue;  // rows on parameters are always there
         const double at = violation.where.at;
-        const int segment = space.segment_of(at, violation.where.side);
+        const int piece = family.piece_of(at, violation.where.side);
         const auto& places = places_[violation.rule];
-        double left = space.breakpoints()[segment];
-        double right = space.breakpoints()[segment + 1];
-        const auto after = places.lower_bound({segment, at});
-        if (after != places.end() && after->first.first == segment) right = after->first.second;
-        if (after != places.begin() && std::prev(after)->first.first == segment) {
+        double left = family.pieces()[piece].begin;
+        double right = family.pieces()[piece].end;
+        const auto after = places.lower_bound({piece, at});
+        if (after != places.end() && after->first.first == piece) right = after->first.second;
+        if (after != places.begin() && std::prev(after)->first.first == piece) {
             left = std::prev(after)->first.second;
         }
         if (!add_sample(violation.rule, at, violation.where.side)) continue;
@@ -217,47 +332,128 @@ int CamProblem::refine(std::span<const Violation> worst) {
     return added;
 }
 
-Box CamProblem::box(double incumbent, double relaxation) const {
+/// What a curve of at most the incumbent's cost cannot exceed: parameters, and with them derivatives.
+struct CamProblem::SupportedBounds {
+    Eigen::VectorXd parameters;      ///< upper bounds, in units of their references
+    std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
+};
+
+CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
     const CamModel& model = *model_;
-    const SplineSpace& space = model.design.space();
-    KnownBounds known;
+    const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
+    SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
-    known.begin_state = model.design.begin_state();
-    known.end_state = model.design.end_state();
-    const int parameters = static_cast<int>(model.parameters.size());
-    Eigen::VectorXd parameter_bound = Eigen::VectorXd::Constant(parameters, infinity);
-    for (int p = 0; p < parameters; ++p) {
-        if (model.parameters[p].weight > 0.0) parameter_bound[p] = incumbent / model.parameters[p].weight;
+    for (Eigen::Index p = 0; p < parameters; ++p) {
+        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        known.parameters[p] = parameter.upper;
+        if (parameter.weight > 0.0) {  // every term of the cost is at least 0, dimensions at their lower ends
+            known.parameters[p] = std::min(known.parameters[p], incumbent / parameter.weight);
+        }
     }
-    for (const ParameterRow& row : model.parameter_rows) {  // parameters and weights are not negative
+    for (const ParameterRow& row : model.parameter_rows) {
+        if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
         for (std::size_t k = 0; k < row.parameters.size(); ++k) {
             if (row.weights[k] <= 0.0) continue;
             const double slack = row.limit ? relaxation * row.scale : 0.0;
-            double& bound = parameter_bound[row.parameters[k]];
+            double& bound = known.parameters[row.parameters[k]];
             bound = std::min(bound, (row.upper + slack) / row.weights[k]);
         }
     }
-    for (int p = 0; p < parameters; ++p) {
-        const Parameter& parameter = model.parameters[p];
-        double& bound = (parameter.kind == Parameter::Kind::peak ? known.sup : known.rms)[parameter.order];
-        bound = std::min(bound, parameter_bound[p] * parameter.reference);
+    for (Eigen::Index p = 0; p < parameters; ++p) {
+        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        const bool peak = parameter.kind == Parameter::Kind::peak;
+        if (!peak && parameter.kind != Parameter::Kind::rms) continue;
+        double& bound = (peak ? known.sup : known.rms)[parameter.order];
+        const double normalised = known.parameters[p] * parameter.reference;
+        bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
-    const Eigen::MatrixXd bounds = derivative_bounds(space, known);
+    return known;
+}
+
+Box CamProblem::box(double incumbent, double relaxation) const {
+    const CamModel& model = *model_;
+    const MotionFamily& family = model.design;
+    const SupportedBounds known = supported_bounds(incumbent, relaxation);
     Box box;
-    box.upper.resize(grid_->shape().variables());
-    box.upper.head(model.design.size()) =
-        model.design.entry_bounds(bounds).cwiseQuotient(design_scales(model));
+    box.upper = Eigen::VectorXd::Constant(grid_->shape().variables(), infinity);
+    // Displacements at joints lie within what the velocity allows from the known beginning.
+    const double reach = known.sup[1] * (family.end() - family.begin());
+    const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
+    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
+        box.upper[entry] = joint_bound[family.order(entry)];
+    }
+    std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
+    for (int r = 0; r < family.runs(); ++r) {
+        const DesignVector& run = family.run(r);
+        KnownBounds bounds{known.sup, known.rms, run.begin_state(), run.end_state()};
+        if (family.first_joint_entry() < family.size()) {
+            bounds.rms.fill(infinity);
+            bounds.begin_state = bounds.end_state = joint_bound;
+        }
+        const Eigen::MatrixXd derivatives = derivative_bounds(run.space(), bounds);
+        box.upper.segment(family.first_entry(r), run.size()) = run.entry_bounds(derivatives);
+        for (int order = 0; order < 4; ++order) {
+            own[order] = std::max(own[order], derivatives.row(order).maxCoeff());
+        }
+    }
+    box.upper.head(family.size()) = box.upper.head(family.size()).cwiseQuotient(design_scales(model));
     box.lower = -box.upper;
-    for (int p = 0; p < parameters; ++p) {
+    for (std::size_t p = 0; p < model.parameters.size(); ++p) {
         const Parameter& parameter = model.parameters[p];
+        const Eigen::Index variable = family.size() + static_cast<Eigen::Index>(p);
+        box.upper[variable] = known.parameters[static_cast<Eigen::Index>(p)];
+        box.lower[variable] = parameter.kind == Parameter::Kind::dimension ? parameter.lower : 0.0;
+        if (parameter.kind == Parameter::Kind::magnitude) {
+            const Parameter& of = model.parameters[static_cast<std::size_t>(parameter.order)];
+            box.upper[variable] =
+                std::min(box.upper[variable], std::max(std::abs(of.lower), std::abs(of.upper)));
+        }
+        if (parameter.kind != Parameter::Kind::peak && parameter.kind != Parameter::Kind::rms) continue;
         // A peak nothing else bounds may be taken as the curve's own.
-        const double own = bounds.row(parameter.order).maxCoeff() / parameter.reference;
-        const int variable = model.design.size() + p;
-        box.upper[variable] = std::min(parameter_bound[p], own);
-        box.lower[variable] = 0.0;
+        const double largest = own[parameter.order] / smallest_stretch_factor(model, parameter.order);
+        box.upper[variable] = std::min(box.upper[variable], largest / parameter.reference);
     }
     return box;
+}
+
+/// From the nearer end of the motion with the bounds on velocity and acceleration: how far y can go.
+std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
+    const SupportedBounds known = supported_bounds(incumbent, 0.0);
+    const MotionFamily& family = model_->design;
+    std::array<double, 2> range = {infinity, -infinity};
+    const bool at_rest = family.stretches().size() == 1;  // the acceleration counts from a standstill only
+    for (const MotionFamily::Stretch& stretch : family.stretches()) {
+        const bool known_ends = stretch.from.columns.empty() && stretch.to.columns.empty() &&
+                                std::isfinite(stretch.from.offset) && std::isfinite(stretch.to.offset);
+        if (!known_ends) return {-infinity, infinity};
+        const double from = stretch.from.offset, to = stretch.to.offset;
+        range = {std::min({range[0], from, to}), std::max({range[1], from, to})};
+        if (stretch.kind != StretchRequest::Kind::spline) continue;
+        const double length = stretch.end - stretch.begin;
+        const auto reach = [&](double distance) {
+            const double by_velocity = known.sup[1] * distance;
+            return at_rest ? std::min(by_velocity, 0.5 * known.sup[2] * distance * distance) : by_velocity;
+        };
+        for (int k = 0; k < range_samples; ++k) {
+            // Over each small step both reaches are largest at its far ends.
+            const double near = length * (k + 1) / range_samples,
+                         far = length * (range_samples - k) / range_samples;
+            range[0] = std::min(range[0], std::max(from - reach(near), to - reach(far)));
+            range[1] = std::max(range[1], std::min(from + reach(near), to + reach(far)));
+        }
+    }
+    return range;
+}
+
+bool CamProblem::convex(double incumbent) const {
+    if (!grid_->shape().convex) return false;
+    if (std::ranges::all_of(model_->rules, [](const PlacedRule& rule) { return rule->linear(); }))
+        return true;
+    const std::array<double, 2> range = displacement_range(incumbent);
+    return std::ranges::all_of(model_->rules, [&](const PlacedRule& rule) {
+        return rule->curvature(range[0], range[1]) != Curvature::general;
+    });
 }
 
 }  // namespace camopt

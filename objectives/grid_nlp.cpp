@@ -29,7 +29,7 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
 
 /// The form in the optimizer's units, divided by reference².
 QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
-    QuadraticForm form = mean_square_form(model.design, order);
+    QuadraticForm form = model.design.mean_square(order, model.mean_square_weights(order));
     const Eigen::VectorXd scale = design_scales(model);
     const double factor = 1.0 / (reference * reference);
     const Eigen::SparseMatrix<double> rows_scaled = scale.asDiagonal() * form.matrix;
@@ -60,8 +60,11 @@ GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> 
     shape_.x_lower = Eigen::VectorXd::Constant(variables, -infinity);
     shape_.x_upper = Eigen::VectorXd::Constant(variables, infinity);
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
-        const bool rms = model_->parameters[p].kind == Parameter::Kind::rms;
-        shape_.x_lower[design_size() + static_cast<int>(p)] = rms ? least_rms : 0.0;
+        const Parameter& parameter = model_->parameters[p];
+        const int variable = design_size() + static_cast<int>(p);
+        const bool rms = parameter.kind == Parameter::Kind::rms;
+        shape_.x_lower[variable] = rms ? least_rms : parameter.lower;
+        shape_.x_upper[variable] = parameter.upper;
     }
     add_rows();
     add_cost_terms();
@@ -70,6 +73,7 @@ GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> 
 
 void GridNlp::add_rows() {
     const CamModel& model = *model_;
+    shape_.convex = true;
     std::vector<double> lower;
     std::vector<double> upper;
     const Eigen::VectorXd scale = design_scales(model);
@@ -96,6 +100,8 @@ void GridNlp::add_rows() {
     for (int k = 0; k < static_cast<int>(samples_.size()); ++k) {
         add_sample_row(k);
         const PointRule& rule = *model.rules[samples_[k].rule];
+        shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
+                                             Curvature::general;
         lower.push_back(-infinity);
         upper.push_back(0.0);
         shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
@@ -113,7 +119,7 @@ void GridNlp::add_sample_row(int sample) {
         const AffineRow derivative = model_->design.functional(place.at, order, place.side);
         if (order == 0) {
             row.columns = derivative.columns;
-            row.map.resize(4, static_cast<Eigen::Index>(derivative.columns.size()));
+            row.map = Eigen::MatrixXd::Zero(4, static_cast<Eigen::Index>(derivative.columns.size()));
         }
         for (std::size_t k = 0; k < derivative.columns.size(); ++k) {
             row.map(order, static_cast<Eigen::Index>(k)) =
@@ -141,7 +147,7 @@ void GridNlp::add_cost_terms() {
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         const int variable = design_size() + static_cast<int>(p);
-        if (parameter.kind == Parameter::Kind::peak) {
+        if (parameter.kind != Parameter::Kind::rms) {
             linear_cost_[variable] = parameter.weight;
         } else {
             rms_.push_back(
@@ -156,7 +162,6 @@ void GridNlp::add_cost_terms() {
     }
     shape_.linear_cost = rms_.empty() && !energy_;
     shape_.quadratic_cost = rms_.empty();
-    shape_.convex = std::ranges::all_of(model_->rules, [](const auto& rule) { return rule->linear(); });
 }
 
 void GridNlp::fix_patterns() {
@@ -191,7 +196,7 @@ void GridNlp::fix_patterns() {
 }
 
 double GridNlp::cost(const ConstVectorRef& x) const {
-    double value = linear_cost_.dot(x);
+    double value = model_->cost_constant + linear_cost_.dot(x);
     const auto design = x.head(design_size());
     for (const RmsTerm& term : rms_) {
         value += 0.5 * term.weight * (term.form.value(design) / x[term.variable] + x[term.variable]);

@@ -8,8 +8,9 @@
 #pragma once
 
 #include "core/nlp.hpp"
+#include "objectives/cam_rule.hpp"
 #include "objectives/point_rule.hpp"
-#include "splines/design_vector.hpp"
+#include "splines/motion_family.hpp"
 
 #include <Eigen/Core>
 
@@ -19,14 +20,34 @@
 
 namespace camopt {
 
-/// A variable beside the design vector: a peak, or a root mean square.
+/// A variable beside the design vector: a peak, a root mean square, a dimension of the cam, or the magnitude
+/// of another parameter.
 struct Parameter {
-    enum class Kind { peak, rms };
+    enum class Kind { peak, rms, dimension, magnitude };
     std::string name;
     Kind kind = Kind::peak;
-    int order = 0;           ///< of the derivative it belongs to
+    int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
+    double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
+};
+
+/// A rule and where it holds.
+struct PlacedRule {
+    std::shared_ptr<const PointRule> rule;  ///< immutable, shared by a problem and its tie-break
+    int stretch = -1;                       ///< of the family; -1: everywhere
+
+    template <typename Rule>
+    PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
+        : rule(std::move(what)), stretch(where) {}
+    const PointRule* operator->() const { return rule.get(); }
+    const PointRule& operator*() const { return *rule; }
+};
+
+/// How a stretch is normalised: y^{(r)} of the family is |displacement| / angle^r times the normalised one.
+struct StretchScale {
+    double angle = 1.0;         ///< its length in x
+    double displacement = 1.0;  ///< in lifts, > 0
 };
 
 /// Σ_p weights_p q_p <= upper.
@@ -40,16 +61,31 @@ struct ParameterRow {
 };
 
 struct CamModel {
-    DesignVector design;
+    explicit CamModel(MotionFamily motions) : design(std::move(motions)) {}
+
+    MotionFamily design;
     std::vector<Parameter> parameters;
-    std::vector<std::shared_ptr<const PointRule>>
-        rules;  ///< immutable, shared by a problem and its tie-break
+    std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
+    /// What dimensions that are numbers add to the cost.
+    double cost_constant = 0.0;
+    /// Set where the scene has a cam.
+    std::shared_ptr<const CamVariables> cam;
     /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
     double energy_weight = 0.0;
     double jerk_reference = 1.0;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.
     std::array<double, 3> entry_scale{1.0, 1.0, 1.0};
+    std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1
+    /// Displacements a sensible motion stays within: where rules are expected to be convex. What is proved is
+    /// proved with bounds of its own.
+    double least_displacement = -0.25, most_displacement = 1.25;
+
+    [[nodiscard]] StretchScale stretch_scale(int stretch) const {
+        return stretch_scales.empty() ? StretchScale{} : stretch_scales[static_cast<std::size_t>(stretch)];
+    }
+    /// Weights that make mean_square() of the family the normalised one.
+    [[nodiscard]] std::vector<double> mean_square_weights(int order) const;
 };
 
 }  // namespace camopt

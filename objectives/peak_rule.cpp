@@ -21,4 +21,11 @@ RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q)
     return result;
 }
 
+RuleValue CapRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {
+    RuleValue rule{weight_ * point.derivative[order_] - 1.0, Eigen::VectorXd::Zero(4),
+                   Eigen::MatrixXd::Zero(4, 4)};
+    rule.gradient[order_] = weight_;
+    return rule;
+}
+
 }  // namespace camopt

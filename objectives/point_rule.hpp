@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A rule at one cam angle: g(y, y', y'', y'''; q) <= 0 for every x.
 //
-// A rule sees one point of the motion and a few parameters q (the peak variables, later the cam's
-// dimensions), in their normalised units, and gives its value with first and second partials. It never sees
+// A rule sees one point of the motion and a few parameters q (the peak variables, the cam's dimensions), in
+// their normalised units, and gives its value with first and second partials. It never sees
 // the design vector: constant sparse maps do the chain rule (grid_nlp.hpp).
 #pragma once
 
@@ -22,6 +22,9 @@ struct RuleValue {
     Eigen::MatrixXd hessian;
 };
 
+/// The shape of g over all motions whose displacements stay in a range, and all parameters in their bounds.
+enum class Curvature { linear, convex, general };
+
 class PointRule {
  public:
     virtual ~PointRule() = default;
@@ -30,6 +33,14 @@ class PointRule {
     [[nodiscard]] virtual const std::vector<int>& parameters() const = 0;
     /// Affine in the point and in q: its continuous maxima are then found exactly.
     [[nodiscard]] virtual bool linear() const = 0;
+    /// `least`, `most`: extremes of y over the motions in question; ±infinity where nothing is known.
+    [[nodiscard]] virtual Curvature curvature(double least, double most) const {
+        static_cast<void>(least);
+        static_cast<void>(most);
+        return linear() ? Curvature::linear : Curvature::general;
+    }
+    /// The highest derivative of y in the formula: where it jumps, the rule may jump.
+    [[nodiscard]] virtual int highest_order() const { return 3; }
     /// A hard limit of the user's scene, as opposed to a peak variable's definition.
     [[nodiscard]] virtual bool limit() const = 0;
     /// Size of the limit: a value of `scale` is a violation of 100 %.

@@ -3,7 +3,9 @@
 
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
+#include "objectives/cam_limits.hpp"
 #include "objectives/peak_rule.hpp"
+#include "objectives/program_family.hpp"
 
 #include <fmt/format.h>
 
@@ -108,8 +110,9 @@ Peaks reference_peaks(const Scene& scene) {
     return peaks;
 }
 
-DesignVector scene_design(const Scene& scene, DesignKind kind) {
+MotionFamily scene_family(const Scene& scene, DesignKind kind) {
     const MotionSpec& motion = scene.motion;
+    if (motion.type == MotionType::program) return program_family(scene, kind);
     const SplineSpec& spline = scene.spline;
     const bool rise = motion.type == MotionType::drd;
     SplineSpace space =
@@ -125,31 +128,134 @@ DesignVector scene_design(const Scene& scene, DesignKind kind) {
                                symmetry});
 }
 
-CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference) {
-    CamModel model{scene_design(scene, kind), {}, {}, {}, 0.0, 1.0, {}};
-    for (const WeightedPeak& source : weighted_peaks(scene, reference)) {
-        if (source.kind == Parameter::Kind::peak) {
-            if (source.order < 3) model.entry_scale[source.order] = source.reference;
-            if (source.order == 3) model.jerk_reference = source.reference;
+namespace {
+
+constexpr double overshoot = 0.25;  // of the displacements given: how far a sensible motion goes beyond them
+
+void add_program_scales(CamModel& model, const Scene& scene) {
+    if (scene.motion.type != MotionType::program) return;
+    double least = 0.0, most = 0.0;
+    for (const MotionFamily::Stretch& stretch : model.design.stretches()) {
+        const auto known = [](const AffineRow& row) {
+            return row.columns.empty() && std::isfinite(row.offset);
+        };
+        StretchScale scale{stretch.end - stretch.begin, 1.0};
+        if (known(stretch.from) && known(stretch.to)) {
+            const double displacement = std::abs(stretch.to.offset - stretch.from.offset);
+            if (displacement > 0.0) scale.displacement = displacement;
+            least = std::min(least, stretch.to.offset);
+            most = std::max(most, stretch.to.offset);
         }
-        const std::optional<PeakLimit>& limit = *source.limit;
-        if (source.weight == 0.0 && !limit) continue;
-        const int index = static_cast<int>(model.parameters.size());
+        model.stretch_scales.push_back(scale);
+    }
+    model.least_displacement = least - overshoot * std::max(1.0, most - least);
+    model.most_displacement = most + overshoot * std::max(1.0, most - least);
+}
+
+/// The two rules that make parameter `index` the peak of |y^{(order)}|: in a program on each spline stretch.
+void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
+    const auto add = [&](double reference, int stretch) {
+        for (const int sign : {1, -1}) {
+            model.rules.emplace_back(std::make_shared<PeakRule>(source.order, sign, index, reference),
+                                     stretch);
+        }
+    };
+    if (model.stretch_scales.empty()) return add(source.reference, -1);
+    for (int s = 0; s < static_cast<int>(model.stretch_scales.size()); ++s) {
+        if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
+        const StretchScale& scale = model.stretch_scales[s];
+        add(source.reference * scale.displacement / std::pow(scale.angle, source.order), s);
+    }
+}
+
+void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
+    for (const WeightedPeak& source : weighted_peaks(scene, reference)) {
         const bool peak = source.kind == Parameter::Kind::peak;
+        if (peak && source.order < 3) model.entry_scale[source.order] = source.reference;
+        if (peak && source.order == 3) model.jerk_reference = source.reference;
+        const std::optional<PeakLimit>& limit = *source.limit;
+        const bool caps_motion = limit && limit->in_time() && !model.stretch_scales.empty();
+        if (caps_motion) {
+            for (const int sign : {1, -1}) {
+                model.rules.emplace_back(
+                    std::make_shared<CapRule>(limit->key, source.order, sign, limit->normalised));
+            }
+        }
+        if (source.weight == 0.0 && (!limit || caps_motion)) continue;
+        const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(
             {fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]), source.kind,
              source.order, source.reference, source.weight});
         if (!peak) continue;
-        for (const int sign : {1, -1}) {
-            model.rules.push_back(std::make_shared<PeakRule>(source.order, sign, index, source.reference));
-        }
-        if (limit) {
+        add_peak_rules(model, source, index);
+        if (limit && !caps_motion) {
             const double upper = limit->normalised / source.reference;
             model.parameter_rows.push_back({limit->key, {index}, {1.0}, upper, true, upper});
         }
     }
-    model.entry_scale[0] = 1.0;
+}
+
+/// What the objective divides the cam's dimensions by: the lift; of an oscillating follower the lift at the
+/// centre distance.
+double dimension_unit(const Scene& scene) {
+    const double lift = scene.motion.lift;
+    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
+}
+
+/// |q| of parameter `of` as a parameter of its own: q − t <= 0, −q − t <= 0.
+void add_magnitude(CamModel& model, int of, double weight) {
+    const Parameter source = model.parameters[of];
+    const int index = static_cast<int>(model.parameters.size());
+    model.parameters.push_back(
+        {"magnitude of " + source.name, Parameter::Kind::magnitude, of, source.reference, weight});
+    for (const double sign : {1.0, -1.0}) {
+        model.parameter_rows.push_back(
+            {"magnitude of " + source.name, {of, index}, {sign, -1.0}, 0.0, false, 1.0});
+    }
+}
+
+void add_cam(CamModel& model, const Scene& scene) {
+    if (!scene.cam) return;
+    auto cam = std::make_shared<CamVariables>();
+    cam->cam = middle_cam(*scene.cam);
+    cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
+    for (int d = 0; d < dimension_count; ++d) {
+        const auto which = static_cast<DimensionIndex>(d);
+        const Dimension& dimension = (*scene.cam)[which];
+        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
+        const bool signless = dimension.low >= 0.0;
+        if (!dimension.is_variable()) {
+            model.cost_constant += weight * std::abs(dimension.low);
+            continue;
+        }
+        const double reference = std::max(std::abs(dimension.low), std::abs(dimension.high));
+        const int index = static_cast<int>(model.parameters.size());
+        model.parameters.push_back({name_of(which), Parameter::Kind::dimension, 0, reference,
+                                    signless ? weight * reference : 0.0, dimension.low / reference,
+                                    dimension.high / reference});
+        cam->variables.push_back({which, index, reference});
+        if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
+    }
+    model.cam = cam;
+    for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
+}
+
+}  // namespace
+
+CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference) {
+    CamModel model(scene_family(scene, kind));
+    add_program_scales(model, scene);
+    add_peaks(model, scene, reference);
+    add_cam(model, scene);
     return model;
+}
+
+CamModel convex_part(const CamModel& model) {
+    CamModel part = model;
+    std::erase_if(part.rules, [&](const PlacedRule& rule) {
+        return rule->curvature(model.least_displacement, model.most_displacement) == Curvature::general;
+    });
+    return part;
 }
 
 CamModel tie_break_model(const CamModel& model, double energy_weight) {

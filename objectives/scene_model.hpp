@@ -13,13 +13,19 @@ namespace camopt {
 /// numbers. Throws InputError where a positive weight meets an infinite or a missing one.
 [[nodiscard]] Peaks reference_peaks(const Scene& scene);
 
-/// The design vector of the scene's motion in the given form (not automatic).
+/// The motions of the scene, written with the given form of design vector (not automatic).
 ///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
 ///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.
-[[nodiscard]] DesignVector scene_design(const Scene& scene, DesignKind kind);
+///   program: program_family.hpp.
+[[nodiscard]] MotionFamily scene_family(const Scene& scene, DesignKind kind);
 
-/// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there.
+/// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there. A
+/// program's peaks are the largest over its spline segments, each by its own angle and displacement (the lift
+/// where that is 0 or free).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference);
+
+/// The model without the rules that are not known to be convex: a relaxation that can be solved to proof.
+[[nodiscard]] CamModel convex_part(const CamModel& model);
 
 /// The same problem with `energy_weight` times the mean square jerk (over its reference²) added to the cost:
 /// for a weight small enough its optimum is, among the optima of the model, the one of least ∫ s'''².

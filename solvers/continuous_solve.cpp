@@ -31,7 +31,7 @@ void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const
     Certificate& certificate = result.certificate;
     const double stationarity = stationarity_of(grid, result.x, multipliers, active_row);
     certificate.stationarity = std::min(certificate.stationarity.value_or(infinity), stationarity);
-    if (!grid.shape().convex) return;
+    if (!grid.shape().convex || !problem.convex(certificate.objective)) return;
     DualityProof proof =
         duality_proof(grid, result.x, multipliers, problem.box(certificate.objective, 0.0), "objective");
     if (!std::isfinite(proof.bound)) return;

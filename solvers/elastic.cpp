@@ -112,6 +112,10 @@ Box ElasticProblem::box(double incumbent, double) const {
     return box;
 }
 
+bool ElasticProblem::convex(double) const {
+    return base_.convex(infinity);
+}
+
 Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
                           const SolveControl& control) {
     ElasticProblem elastic(problem);
@@ -126,7 +130,7 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     found.point = judged(problem, x.head(x.size() - 1));
     const bool on_final_grid = result.last.row_multipliers &&
                                result.last.row_multipliers->size() == elastic.grid().shape().constraints();
-    if (found.point.violation > options.tolerance && on_final_grid) {
+    if (found.point.violation > options.tolerance && on_final_grid && elastic.convex(result.best.objective)) {
         DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
         if (proof.bound > 0.0) found.proof = std::move(proof);

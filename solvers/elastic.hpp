@@ -30,6 +30,7 @@ class ElasticProblem final : public ContinuousProblem {
     [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
     int refine(std::span<const Violation> worst) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+    [[nodiscard]] bool convex(double incumbent) const override;
 
  private:
     class Grid;

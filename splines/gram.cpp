@@ -28,26 +28,30 @@ Eigen::MatrixXd energy_of_monomials(int size, int order, double h) {
 
 }  // namespace
 
+void add_energy(const LocalMap& map, int order, double width, double weight, QuadraticForm& form,
+                std::vector<Eigen::Triplet<double>>& entries) {
+    const Eigen::MatrixXd energy =
+        weight * energy_of_monomials(static_cast<int>(map.offset.size()), order, width);
+    const Eigen::MatrixXd weighted = energy * map.matrix;
+    const Eigen::MatrixXd local = map.matrix.transpose() * weighted;
+    const Eigen::VectorXd linear = weighted.transpose() * map.offset;
+    for (int a = 0; a < static_cast<int>(map.columns.size()); ++a) {
+        form.linear[map.columns[a]] += linear[a];
+        for (int b = 0; b < static_cast<int>(map.columns.size()); ++b) {
+            entries.emplace_back(map.columns[a], map.columns[b], local(a, b));
+        }
+    }
+    form.constant += map.offset.dot(energy * map.offset);
+}
+
 QuadraticForm mean_square_form(const DesignVector& design, int order) {
     const SplineSpace& space = design.space();
-    const double length = space.end() - space.begin();
     QuadraticForm form;
     form.linear = Eigen::VectorXd::Zero(design.size());
     std::vector<Eigen::Triplet<double>> entries;
+    const double part = 1.0 / (space.end() - space.begin());
     for (int i = 0; i < space.segments(); ++i) {
-        const LocalMap& map = design.local_map(i);
-        const Eigen::MatrixXd energy =
-            energy_of_monomials(space.degree() + 1, order, space.width(i)) / length;
-        const Eigen::MatrixXd weighted = energy * map.matrix;
-        const Eigen::MatrixXd local = map.matrix.transpose() * weighted;
-        const Eigen::VectorXd linear = weighted.transpose() * map.offset;
-        for (int a = 0; a < static_cast<int>(map.columns.size()); ++a) {
-            form.linear[map.columns[a]] += linear[a];
-            for (int b = 0; b < static_cast<int>(map.columns.size()); ++b) {
-                entries.emplace_back(map.columns[a], map.columns[b], local(a, b));
-            }
-        }
-        form.constant += map.offset.dot(energy * map.offset);
+        add_energy(design.local_map(i), order, space.width(i), part, form, entries);
     }
     form.matrix.resize(design.size(), design.size());
     form.matrix.setFromTriplets(entries.begin(), entries.end());

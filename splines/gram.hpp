@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 namespace camopt {
 
 struct QuadraticForm {
@@ -20,6 +22,11 @@ struct QuadraticForm {
         return x.dot(matrix * x) + 2.0 * linear.dot(x) + constant;
     }
 };
+
+/// Adds weight · ∫_0^width (y^{(order)})² dt of one local polynomial to a form whose matrix is still
+/// triplets.
+void add_energy(const LocalMap& map, int order, double width, double weight, QuadraticForm& form,
+                std::vector<Eigen::Triplet<double>>& entries);
 
 /// Mean square of the derivative of `order` (0 … degree) over the whole spline.
 [[nodiscard]] QuadraticForm mean_square_form(const DesignVector& design, int order);

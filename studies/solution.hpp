@@ -8,9 +8,12 @@
 #include "solvers/certificate.hpp"
 #include "solvers/solver.hpp"
 #include "splines/curve.hpp"
+#include "splines/motion_chain.hpp"
+#include "studies/cam_summary.hpp"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +22,7 @@ namespace camopt {
 
 /// One user limit, as written and as kept. worst, limit in `unit`; at: x.
 struct ConstraintReport {
-    std::string name;  ///< "velocity", "acceleration", "jerk", …
+    std::string name;  ///< "velocity", "pressure_angle", …
     std::string key;   ///< "limits.velocity_mm_s"
     double limit = 0.0, worst = 0.0;
     std::string unit;
@@ -33,6 +36,50 @@ struct Relaxation {
     std::string key;
     double given = 0.0;
     std::optional<double> needed;
+};
+
+/// One rule of a contradiction and where on the cam it bites.
+struct ConflictReport {
+    std::string key;      ///< "limits.pressure_angle_deg"
+    double at = 0.0;      ///< x
+    double weight = 0.0;  ///< its part in the proof, in (0, 1]
+};
+
+/// One segment of a program. `peaks`, `curve`: of spline segments, normalised by its own angle and
+/// displacement.
+struct SegmentReport {
+    SegmentKind kind = SegmentKind::dwell;
+    std::string law;
+    double begin = 0.0, end = 0.0;  ///< x
+    double from = 0.0, to = 0.0;    ///< displacements, in lifts
+    std::optional<Peaks> peaks;
+    std::optional<SplineCurve> curve;  ///< over x
+    /// The highest derivative that is continuous at its beginning; -1 at the open beginning of a motion.
+    int continuity = 0;
+};
+
+/// The smallest cam that any motion whatever would allow (motions/smallest_cam.hpp).
+struct SmallestCamReport {
+    double prime_radius = 0.0;    ///< m, not reached
+    double given = 0.0;           ///< that of the delivered cam (or asked for), m
+    double pressure_angle = 0.0;  ///< rad
+};
+
+/// A follower was run over the exported points: how far it was from the designed motion (forward_check.hpp).
+struct ForwardCheckReport {
+    double deviation = 0.0;  ///< largest |s found − s designed|, m or rad
+    double relative = 0.0;   ///< by the prime radius (a swing times the arm)
+    double at = 0.0;         ///< x
+    int points = 0;
+    double seconds = 0.0;
+};
+
+/// A cam that was made: its numbers and figures.
+struct CamReport {
+    DiskCam cam;
+    CamSummary summary;
+    std::optional<SmallestCamReport> smallest;
+    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };
 
 /// The free entries of the design vector: the numbers a user would type into another tool.
@@ -49,6 +96,8 @@ struct SolverReport {
     std::string native_status;
     int iterations = 0;
     int exchange_rounds = 0;
+    bool convex = true;        ///< every rule is linear or convex: the optimum is the global one
+    int starts = 1;            ///< searches from different starts
     std::string proof_source;  ///< whose multipliers proved the bound
 };
 
@@ -60,12 +109,17 @@ struct LimitCurve {  ///< the limit no curve can pass (motions/any_curve_limit.h
 struct Solution {
     Scene scene;
     Certificate certificate;
-    std::optional<SplineCurve> curve;  ///< the delivered curve; none where nothing feasible was found
-    Peaks peaks;                       ///< of the delivered curve, exact
-    Peaks reference_peaks;             ///< what the objective divides by (only the parts in use are set)
+    /// The delivered motion; none where nothing feasible was found.
+    std::shared_ptr<const MotionChain> motion;
+    std::optional<SplineCurve> curve;     ///< the same as one spline: DRD and RR
+    std::vector<SegmentReport> segments;  ///< of a program
+    std::optional<CamReport> cam;         ///< where the scene has one and there is a motion
+    Peaks peaks;                          ///< of the delivered motion, exact, normalised
+    Peaks reference_peaks;                ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::vector<ConstraintReport> constraints;
-    std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
+    std::vector<Relaxation> relaxation;    ///< filled where the verdict is infeasible
+    std::vector<ConflictReport> conflict;  ///< what the proof of infeasibility rests on, heaviest first
     DesignReport design;
     SolverReport solver;
     EvaluationCounts evaluations;

@@ -11,6 +11,8 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "splines/extrema.hpp"
 #include "studies/relaxation.hpp"
+#include "studies/solution_report.hpp"
+#include "studies/solve_from_starts.hpp"
 #include "studies/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +28,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A limit counts as active when the motion comes this close to it, relative.
-constexpr double active_limit = 1e-6;
+// Searches where the problem is not convex and the scene does not say how many.
+constexpr int default_starts = 8;
 // Weights of the tie-break, tried until the objective stays within the tolerance of its optimum.
 constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
 // In lifts: a control point of a motion lies within a few.
@@ -43,8 +45,10 @@ double relative_to(double objective) {
     return std::max(1.0, std::abs(objective));
 }
 
-double mean_jerk(const CamProblem& problem, const Candidate& candidate) {
-    return peaks_of(problem.curve(candidate.x)).rms_jerk;
+double mean_square_jerk(const CamProblem& problem, const Candidate& candidate) {
+    const CamModel& model = problem.model();
+    const QuadraticForm form = model.design.mean_square(3, model.mean_square_weights(3));
+    return form.value(problem.design_values(candidate.x));
 }
 
 ExchangeOptions exchange_options(const Scene& scene) {
@@ -75,7 +79,7 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         if (smoother.best.x.size() == 0 || control.stopped()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
-        if (mean_jerk(problem, delivered) > mean_jerk(problem, {result.x})) return;
+        if (mean_square_jerk(problem, delivered) > mean_square_jerk(problem, {result.x})) return;
         result.x = delivered.x;
         Certificate& certificate = result.certificate;
         certificate.objective = delivered.objective;
@@ -93,9 +97,11 @@ bool wants_tie_break(const Scene& scene, const Certificate& certificate) {
 
 std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     const ObjectiveSpec& objective = scene.objective;
-    // The limit knows peaks only; a root mean square beside them would make it a bound that nothing
-    // approaches.
+    // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
+    // nothing approaches.
+    if (scene.motion.type == MotionType::program) return {};
     if (objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
+    if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {
         return limit ? std::optional(limit->normalised) : std::nullopt;
@@ -108,28 +114,6 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
         return {};
     return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
-}
-
-void report_limit(Solution& solution, const char* name, const std::optional<PeakLimit>& limit,
-                  const Extremum& peak) {
-    if (!limit) return;
-    const double unit = limit->unit_per_normalised();
-    solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
-                                    peak.value >= limit->normalised * (1.0 - active_limit)});
-}
-
-void report_curve(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
-    solution.curve = problem.curve(x);
-    solution.peaks = peaks_of(*solution.curve);
-    const LimitSpec& limits = solution.scene.limits;
-    report_limit(solution, "velocity", limits.velocity, solution.peaks.velocity);
-    report_limit(solution, "acceleration", limits.acceleration, solution.peaks.acceleration);
-    report_limit(solution, "jerk", limits.jerk, solution.peaks.jerk);
-    const DesignVector& design = problem.model().design;
-    const Eigen::VectorXd values = problem.design_values(x);
-    const std::vector<int> reported = design.reported_entries();
-    solution.design.values = values(reported);
-    for (const int entry : reported) solution.design.names.push_back(design.name(entry));
 }
 
 std::string list_of(const ConditionConflict& conflict) {
@@ -167,7 +151,10 @@ DualityProof contradiction_proof(const ConditionConflict& conflict, int control_
 }
 
 /// Conditions that no curve of this spline space can meet together: infeasible before anything is solved.
-void report_contradictions(Solution& solution, const DesignVector& design) {
+void report_contradictions(Solution& solution, const MotionFamily& family) {
+    int run = 0;
+    while (family.run(run).contradictions().empty()) ++run;
+    const DesignVector& design = family.run(run);
     solution.certificate.verdict = Verdict::infeasible;
     solution.certificate.reason = "conditions_contradict";
     solution.certificate.proof =
@@ -187,16 +174,60 @@ void report_contradictions(Solution& solution, const DesignVector& design) {
     }
 }
 
+/// Who solves a problem that is not convex: Ipopt where this build has it.
+std::string general_solver() {
+    for (const SolverEntry& entry : solver_entries()) {
+        if (entry.name == "ipopt" && entry.available) return entry.name;
+    }
+    return "structured";
+}
+
+bool is_general(const Scene& scene) {
+    return scene.cam && needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+}
+
+struct Solved {
+    ContinuousResult result;
+    Eigen::VectorXd least_violating;
+};
+
+Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
+                     const SolveControl& control) {
+    const Scene& scene = solution.scene;
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
+    if (!needs_starts(problem.model())) {
+        Solved solved{solve_continuous(problem, solver, exchange_options(scene), judge, control), {}};
+        if (wants_tie_break(scene, solved.result.certificate))
+            break_tie(problem, scene, solved.result, control);
+        return solved;
+    }
+    StartsResult all =
+        solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
+                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
+    solution.solver.convex = false;
+    solution.solver.starts = all.starts;
+    if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
+        solution.notes.push_back(
+            "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
+            "optimum "
+            "of the whole");
+    }
+    return {std::move(all.result), std::move(all.least_violating)};
+}
+
 }  // namespace
 
 BackendChoice choose_backend(const Scene& scene) {
     BackendChoice choice{scene.solver.name, {}, scene.spline.design};
+    const bool general = choice.solver == "auto" && is_general(scene);
     if (choice.solver == "auto") {
-        choice.solver = "structured";
+        choice.solver = general ? general_solver() : "structured";
         choice.reason =
-            "every rule of this scene is linear in the design vector and its cost is convex, so the "
-            "structured "
-            "interior point finds and proves the global optimum";
+            general
+                ? "a limit of this scene is not convex: a convex relaxation gives a bound, and several "
+                  "starts search for the best motion"
+                : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
+                  "so the structured interior point finds and proves the global optimum";
     }
     if (choice.design == DesignKind::automatic) {
         // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
@@ -221,7 +252,7 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
     solution.design.kind = choice.design;
 
     CamProblem problem(scene_model(scene, choice.design, solution.reference_peaks));
-    const DesignVector& design = problem.model().design;
+    const MotionFamily& design = problem.model().design;
     for (const ConditionConflict& conflict : design.redundant()) {
         solution.notes.push_back(conflict.condition + " follows from the other conditions" +
                                  (conflict.others.empty() ? "" : ": " + list_of(conflict)));
@@ -231,12 +262,11 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
         solution.seconds_total = seconds_since(begin);
         return solution;
     }
-    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
     const Clock::time_point solve_begin = Clock::now();
-    ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
-    if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
+    Solved solved = solve_problem(problem, solver, solution, control);
     solution.seconds_solve = seconds_since(solve_begin);
 
+    ContinuousResult& result = solved.result;
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
     solution.solver.native_status = result.exchange.last.native_status;
@@ -244,7 +274,9 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
     solution.solver.exchange_rounds = result.exchange.rounds;
     solution.solver.proof_source = result.proof_source;
     solution.evaluations = solver.counts();
-    if (result.x.size() > 0) report_curve(solution, problem, result.x);
+    if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
+    if (result.x.size() > 0) report_motion(solution, problem, result.x);
+    if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = seconds_since(begin);
     return solution;
 }

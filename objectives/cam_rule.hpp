@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A limit of the cam at one cam angle: a formula of (s, s', s'', dimensions) in SI, brought to the normalised
+// (y, y', y'', y'''; q) of the optimizer by the chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each
+// variable dimension = reference · q.
+#pragma once
+
+#include "objectives/point_rule.hpp"
+#include "profiles/sampling.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Which dimensions the optimizer moves, and the cam with the others at their numbers.
+struct CamVariables {
+    struct Variable {
+        DimensionIndex dimension = DimensionIndex::base_radius;
+        int parameter = 0;       ///< index among the problem's parameters
+        double reference = 1.0;  ///< m in one unit of the parameter
+    };
+    DiskCam cam;
+    MotionScale scale;
+    std::vector<Variable> variables;
+    /// How many points of a profile were evaluated: shared by all rules of a problem.
+    std::shared_ptr<long> profile_points = std::make_shared<long>(0);
+
+    [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
+    /// The cam for all parameters of a problem.
+    [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& parameters) const;
+};
+
+struct CamFormula {
+    std::string name;  ///< the key of the limit, as the user wrote it
+    /// <= 0 is kept; dimensionless, of order one.
+    std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
+    int highest_order = 2;
+    bool linear = false;
+    double scale = 1.0;                                          ///< a value of this is a violation of 100 %
+    std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
+};
+
+class CamRule final : public PointRule {
+ public:
+    CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
+
+    [[nodiscard]] std::string name() const override { return formula_.name; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return formula_.linear; }
+    [[nodiscard]] Curvature curvature(double least, double most) const override;
+    [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return formula_.scale; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+
+ private:
+    std::shared_ptr<const CamVariables> cam_;
+    CamFormula formula_;
+    std::vector<int> parameters_;
+};
+
+}  // namespace camopt

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Sums, products and quotients of quantities of a cam, with their first and second partials.
+#pragma once
+
+#include "profiles/disk_cam.hpp"
+
+namespace camopt {
+
+[[nodiscard]] QuantityValue constant_quantity(double value);
+/// value with one partial 1: a variable. `index`: 0 s, 1 s', 2 s'', 3 + DimensionIndex.
+[[nodiscard]] QuantityValue variable_quantity(double value, int index);
+
+[[nodiscard]] QuantityValue sum(double factor_a, const QuantityValue& a, double factor_b,
+                                const QuantityValue& b);
+[[nodiscard]] QuantityValue product(const QuantityValue& a, const QuantityValue& b);
+[[nodiscard]] QuantityValue quotient(const QuantityValue& a, const QuantityValue& b);
+[[nodiscard]] inline QuantityValue shifted(QuantityValue a, double by) {
+    a.value += by;
+    return a;
+}
+[[nodiscard]] inline QuantityValue scaled(const QuantityValue& a, double factor) {
+    return {factor * a.value, factor * a.gradient, factor * a.hessian};
+}
+
+}  // namespace camopt

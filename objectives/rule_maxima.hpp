@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The continuous maxima of a rule along a motion.
+//
+// Linear rules on a spline are polynomials on each piece: exact. Others: the slope along the motion,
+// dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed between samples of a stated density and its root
+// found to round-off.
+#pragma once
+
+#include "objectives/model.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace camopt {
+
+/// Local maxima of the rule along the motion of a family at `x` (design entries in their own units), in the
+/// order of the cam angle. `motion` is family.motion(x). q: the rule's own parameters.
+[[nodiscard]] std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
+                                                const MotionChain& motion, const Eigen::VectorXd& q);
+
+/// The same along any motion, between its breakpoints.
+[[nodiscard]] std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion,
+                                                const Eigen::VectorXd& q);
+
+/// The largest of them; value -infinity where there is none.
+[[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
+
+}  // namespace camopt

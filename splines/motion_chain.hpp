@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Motions one after another: a whole turn of dwells, laws and splines as one Motion.
+//
+// On its stretch each part follows y(x) = y0 + y_scale · shape((x − x0) / x_scale); a dwell has no shape and
+// stays at y0. The r-th derivative is y_scale / x_scale^r · shape^{(r)}.
+#pragma once
+
+#include "core/motion.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace camopt {
+
+struct ChainPart {
+    double begin = 0.0, end = 0.0;        ///< x
+    std::shared_ptr<const Motion> shape;  ///< none: a dwell
+    double x0 = 0.0, x_scale = 1.0;
+    double y0 = 0.0, y_scale = 1.0;
+};
+
+class MotionChain final : public Motion {
+ public:
+    /// Throws InputError where there is no part, or a part does not begin where the one before it ended.
+    explicit MotionChain(std::vector<ChainPart> parts);
+
+    [[nodiscard]] double begin() const override { return parts_.front().begin; }
+    [[nodiscard]] double end() const override { return parts_.back().end; }
+    [[nodiscard]] MotionPoint at(double x, Side side = Side::right) const override;
+    [[nodiscard]] std::vector<double> breakpoints() const override;
+
+    [[nodiscard]] const std::vector<ChainPart>& parts() const { return parts_; }
+
+ private:
+    std::vector<ChainPart> parts_;
+};
+
+/// Index of the interval [begins_i, begins_{i+1}) that holds x, of (…] as seen from the left; clamped.
+[[nodiscard]] int interval_of(const std::vector<double>& begins, double x, Side side);
+
+}  // namespace camopt

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "splines/motion_family.hpp"
+
+#include "splines/design_forms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+MotionFamily::MotionFamily(DesignVector single) {
+    const SplineSpace& space = single.space();
+    stretches_.push_back({StretchRequest::Kind::spline,
+                          space.begin(),
+                          space.end(),
+                          0,
+                          0.0,
+                          nullptr,
+                          {single.begin_state()[0], {}, {}},
+                          {single.end_state()[0], {}, {}}});
+    equalities_ = single.equalities();
+    first_joint_ = size_ = single.size();
+    Run run{std::move(single), 0, {}};
+    for (int i = 0; i < run.design.space().segments(); ++i) run.maps.push_back(run.design.local_map(i));
+    runs_.push_back(std::move(run));
+    add_pieces();
+}
+
+void MotionFamily::add_pieces() {
+    for (int s = 0; s < static_cast<int>(stretches_.size()); ++s) {
+        const Stretch& stretch = stretches_[s];
+        if (stretch.kind == StretchRequest::Kind::dwell) {
+            pieces_.push_back({stretch.begin, stretch.end, s, -1});
+        } else if (stretch.kind == StretchRequest::Kind::shape) {
+            const std::vector<double> points = stretch.shape->breakpoints();
+            const double width = stretch.end - stretch.begin;
+            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+                pieces_.push_back(
+                    {stretch.begin + width * points[i], stretch.begin + width * points[i + 1], s, -1});
+            }
+            pieces_.back().end = stretch.end;
+        } else {
+            const SplineSpace& space = run_space(stretch.run);
+            const int first = space.segment_of(stretch.begin + stretch.shift, Side::right);
+            const int last = space.segment_of(stretch.end + stretch.shift, Side::left);
+            for (int i = first; i <= last; ++i) {
+                pieces_.push_back({space.breakpoints()[i] - stretch.shift,
+                                   space.breakpoints()[i + 1] - stretch.shift, s, i});
+            }
+        }
+    }
+    for (const Piece& piece : pieces_) piece_begins_.push_back(piece.begin);
+}
+
+std::string MotionFamily::name(int index) const {
+    if (index >= first_joint_) return joints_[index - first_joint_].first;
+    int run = runs() - 1;
+    while (runs_[run].first > index) --run;
+    const std::string own = runs_[run].design.name(index - runs_[run].first);
+    return runs() == 1 ? own : own + " of run " + std::to_string(run + 1);
+}
+
+int MotionFamily::order(int index) const {
+    if (index >= first_joint_) return joints_[index - first_joint_].second;
+    int run = runs() - 1;
+    while (runs_[run].first > index) --run;
+    return runs_[run].design.order(index - runs_[run].first);
+}
+
+AffineRow MotionFamily::functional(double x, int order, Side side) const {
+    const Piece& piece = pieces_[piece_of(x, side)];
+    const Stretch& stretch = stretches_[piece.stretch];
+    if (stretch.kind == StretchRequest::Kind::spline) {
+        const double own = x + stretch.shift - run_space(stretch.run).breakpoints()[piece.segment];
+        return functional_of(runs_[stretch.run].maps[piece.segment], own, order);
+    }
+    AffineRow row;
+    if (order == 0) row = stretch.from;
+    if (stretch.kind == StretchRequest::Kind::dwell) return row;
+    const double width = stretch.end - stretch.begin;
+    const double own = std::clamp((x - stretch.begin) / width, 0.0, 1.0);
+    const double shape = stretch.shape->at(own, side).derivative[order] / std::pow(width, order);
+    return combined(combined(row, shape, stretch.to), -shape, stretch.from);
+}
+
+std::vector<ConditionConflict> MotionFamily::redundant() const {
+    std::vector<ConditionConflict> all;
+    for (const Run& run : runs_) {
+        all.insert(all.end(), run.design.redundant().begin(), run.design.redundant().end());
+    }
+    return all;
+}
+
+std::vector<ConditionConflict> MotionFamily::contradictions() const {
+    for (const Run& run : runs_) {  // of one run: their rows count its own control points
+        if (!run.design.contradictions().empty()) return run.design.contradictions();
+    }
+    return {};
+}
+
+std::vector<int> MotionFamily::reported_entries() const {
+    std::vector<int> entries;
+    for (const Run& run : runs_) {
+        for (const int own : run.design.reported_entries()) entries.push_back(run.first + own);
+    }
+    for (int entry = first_joint_; entry < size_; ++entry) entries.push_back(entry);
+    return entries;
+}
+
+SplineCurve MotionFamily::run_curve(int run, const Eigen::VectorXd& x) const {
+    const Run& own = runs_[run];
+    const SplineSpace& space = own.design.space();
+    Eigen::MatrixXd pieces(space.degree() + 1, space.segments());
+    for (int i = 0; i < space.segments(); ++i) {
+        pieces.col(i) = own.maps[i].offset + own.maps[i].matrix * x(own.maps[i].columns);
+    }
+    return {space, std::move(pieces)};
+}
+
+MotionChain MotionFamily::motion(const Eigen::VectorXd& x) const {
+    std::vector<std::shared_ptr<const Motion>> curves;
+    for (int r = 0; r < runs(); ++r) curves.push_back(std::make_shared<SplineCurve>(run_curve(r, x)));
+    std::vector<ChainPart> parts;
+    for (const Stretch& stretch : stretches_) {
+        ChainPart part{stretch.begin, stretch.end, nullptr, 0.0, 1.0, 0.0, 1.0};
+        if (stretch.kind == StretchRequest::Kind::spline) {
+            part.shape = curves[stretch.run];
+            part.x0 = -stretch.shift;
+        } else {
+            part.y0 = stretch.from.value(x);
+        }
+        if (stretch.kind == StretchRequest::Kind::shape) {
+            part.shape = stretch.shape;
+            part.x0 = stretch.begin;
+            part.x_scale = stretch.end - stretch.begin;
+            part.y_scale = stretch.to.value(x) - part.y0;
+        }
+        parts.push_back(std::move(part));
+    }
+    return MotionChain(std::move(parts));
+}
+
+QuadraticForm MotionFamily::mean_square(int order, const std::vector<double>& weights) const {
+    QuadraticForm form;
+    form.linear = Eigen::VectorXd::Zero(size_);
+    std::vector<Eigen::Triplet<double>> entries;
+    double length = 0.0;
+    for (const Piece& piece : pieces_) {
+        if (piece.segment < 0) continue;
+        length += piece.end - piece.begin;
+        const LocalMap& map = runs_[stretches_[piece.stretch].run].maps[piece.segment];
+        const double weight = weights.empty() ? 1.0 : weights[piece.stretch];
+        add_energy(map, order, piece.end - piece.begin, weight, form, entries);
+    }
+    form.matrix.resize(size_, size_);
+    form.matrix.setFromTriplets(entries.begin(), entries.end());
+    if (length > 0.0) {
+        form.matrix /= length;
+        form.linear /= length;
+        form.constant /= length;
+    }
+    return form;
+}
+
+}  // namespace camopt

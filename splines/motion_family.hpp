@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The motions an optimizer chooses from: y(x) = y_0(x) + Σ_j x_j φ_j(x), over dwells, fixed shapes and
+// splines.
+//
+// Adjacent spline stretches make one run: one spline with the full continuity at their joints, written by one
+// DesignVector. A run ends at rest beside a dwell (y' = y'' = 0) and with the state of a fixed shape beside
+// one. A displacement at a joint that nothing fixes is an entry of its own. A closed family ends where it
+// began; a run may lie across that place. A family of one spline run is what DRD and RR need.
+#pragma once
+
+#include "splines/curve.hpp"
+#include "splines/design_vector.hpp"
+#include "splines/gram.hpp"
+#include "splines/motion_chain.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+struct StretchRequest {
+    enum class Kind { dwell, shape, spline };
+    Kind kind = Kind::dwell;
+    double begin = 0.0, end = 0.0;        ///< x
+    std::shared_ptr<const Motion> shape;  ///< kind shape: on [0, 1], from 0 to 1
+    std::vector<double> breakpoints;      ///< kind spline: from begin to end
+    std::optional<double> to;             ///< displacement at the end; none: free (dwell: as at its begin)
+};
+
+struct FamilyRequest {
+    int degree = 3, continuity = 2;
+    DesignKind kind = DesignKind::states;
+    std::vector<StretchRequest> stretches;  ///< from displacement 0; kinds spline at an open end: at rest
+    bool closed = true;                     ///< ends at displacement 0, and as smooth as its runs
+    bool end_jerk_zero = false;             ///< y''' = 0 where a run meets a dwell
+};
+
+class MotionFamily {
+ public:
+    /// One stretch of x. `from`, `to`: the displacement at its ends, as rows of the entries; for a spline NaN
+    /// where nothing gives it.
+    struct Stretch {
+        StretchRequest::Kind kind = StretchRequest::Kind::spline;
+        double begin = 0.0, end = 0.0;
+        int run = -1;        ///< spline: which run
+        double shift = 0.0;  ///< spline: the run's own x is x + shift
+        std::shared_ptr<const Motion> shape;
+        AffineRow from, to;
+    };
+    /// A part of a stretch on which one formula holds.
+    struct Piece {
+        double begin = 0.0, end = 0.0;
+        int stretch = 0;
+        int segment = -1;  ///< of the run; -1: no spline
+    };
+
+    MotionFamily(DesignVector single);  // NOLINT(google-explicit-constructor)
+    /// Throws InputError where the stretches do not join, or displacements contradict each other.
+    [[nodiscard]] static MotionFamily make(const FamilyRequest& request);
+
+    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] std::string name(int index) const;
+    /// Order of the derivative that entry `index` stands for.
+    [[nodiscard]] int order(int index) const;
+
+    [[nodiscard]] double begin() const { return stretches_.front().begin; }
+    [[nodiscard]] double end() const { return stretches_.back().end; }
+    [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
+    [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+    [[nodiscard]] int piece_of(double x, Side side) const { return interval_of(piece_begins_, x, side); }
+
+    [[nodiscard]] int runs() const { return static_cast<int>(runs_.size()); }
+    [[nodiscard]] const DesignVector& run(int index) const { return runs_[index].design; }
+    [[nodiscard]] const SplineSpace& run_space(int index) const { return runs_[index].design.space(); }
+    /// The first entry of a run's design vector.
+    [[nodiscard]] int first_entry(int run) const { return runs_[run].first; }
+    /// Entries after those of all runs: displacements (and states) at joints that nothing fixes.
+    [[nodiscard]] int first_joint_entry() const { return first_joint_; }
+
+    [[nodiscard]] AffineRow functional(double x, int order, Side side = Side::right) const;
+    [[nodiscard]] const std::vector<Equality>& equalities() const { return equalities_; }
+    [[nodiscard]] std::vector<ConditionConflict> redundant() const;
+    [[nodiscard]] std::vector<ConditionConflict> contradictions() const;
+    [[nodiscard]] int freedom() const { return size() - static_cast<int>(equalities_.size()); }
+    [[nodiscard]] std::vector<int> reported_entries() const;
+
+    [[nodiscard]] SplineCurve run_curve(int run, const Eigen::VectorXd& x) const;
+    [[nodiscard]] MotionChain motion(const Eigen::VectorXd& x) const;
+
+    /// Σ_i weight_i ∫ over spline piece i of (y^{(order)})² dx / Σ_i width_i. weights: one a stretch;
+    /// none: 1.
+    [[nodiscard]] QuadraticForm mean_square(int order, const std::vector<double>& weights = {}) const;
+
+ private:
+    struct Run {
+        DesignVector design;
+        int first = 0;
+        std::vector<LocalMap> maps;  ///< over the entries of the family, joint entries included
+    };
+    struct Builder;
+    MotionFamily() = default;
+    void add_pieces();
+
+    std::vector<Run> runs_;
+    std::vector<Stretch> stretches_;
+    std::vector<Piece> pieces_;
+    std::vector<double> piece_begins_;
+    std::vector<Equality> equalities_;
+    std::vector<std::pair<std::string, int>> joints_;  ///< name and order of the joint entries
+    int first_joint_ = 0, size_ = 0;
+};
+
+}  // namespace camopt

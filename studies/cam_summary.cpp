@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "studies/cam_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+// Samples between two breakpoints of the motion; the best of them is then refined.
+constexpr int samples = 24;
+constexpr int refinements = 60;
+constexpr double golden = 0.38196601125010515;
+
+struct Place {
+    ProfilePoint point;
+    FollowerState state;
+};
+using Figure = std::function<double(const Place&)>;
+
+class Turn {
+ public:
+    Turn(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
+        : cam_(cam), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
+
+    /// The largest value and its place; NaN (nothing to say there) counts as nothing. Where there is nothing
+    /// at all: -infinity.
+    [[nodiscard]] CamExtreme largest(const Figure& figure) const {
+        CamExtreme best{-std::numeric_limits<double>::infinity(), points_.front()};
+        const auto see = [&](double value, double at) {
+            if (value > best.value) best = {value, at};
+        };
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            const double width = (points_[i + 1] - points_[i]) / samples;
+            std::vector<double> values;
+            for (int k = 0; k <= samples; ++k) {
+                const double x = k == samples ? points_[i + 1] : points_[i] + k * width;
+                values.push_back(value_at(figure, x, k == samples ? Side::left : Side::right));
+                see(values.back(), x);
+            }
+            for (int k = 1; k < samples; ++k) {
+                if (!(values[k] >= values[k - 1] && values[k] >= values[k + 1])) continue;
+                const CamExtreme top =
+                    refined(figure, points_[i] + (k - 1) * width, points_[i] + (k + 1) * width);
+                see(top.value, top.at);
+            }
+            // The maximum may hide beside an end.
+            for (const int k : {0, samples - 1}) {
+                const CamExtreme top = refined(figure, points_[i] + k * width, points_[i] + (k + 1) * width);
+                see(top.value, top.at);
+            }
+        }
+        return best;
+    }
+    [[nodiscard]] CamExtreme least(const Figure& figure) const {
+        CamExtreme found = largest([&](const Place& place) { return -figure(place); });
+        found.value = -found.value;
+        return found;
+    }
+
+ private:
+    const DiskCam& cam_;
+    const Motion& motion_;
+    MotionScale scale_;
+    std::vector<double> points_;
+
+    [[nodiscard]] double value_at(const Figure& figure, double x, Side side) const {
+        const FollowerState state = state_of(motion_.at(x, side), scale_);
+        return figure({profile_point(cam_, x * scale_.unit_angle, state), state});
+    }
+
+    /// Golden section: a place to the root of rounding, a value to rounding.
+    [[nodiscard]] CamExtreme refined(const Figure& figure, double left, double right) const {
+        double a = left + golden * (right - left), b = right - golden * (right - left);
+        double at_a = value_at(figure, a, Side::right), at_b = value_at(figure, b, Side::right);
+        for (int k = 0; k < refinements && right - left > 0.0; ++k) {
+            if (at_a >= at_b) {
+                right = b;
+                b = a;
+                at_b = at_a;
+                a = left + golden * (right - left);
+                at_a = value_at(figure, a, Side::right);
+            } else {
+                left = a;
+                a = b;
+                at_a = at_b;
+                b = right - golden * (right - left);
+                at_b = value_at(figure, b, Side::right);
+            }
+        }
+        return at_a >= at_b ? CamExtreme{at_a, a} : CamExtreme{at_b, b};
+    }
+};
+
+double force_of(const ForceSpec& forces, double speed, const FollowerState& state) {
+    return forces.mass * speed * speed * state.acceleration + forces.spring_rate * state.s + forces.preload;
+}
+
+ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForceSpec& forces, double speed) {
+    const auto force = [&](const Place& place) { return force_of(forces, speed, place.state); };
+    const auto lever = [&](const Place& place) {
+        return quantity(cam, place.state, Quantity::normal_lever).value;
+    };
+    ForceSummary summary;
+    summary.least_force = turn.least(force);
+    summary.largest_force = turn.largest(force);
+    summary.torque =
+        turn.largest([&](const Place& place) { return std::abs(force(place) * place.state.velocity); });
+    summary.normal_force = turn.largest([&](const Place& place) { return force(place) / lever(place); });
+    if (!forces.contact_width || cam.follower == FollowerType::translating_knife) return summary;
+    const double compliance =
+        (1.0 - forces.cam_poisson * forces.cam_poisson) / forces.cam_modulus +
+        (1.0 - forces.follower_poisson * forces.follower_poisson) / forces.follower_modulus;
+    summary.hertz_pressure = turn.largest([&](const Place& place) {
+        const double curvature = has_roller(cam.follower)
+                                     ? 1.0 / (cam[DimensionIndex::roller_radius] * place.point.regularity)
+                                     : 1.0 / place.point.cam_radius;
+        const double squared =
+            force(place) / lever(place) * curvature / (compliance * std::numbers::pi * *forces.contact_width);
+        return squared > 0.0 ? std::sqrt(squared) : 0.0;
+    });
+    return summary;
+}
+
+}  // namespace
+
+CamSummary cam_summary(const DiskCam& cam, const Motion& motion, const Scene& scene) {
+    const Turn turn(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
+    const auto angle = [](const Place& place) { return std::abs(place.point.pressure_angle); };
+    CamSummary summary;
+    summary.pressure_angle = turn.largest(angle);
+    summary.rise_pressure_angle =
+        turn.largest([&](const Place& place) { return place.state.velocity > 0.0 ? angle(place) : 0.0; });
+    summary.return_pressure_angle =
+        turn.largest([&](const Place& place) { return place.state.velocity < 0.0 ? angle(place) : 0.0; });
+    if (has_flat_face(cam.follower)) {
+        summary.convex_radius = turn.least([](const Place& place) { return place.point.cam_radius; });
+        summary.contact_offset =
+            turn.largest([](const Place& place) { return std::abs(place.point.contact_offset); });
+    } else {
+        // Radii of the cam follow from the pitch curve's: the curvature is smooth where a radius is not.
+        const double roller = has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
+        const auto curvature = [](const Place& place) { return place.point.pitch_curvature; };
+        const CamExtreme sharpest = turn.largest(curvature);
+        summary.convex_radius = {1.0 / std::max(sharpest.value, 1e-300) - roller, sharpest.at};
+        const CamExtreme hollow = turn.least(curvature);
+        if (hollow.value < 0.0) summary.concave_radius = CamExtreme{roller - 1.0 / hollow.value, hollow.at};
+    }
+    summary.regularity = turn.least([](const Place& place) { return place.point.regularity; });
+    if (scene.forces && scene.motion.speed) {
+        summary.forces = force_summary(cam, turn, *scene.forces, *scene.motion.speed);
+    }
+    return summary;
+}
+
+}  // namespace camopt

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solution_report.hpp"
+
+#include "core/units.hpp"
+#include "motions/smallest_cam.hpp"
+#include "objectives/cam_limits.hpp"
+#include "splines/extrema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace camopt {
+
+namespace {
+
+// A limit counts as active when the motion comes this close to it, relative.
+constexpr double active_limit = 1e-6;
+// Rows of a proof that carry less than this part of its weight do not explain anything.
+constexpr double telling_weight = 1e-3;
+// A derivative that jumps by less than this part of the motion's peak is continuous.
+constexpr double same_derivative = 1e-7;
+
+void report_peak_limit(Solution& solution, const char* name, const std::optional<PeakLimit>& limit,
+                       const Extremum& peak) {
+    if (!limit) return;
+    const double unit = limit->unit_per_normalised();
+    solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
+                                    peak.value >= limit->normalised * (1.0 - active_limit)});
+}
+
+/// |y^{(order)}| over a whole program, not normalised by segments.
+Extremum largest_of_motion(const Motion& motion, int order) {
+    constexpr int samples = 64;
+    Extremum largest{0.0, motion.begin(), Side::right};
+    const std::vector<double> points = motion.breakpoints();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (int k = 0; k <= samples; ++k) {
+            const double x =
+                k == samples ? points[i + 1] : points[i] + (points[i + 1] - points[i]) * k / samples;
+            const Side side = k == samples ? Side::left : Side::right;
+            const double value = std::abs(motion.at(x, side).derivative[order]);
+            if (value > largest.value) largest = {value, x, side};
+        }
+    }
+    return largest;
+}
+
+SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
+    std::vector<double> breakpoints;
+    std::vector<int> segments;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (piece.stretch != stretch) continue;
+        if (breakpoints.empty()) breakpoints.push_back(piece.begin);
+        breakpoints.push_back(piece.end);
+        segments.push_back(piece.segment);
+    }
+    return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
+            run.pieces()(Eigen::all, segments)};
+}
+
+/// The highest derivative that is continuous at x, to rounding.
+int continuity_at(const Motion& motion, double left_x, double right_x) {
+    const MotionPoint left = motion.at(left_x, Side::left);
+    const MotionPoint right = motion.at(right_x, Side::right);
+    int order = -1;
+    while (order < 3) {
+        const double jump = std::abs(left.derivative[order + 1] - right.derivative[order + 1]);
+        const double size = std::max({1.0, std::abs(left.derivative[order + 1])});
+        if (jump > same_derivative * size) break;
+        ++order;
+    }
+    return order;
+}
+
+void raise(Extremum& peak, const Extremum& other) {
+    if (other.value > peak.value) peak = other;
+}
+
+void report_segments(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    const CamModel& model = problem.model();
+    const MotionFamily& family = model.design;
+    const MotionChain& motion = *solution.motion;
+    double spline_length = 0.0;
+    std::array<double, 3> squares{};
+    for (int s = 0; s < static_cast<int>(family.stretches().size()); ++s) {
+        const MotionFamily::Stretch& stretch = family.stretches()[s];
+        const ProgramSegment& written = solution.scene.motion.segments[s];
+        SegmentReport report{written.kind,
+                             written.law,
+                             stretch.begin,
+                             stretch.end,
+                             motion.at(stretch.begin, Side::right).derivative[0],
+                             motion.at(stretch.end, Side::left).derivative[0],
+                             {},
+                             {},
+                             0};
+        const bool first = s == 0;
+        report.continuity = first && !solution.scene.motion.closed
+                                ? -1
+                                : continuity_at(motion, first ? motion.end() : stretch.begin, stretch.begin);
+        if (written.kind == SegmentKind::spline) {
+            report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
+            report.peaks = normalised_peaks(*report.curve, model.stretch_scale(s));
+            raise(solution.peaks.velocity, report.peaks->velocity);
+            raise(solution.peaks.acceleration, report.peaks->acceleration);
+            raise(solution.peaks.jerk, report.peaks->jerk);
+            raise(solution.peaks.torque, report.peaks->torque);
+            const double length = stretch.end - stretch.begin;
+            spline_length += length;
+            const std::array<double, 3> rms = {report.peaks->rms_velocity, report.peaks->rms_acceleration,
+                                               report.peaks->rms_jerk};
+            for (int k = 0; k < 3; ++k) squares[k] += length * rms[k] * rms[k];
+        }
+        solution.segments.push_back(std::move(report));
+    }
+    solution.peaks.rms_velocity = std::sqrt(squares[0] / spline_length);
+    solution.peaks.rms_acceleration = std::sqrt(squares[1] / spline_length);
+    solution.peaks.rms_jerk = std::sqrt(squares[2] / spline_length);
+}
+
+void report_peak_limits(Solution& solution) {
+    const LimitSpec& limits = solution.scene.limits;
+    const bool program = solution.scene.motion.type == MotionType::program;
+    const auto report = [&](const char* name, const std::optional<PeakLimit>& limit, const Extremum& peak,
+                            int order) {
+        const bool in_time = program && limit && limit->in_time();
+        report_peak_limit(solution, name, limit, in_time ? largest_of_motion(*solution.motion, order) : peak);
+    };
+    report("velocity", limits.velocity, solution.peaks.velocity, 1);
+    report("acceleration", limits.acceleration, solution.peaks.acceleration, 2);
+    report("jerk", limits.jerk, solution.peaks.jerk, 3);
+}
+
+void report_cam(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    const CamModel& model = problem.model();
+    if (!model.cam) return;
+    const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
+    solution.cam = cam_report(solution.scene, model.cam->cam_at(parameters), *solution.motion);
+    const std::vector<ConstraintReport> constraints = cam_constraints(solution.scene, *solution.cam);
+    solution.constraints.insert(solution.constraints.end(), constraints.begin(), constraints.end());
+}
+
+/// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
+std::string plain_name(const std::string& key) {
+    for (const char* name : {"rise_pressure_angle", "return_pressure_angle", "pressure_angle",
+                             "cam_radius_min", "concave_radius_min", "undercut_margin", "contact_force_min",
+                             "contact_moment_min", "torque_max", "hertz_pressure_max"}) {
+        if (key.find(name) != std::string::npos) return name;
+    }
+    return key;
+}
+
+/// limit on a largest value (sign +1) or a least one (−1).
+ConstraintReport constraint(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
+    const double slack = sign * (limit.value - worst.value);
+    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
+    return {plain_name(limit.key),          limit.key,  limit.given(),
+            worst.value / limit.unit_value, limit.unit, worst.at,
+            slack <= active_limit * size};
+}
+
+std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& cam) {
+    const std::optional<WrittenLimit> limit = pressure_limits(scene.limits).rise;
+    const bool translating =
+        cam.follower == FollowerType::translating_roller || cam.follower == FollowerType::translating_knife;
+    if (!limit || !translating || scene.motion.type == MotionType::program) return {};
+    const double direction = cam.rotation == Rotation::counterclockwise ? 1.0 : -1.0;
+    const CamStroke stroke{scene.motion.lift, direction * cam[DimensionIndex::offset], Stroke::rise};
+    const SmallestCam smallest = smallest_cam(stroke, scene.motion.rise, limit->value);
+    return SmallestCamReport{smallest.prime_radius,
+                             cam[DimensionIndex::base_radius] + cam[DimensionIndex::roller_radius],
+                             limit->value};
+}
+
+}  // namespace
+
+Peaks normalised_peaks(const SplineCurve& curve, const StretchScale& scale) {
+    Peaks peaks = peaks_of(curve);
+    const auto factor = [&](int order) { return std::pow(scale.angle, order) / scale.displacement; };
+    peaks.velocity.value *= factor(1);
+    peaks.acceleration.value *= factor(2);
+    peaks.jerk.value *= factor(3);
+    peaks.torque.value *= factor(1) * factor(2);
+    peaks.rms_velocity *= factor(1);
+    peaks.rms_acceleration *= factor(2);
+    peaks.rms_jerk *= factor(3);
+    return peaks;
+}
+
+CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
+    return {cam, cam_summary(cam, motion, scene), smallest_of(scene, cam), {}};
+}
+
+std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report) {
+    const LimitSpec& limits = scene.limits;
+    const CamSummary& summary = report.summary;
+    std::vector<ConstraintReport> all;
+    const auto add = [&](const std::optional<WrittenLimit>& limit, const CamExtreme& worst, int sign) {
+        if (limit) all.push_back(constraint(*limit, worst, sign));
+    };
+    const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
+    if (!both_replaced) {
+        const bool rest = limits.rise_pressure_angle || limits.return_pressure_angle;
+        add(limits.pressure_angle,
+            !rest                        ? summary.pressure_angle
+            : limits.rise_pressure_angle ? summary.return_pressure_angle
+                                         : summary.rise_pressure_angle,
+            1);
+    }
+    add(limits.rise_pressure_angle, summary.rise_pressure_angle, 1);
+    add(limits.return_pressure_angle, summary.return_pressure_angle, 1);
+    add(limits.cam_radius_min, summary.convex_radius, -1);
+    if (limits.concave_radius_min) {
+        all.push_back(constraint(*limits.concave_radius_min,
+                                 summary.concave_radius.value_or(CamExtreme{infinity, 0.0}), -1));
+    }
+    add(limits.undercut_margin, summary.regularity, -1);
+    if (scene.cam->face_half_width) {
+        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
+                                 "mm"};
+        all.push_back(constraint(width, summary.contact_offset, 1));
+        all.back().name = "face_half_width";
+    }
+    if (summary.forces) {
+        add(limits.contact_force_min, summary.forces->least_force, -1);
+        add(limits.torque_max, summary.forces->torque, 1);
+        if (summary.forces->hertz_pressure)
+            add(limits.hertz_pressure_max, *summary.forces->hertz_pressure, 1);
+    }
+    return all;
+}
+
+void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    solution.motion = std::make_shared<MotionChain>(problem.motion(x));
+    if (solution.scene.motion.type == MotionType::program) {
+        report_segments(solution, problem, x);
+    } else {
+        solution.curve = problem.curve(x);
+        solution.peaks = peaks_of(*solution.curve);
+    }
+    report_peak_limits(solution);
+    report_cam(solution, problem, x);
+    const MotionFamily& design = problem.model().design;
+    const Eigen::VectorXd values = problem.design_values(x);
+    const std::vector<int> reported = design.reported_entries();
+    solution.design.values = values(reported);
+    for (const int entry : reported) solution.design.names.push_back(design.name(entry));
+}
+
+void report_conflict(Solution& solution) {
+    if (!solution.certificate.proof) return;
+    const DualityProof& proof = *solution.certificate.proof;
+    constexpr const char* separator = " at x = ";
+    double whole = 0.0;
+    std::vector<ConflictReport> found;
+    for (std::size_t i = 0; i < proof.rows.size(); ++i) {
+        const std::string& row = proof.rows[i];
+        const bool limit = row.starts_with("limits.") || row.starts_with("cam.");
+        const double weight = std::abs(proof.multipliers[static_cast<Eigen::Index>(i)]);
+        if (!limit || weight == 0.0) continue;
+        whole += weight;
+        const std::size_t at = row.find(separator);
+        const double x =
+            at == std::string::npos ? 0.0 : std::stod(row.substr(at + std::string(separator).size()));
+        found.push_back({row.substr(0, at), x, weight});
+    }
+    for (ConflictReport& conflict : found) conflict.weight /= whole;
+    std::erase_if(found, [](const ConflictReport& conflict) { return conflict.weight < telling_weight; });
+    std::ranges::stable_sort(found, std::greater{}, &ConflictReport::weight);
+    solution.conflict = std::move(found);
+}
+
+}  // namespace camopt

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// From the optimizer's x to what is reported: the motion, its peaks, the cam, every limit.
+#pragma once
+
+#include "objectives/cam_problem.hpp"
+#include "studies/solution.hpp"
+
+namespace camopt {
+
+/// Fills motion, curve, segments, peaks, cam, constraints and design of the solution from x.
+void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
+
+/// Which limits fight and where, from the rows of the proof of infeasibility.
+void report_conflict(Solution& solution);
+
+/// Peaks of one stretch of a program, normalised by its own angle and displacement.
+[[nodiscard]] Peaks normalised_peaks(const SplineCurve& curve, const StretchScale& scale);
+
+/// The cam of a motion with the figures of it, and the smallest any motion would allow where that is known.
+[[nodiscard]] CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion);
+
+/// Every limit of the scene on the cam, as written and as kept by that cam.
+[[nodiscard]] std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& cam);
+
+}  // namespace camopt
