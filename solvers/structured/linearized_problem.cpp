@@ -58,12 +58,21 @@ LinearizedProblem::LinearizedProblem(const Nlp& problem, const NlpPoint& point, 
         }
     shape_.convex = shape_.quadratic_cost = true;
     shape_.linear_cost = shape_.hessian.size() == 0;
-    for (Index i = 0; i < base.constraints(); ++i)
-        if (model.without_nonlinear_rows && !base.rows[static_cast<std::size_t>(i)].linear) {
+    if (model.without_nonlinear_rows) drop_nonlinear_rows();
+    if (model.penalty > 0.0) add_elastic_rows();
+}
+
+/// Their values need not even be finite.
+void LinearizedProblem::drop_nonlinear_rows() {
+    const NlpShape& base = problem_.shape();
+    const auto linear = [&](int row) { return base.rows[static_cast<std::size_t>(row)].linear; };
+    for (int i = 0; i < base.constraints(); ++i)
+        if (!linear(i)) {
             shape_.g_lower[i] = -infinity;
             shape_.g_upper[i] = infinity;
         }
-    if (model.penalty > 0.0) add_elastic_rows();
+    for (std::size_t e = 0; e < values_.size(); ++e)
+        if (!linear(base.jacobian.rows[e])) values_[e] = 0.0;
 }
 
 void LinearizedProblem::add_elastic_rows() {

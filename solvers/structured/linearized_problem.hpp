@@ -64,6 +64,7 @@ class LinearizedProblem final : public Nlp {
     [[nodiscard]] Eigen::VectorXd multipliers_of(const Eigen::VectorXd& lambda) const;
 
  private:
+    void drop_nonlinear_rows();
     void add_elastic_rows();
     const Nlp& problem_;
     const StepModel& model_;

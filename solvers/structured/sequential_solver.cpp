@@ -2,7 +2,7 @@
 #include "solvers/structured/sequential_solver.hpp"
 
 #include "solvers/backend_support.hpp"
-#include "solvers/structured/convexified_hessian.hpp"
+#include "solvers/structured/nlp_measures.hpp"
 #include "solvers/structured/run_limits.hpp"
 #include "solvers/structured/step_solver.hpp"
 
@@ -17,15 +17,12 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr double least_radius = 1e-13;
 constexpr double largest_size = 1e10;   // of a variable: beyond it the point runs away
 constexpr double linear_reach = 100.0;  // how much further variables may move in which all is linear
 constexpr double proximal = 1e-8;       // multiple of I in H, of the size of the gradient
-constexpr double significant = 1e-6;    // part of the largest multiplier that makes a row carry one
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
-constexpr double at_bound = 1e-7;       // relative distance
 constexpr double least_unit = 1e-3;     // of a step problem while the last digits are sought
 constexpr double penalty_excess =
     8.0;  // over what the multipliers ask for: the merit then clings to the rows
@@ -39,12 +36,9 @@ constexpr int slow_passes = 25;      // in which the violation must fall by a te
 constexpr int most_corrections = 3;
 constexpr int most_failures = 8;  // step problems in a row that end without a step
 constexpr double stationary_violation = 1e-7;
+constexpr double off = 0.1;     // of the tolerance: linear rows that must be restored first
 constexpr double nudge = 0.01;  // of the size of a variable
 constexpr double rounding = 1e-14;
-
-double excess(double value, double lower, double upper) {
-    return std::max({lower - value, value - upper, 0.0});
-}
 
 class SequentialRun {
  public:
@@ -57,23 +51,25 @@ class SequentialRun {
     std::optional<BackendResult> pass();
     void linearize();
     [[nodiscard]] StepModel step_model() const;
-    [[nodiscard]] ActiveRows active_rows(const RowMatrix& jacobian) const;
     Step next_step(StepModel& model);
     std::optional<BackendResult> contradiction();
     [[nodiscard]] bool settled(const Step& step);
     bool take(const StepModel& model, Step step);
     [[nodiscard]] BackendResult finished() const;
+    [[nodiscard]] BackendResult infeasible() const;
     [[nodiscard]] bool hopeless(double least_elastic);
     [[nodiscard]] bool stationary_in_violation(double least_elastic) const;
     void raise_penalty(const StepModel& model, const Step& step);
     [[nodiscard]] double slope_change(const VectorXd& step) const;
     [[nodiscard]] VectorXd corrected_rows(const NlpPoint& trial, const VectorXd& step) const;
     [[nodiscard]] NlpPoint moved(const VectorXd& step) const;
-    [[nodiscard]] double violation(const NlpPoint& point) const;
+    [[nodiscard]] double violation(const NlpPoint& point) const {
+        return violation_of(shape_, point.rows, false);
+    }
     [[nodiscard]] double merit(const NlpPoint& point) const;
-    [[nodiscard]] bool kept(const NlpPoint& point) const;
-    [[nodiscard]] double stationarity(const VectorXd& multipliers) const;
-    [[nodiscard]] VectorXd lagrangian_gradient(const VectorXd& multipliers) const;
+    [[nodiscard]] bool kept(const NlpPoint& point) const {
+        return keeps_rows(shape_, point, jacobian_, options_.tolerance);
+    }
     [[nodiscard]] double cost_size() const { return std::max(1.0, std::abs(here_.cost)); }
     BackendResult ended(Termination termination, std::string why) const;
 
@@ -90,7 +86,7 @@ class SequentialRun {
     RowMatrix jacobian_;
     ConvexifiedHessian hessian_;
     Eigen::SparseMatrix<double> true_hessian_;
-    VectorXd multipliers_;
+    VectorXd multipliers_, least_multipliers_;
     double radius_, penalty_ = 1.0, last_length_ = infinity, least_elastic_ = 0.0;
     bool fresh_ = true, relaxed_ = true, spoiled_ = false;
     double marked_violation_ = infinity;
@@ -114,48 +110,16 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
       guard_(options, control),
       steps_(problem, interior_point_limits(options, structured_options(options.native)), control),
       weights_(VectorXd::Ones(shape_.constraints())),
-      curved_(static_cast<std::size_t>(shape_.variables()), false),
+      curved_(curved_variables(shape_)),
       multipliers_(VectorXd::Zero(shape_.constraints())) {
     const StructuredOptions own = structured_options(options.native);
     most_passes_ = std::min(own.max_passes, options.max_iterations);
     radius_ = own.first_radius;
-    for (Index i = 0; i < weights_.size(); ++i) weights_[i] = shape_.rows[static_cast<std::size_t>(i)].scale;
-    for (int e = 0; e < shape_.jacobian.size(); ++e) {
-        const auto entry = static_cast<std::size_t>(e);
-        if (!shape_.rows[static_cast<std::size_t>(shape_.jacobian.rows[entry])].linear)
-            curved_[static_cast<std::size_t>(shape_.jacobian.columns[entry])] = true;
-    }
-    if (!shape_.linear_cost)
-        for (std::size_t e = 0; e < shape_.hessian.rows.size(); ++e) {
-            curved_[static_cast<std::size_t>(shape_.hessian.rows[e])] = true;
-            curved_[static_cast<std::size_t>(shape_.hessian.columns[e])] = true;
-        }
-}
-
-double SequentialRun::violation(const NlpPoint& point) const {
-    double worst = 0.0;
-    for (Index i = 0; i < weights_.size(); ++i)
-        if (!shape_.rows[static_cast<std::size_t>(i)].linear)
-            worst =
-                std::max(worst, excess(point.rows[i], shape_.g_lower[i], shape_.g_upper[i]) / weights_[i]);
-    return worst;
+    for (Index i = 0; i < weights_.size(); ++i) weights_[i] = kind_of(shape_, i).scale;
 }
 
 double SequentialRun::merit(const NlpPoint& point) const {
     return point.cost + penalty_ * violation(point);
-}
-
-/// Every row to the tolerance of its scale, or to what rounding leaves of it.
-bool SequentialRun::kept(const NlpPoint& point) const {
-    VectorXd noise = VectorXd::Zero(weights_.size());
-    for (Index i = 0; i < weights_.size(); ++i)
-        for (RowMatrix::InnerIterator entry(jacobian_, i); entry; ++entry)
-            noise[i] += rounding * std::abs(entry.value()) * (1.0 + std::abs(point.x[entry.col()]));
-    for (Index i = 0; i < weights_.size(); ++i)
-        if (excess(point.rows[i], shape_.g_lower[i], shape_.g_upper[i]) >
-            std::max(options_.tolerance * shape_.rows[static_cast<std::size_t>(i)].scale, noise[i]))
-            return false;
-    return true;
 }
 
 NlpPoint SequentialRun::moved(const VectorXd& step) const {
@@ -165,11 +129,7 @@ NlpPoint SequentialRun::moved(const VectorXd& step) const {
 /// A first point that keeps the linear rows and the bounds: all later ones then do.
 std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
     here_ = evaluated(problem_, start.cwiseMax(shape_.x_lower).cwiseMin(shape_.x_upper));
-    double off = 0.0;
-    for (Index i = 0; i < weights_.size(); ++i)
-        if (shape_.rows[static_cast<std::size_t>(i)].linear)
-            off = std::max(off, excess(here_.rows[i], shape_.g_lower[i], shape_.g_upper[i]) / weights_[i]);
-    if (off > 0.0) {
+    if (violation_of(shape_, here_.rows, true) > off * options_.tolerance) {
         differentiate(problem_, here_);
         const StepModel model = projection_model(problem_, here_);
         const LinearizedProblem projection(problem_, here_, model);
@@ -192,72 +152,13 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
     return std::nullopt;
 }
 
-VectorXd SequentialRun::lagrangian_gradient(const VectorXd& multipliers) const {
-    return here_.gradient + jacobian_.transpose() * multipliers;
-}
-
-/// ‖∇L + z‖ relative to the gradient, z where x is at a bound.
-double SequentialRun::stationarity(const VectorXd& multipliers) const {
-    const VectorXd rest = lagrangian_gradient(multipliers);
-    double worst = 0.0, size = cost_size();
-    for (Index j = 0; j < rest.size(); ++j) {
-        const double bound = rest[j] > 0.0 ? shape_.x_lower[j] : shape_.x_upper[j];
-        if (std::abs(here_.x[j] - bound) > at_bound * (1.0 + std::abs(here_.x[j])))
-            worst = std::max(worst, std::abs(rest[j]));
-    }
-    return worst / size;
-}
-
-ActiveRows SequentialRun::active_rows(const RowMatrix& jacobian) const {
-    VectorXd force = VectorXd::Zero(multipliers_.size()), length = force;
-    for (Index i = 0; i < multipliers_.size(); ++i) {
-        length[i] = jacobian.row(i).norm();
-        force[i] = std::abs(multipliers_[i]) * length[i];
-    }
-    const double most = force.size() > 0 ? force.maxCoeff() : 0.0;
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> residuals;
-    const auto row = [&] { return static_cast<int>(residuals.size()); };
-    for (Index i = 0; i < force.size(); ++i) {
-        const bool equality = shape_.g_lower[i] == shape_.g_upper[i];
-        if (length[i] == 0.0 || (!equality && !(force[i] > significant * most))) continue;
-        const double side = multipliers_[i] > 0.0 ? shape_.g_upper[i] : shape_.g_lower[i];
-        const double residual = std::isfinite(side) ? (here_.rows[i] - side) / length[i] : 0.0;
-        const double slack = multipliers_[i] > 0.0 ? -residual : residual;
-        if (!equality && slack > loose * last_length_) continue;  // the last step left it after all
-        for (RowMatrix::InnerIterator entry(jacobian, i); entry; ++entry)
-            entries.emplace_back(row(), static_cast<int>(entry.col()), entry.value() / length[i]);
-        residuals.push_back(residual);
-    }
-    const VectorXd rest = lagrangian_gradient(multipliers_);
-    for (Index j = 0; j < rest.size(); ++j) {
-        const double bound = rest[j] > 0.0 ? shape_.x_lower[j] : shape_.x_upper[j];
-        const bool held = std::abs(here_.x[j] - bound) <= at_bound * (1.0 + std::abs(bound)) &&
-                          std::abs(rest[j]) > significant * most;
-        if (!held && shape_.x_lower[j] != shape_.x_upper[j]) continue;
-        entries.emplace_back(row(), static_cast<int>(j), 1.0);
-        residuals.push_back(0.0);
-    }
-    ActiveRows result;
-    result.normals.resize(row(), shape_.variables());
-    result.normals.setFromTriplets(entries.begin(), entries.end());
-    result.residuals = Eigen::Map<const VectorXd>(residuals.data(), row());
-    return result;
-}
-
 void SequentialRun::linearize() {
     jacobian_ = jacobian_of(problem_, here_);
-    std::vector<double> values(static_cast<std::size_t>(shape_.hessian.size()));
-    problem_.hessian(here_.x, 1.0, multipliers_, values);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t e = 0; e < values.size(); ++e)
-        entries.emplace_back(std::max(shape_.hessian.rows[e], shape_.hessian.columns[e]),
-                             std::min(shape_.hessian.rows[e], shape_.hessian.columns[e]),
-                             std::isfinite(values[e]) ? values[e] : 0.0);
-    true_hessian_.resize(shape_.variables(), shape_.variables());
-    true_hessian_.setFromTriplets(entries.begin(), entries.end());
+    true_hessian_ = lagrangian_hessian(problem_, here_.x, multipliers_);
     const double size = here_.gradient.size() > 0 ? here_.gradient.cwiseAbs().maxCoeff() : 0.0;
-    hessian_ = convexified(true_hessian_, active_rows(jacobian_), proximal * std::max(size, 1e-8));
+    hessian_ = convexified(
+        true_hessian_, Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_),
+        proximal * std::max(size, 1e-8));
     reach_.resize(shape_.variables());
     for (Index j = 0; j < reach_.size(); ++j)
         reach_[j] =
@@ -303,6 +204,7 @@ Step SequentialRun::next_step(StepModel& model) {
     if (!steered.step.usable) return steered.step;
     const bool free = steered.step.elastic <= 1e-8;
     least_elastic_ = free ? 0.0 : steered.least_elastic;
+    least_multipliers_ = steered.least_multipliers;
     relaxed_ = !free || --patience_ > 0;
     return steered.step;
 }
@@ -338,7 +240,8 @@ bool SequentialRun::settled(const Step& step) {
     if (!flat_) polishing_ = 0;
     if (!flat_ || violation(here_) > nearly_kept * options_.tolerance) return false;
     if (!kept(here_) && ++polishing_ <= most_polishing) return false;
-    const double now = std::max(stationarity(step.multipliers), violation(here_));
+    const double now = std::max(
+        Stationarity{shape_, here_, jacobian_, step.multipliers}.error() / cost_size(), violation(here_));
     const bool better = !best_ || now < 0.5 * best_->error;
     if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now, kept(here_)};
     return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
@@ -346,10 +249,7 @@ bool SequentialRun::settled(const Step& step) {
 }
 
 void SequentialRun::raise_penalty(const StepModel& model, const Step& step) {
-    double needed = 0.0;
-    for (Index i = 0; i < weights_.size(); ++i)
-        if (!shape_.rows[static_cast<std::size_t>(i)].linear)
-            needed += std::abs(step.multipliers[i]) * weights_[i];
+    const double needed = needed_penalty(shape_, step.multipliers);
     const bool too_large = penalty_ > penalty_excess * needed && reductions_ < most_reductions;
     if (model.penalty == 0.0 && (penalty_ < 1.1 * needed || too_large)) {
         penalty_ = 2.0 * needed + least_penalty;
@@ -362,7 +262,7 @@ void SequentialRun::raise_penalty(const StepModel& model, const Step& step) {
 VectorXd SequentialRun::corrected_rows(const NlpPoint& trial, const VectorXd& step) const {
     VectorXd rows = trial.rows - jacobian_ * step;
     for (Index i = 0; i < rows.size(); ++i)
-        if (shape_.rows[static_cast<std::size_t>(i)].linear) rows[i] = here_.rows[i];
+        if (kind_of(shape_, i).linear) rows[i] = here_.rows[i];
     return rows;
 }
 
@@ -430,6 +330,13 @@ bool SequentialRun::stationary_in_violation(double least_elastic) const {
     return now - least_elastic <= stationary_violation * now * std::min(1.0, radius_);
 }
 
+BackendResult SequentialRun::infeasible() const {
+    BackendResult result = ended(Termination::infeasible, "the least violation of convex rows is positive");
+    result.row_multipliers = least_multipliers_ / violation(here_);
+    result.bound_multipliers = bound_multipliers(shape_, jacobian_.transpose() * *result.row_multipliers);
+    return result;
+}
+
 /// Another point than a stationary one of the violation, such as the center of a disc to be left.
 VectorXd SequentialRun::nudged() const {
     VectorXd x = here_.x;
@@ -470,8 +377,7 @@ std::optional<BackendResult> SequentialRun::pass() {
         if (shape_.convex)
             if (auto proved = contradiction()) return proved;
         const bool over = hopeless(least_elastic_);
-        if (over && shape_.convex && stationary_in_violation(least_elastic_))
-            return ended(Termination::infeasible, "the least violation of convex rows is positive");
+        if (over && shape_.convex && stationary_in_violation(least_elastic_)) return infeasible();
         if (over && !shape_.convex && !nudged_) {
             nudged_ = true;
             marked_violation_ = infinity;
@@ -482,11 +388,11 @@ std::optional<BackendResult> SequentialRun::pass() {
                          "no feasible point found: the violation is least nearby");
     }
     if (!take(model, std::move(step)) && best_ && polishing_ > 0) return finished();
-    if (radius_ < least_radius)
-        return ended(spoiled_      ? Termination::evaluation_error
-                     : kept(here_) ? Termination::acceptable
-                                   : Termination::numerical_failure,
-                     "the steps became too small");
+    if (radius_ < least_radius) {
+        if (spoiled_) return ended(Termination::evaluation_error, "no step leads to finite values");
+        if (kept(here_)) return ended(Termination::acceptable, "the steps became too small");
+        return ended(Termination::numerical_failure, "no feasible point found: the steps became too small");
+    }
     if (here_.x.size() > 0 && here_.x.cwiseAbs().maxCoeff() > largest_size)
         return ended(Termination::unbounded, "the point runs away downhill");
     return std::nullopt;
@@ -501,13 +407,13 @@ BackendResult SequentialRun::ended(Termination termination, std::string why) con
     result.native_status = fmt::format("{}: {} passes, {} interior iterations, largest violation {:.1e}", why,
                                        passes_, steps_.interior_iterations(), violation(point));
     result.row_multipliers = best_ ? best_->multipliers : multipliers_;
-    VectorXd rest = VectorXd::Zero(shape_.variables());
-    if (point.finite() && point.gradient.size() > 0)
-        rest = -(point.gradient +
-                 camopt::structured::jacobian_of(problem_, point).transpose() * *result.row_multipliers);
-    for (Index j = 0; j < rest.size(); ++j)
-        if (!std::isfinite(rest[j] > 0.0 ? shape_.x_upper[j] : shape_.x_lower[j])) rest[j] = 0.0;
-    result.bound_multipliers = rest;
+    if (point.finite() && point.gradient.size() > 0) {
+        const RowMatrix jacobian = jacobian_of(problem_, point);
+        result.bound_multipliers = bound_multipliers(
+            shape_, Stationarity{shape_, point, jacobian, *result.row_multipliers}.lagrangian_gradient());
+    } else {
+        result.bound_multipliers = VectorXd::Zero(shape_.variables());
+    }
     return result;
 }
 

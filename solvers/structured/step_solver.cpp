@@ -50,7 +50,7 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
 }
 
 StepSolver::Steered StepSolver::solve_elastic(const NlpPoint& point, StepModel& model, double violation) {
-    Steered result{solve(point, model), violation};
+    Steered result{solve(point, model), {}, violation};
     if (!result.step.usable || result.step.elastic <= kept) return result;
     StepModel feasibility = model;
     feasibility.slope.setZero();
@@ -63,6 +63,7 @@ StepSolver::Steered StepSolver::solve_elastic(const NlpPoint& point, StepModel& 
         result.step.usable = !least.stopped();
         return result;
     }
+    result.least_multipliers = least.multipliers;
     result.least_elastic = std::min(least.elastic, violation);
     const auto reduces = [&](double elastic) {
         if (result.least_elastic <= kept) return elastic <= kept;

@@ -28,7 +28,8 @@ class StepSolver {
     /// methods for nonlinear programming, Optim. Methods Softw. 23 (2008).
     struct Steered {
         Step step;
-        double least_elastic = 0.0;  ///< of any step; the violation itself where that was not asked
+        Eigen::VectorXd least_multipliers;  ///< with Σ |λ_i| w_i = 1, where least_elastic was asked for
+        double least_elastic = 0.0;         ///< of any step; the violation itself where that was not asked
     };
     [[nodiscard]] Steered solve_elastic(const NlpPoint& point, StepModel& model, double violation);
 
