@@ -21,6 +21,8 @@ constexpr double same_sample = 1e-9;
 // A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
 constexpr double bracket = 0.25;
 
+// In lifts: no cam follows a motion that strays farther, so proofs need not look there.
+constexpr double farthest_displacement = 1e3;
 // Random starting motions: this many loads, bending the smoothest motion by up to this part of a lift.
 constexpr int random_loads = 3;
 constexpr double farthest_random_move = 0.3;
@@ -344,6 +346,7 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
     SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
     known.sup.fill(infinity);
     known.rms.fill(infinity);
+    known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
     for (Eigen::Index p = 0; p < parameters; ++p) {
         const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
         known.parameters[p] = parameter.upper;

@@ -18,11 +18,11 @@ void fill_factors(DerivativeScale& scale, double output, double per_x) {
 DerivativeScale scale_by_angle(const MotionSpec& motion) {
     DerivativeScale scale;
     if (motion.lift_is_angle) {
-        fill_factors(scale, motion.lift / units::degree, motion.rise / units::degree);
+        fill_factors(scale, motion.lift / units::degree, motion.unit_angle() / units::degree);
         scale.unit = {"deg", "deg/deg", "deg/deg²", "deg/deg³"};
         scale.column = {"s_deg", "ds_deg_deg", "dds_deg_deg2", "ddds_deg_deg3"};
     } else {
-        fill_factors(scale, motion.lift / units::millimetre, motion.rise);
+        fill_factors(scale, motion.lift / units::millimetre, motion.unit_angle());
         scale.unit = {"mm", "mm/rad", "mm/rad²", "mm/rad³"};
         scale.column = {"s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"};
     }
@@ -47,10 +47,10 @@ DerivativeScale scale_by_time(const MotionSpec& motion, double seconds_per_x) {
 
 DisplayScale display_scale(const MotionSpec& motion) {
     DisplayScale scale;
-    scale.degrees_per_x = motion.rise / units::degree;
+    scale.degrees_per_x = motion.unit_angle() / units::degree;
     scale.by_angle = scale_by_angle(motion);
     if (motion.speed) {
-        scale.seconds_per_x = motion.rise / *motion.speed;
+        scale.seconds_per_x = motion.unit_angle() / *motion.speed;
         scale.by_time = scale_by_time(motion, scale.seconds_per_x);
     }
     return scale;

@@ -64,7 +64,7 @@ PanelContent panel_content(const Picture& picture, int order) {
     const auto index = static_cast<std::size_t>(order);
     PanelContent content;
     content.order = order;
-    content.optimum = &*picture.solution.curve;
+    content.optimum = picture.solution.motion.get();
     content.reference = picture.reference.motion.get();
     content.caption = captions[index];
     content.factor = picture.scale.by_angle.factor[index];
@@ -95,14 +95,14 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;
     canvas.line(x, y - 7, x, y - 1, "breakpoint");
-    canvas.text(x + 8, y, fmt::format("breakpoints ({})", picture.solution.curve->breakpoints().size()),
+    canvas.text(x + 8, y, fmt::format("breakpoints ({})", picture.solution.motion->breakpoints().size()),
                 "subtitle");
 }
 
 }  // namespace
 
 std::string motion_svg(const Solution& solution) {
-    if (!solution.curve) throw InputError("motion.svg needs a curve, and this solution has none");
+    if (!solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
     ReferenceMotion reference = reference_motion(solution.scene);
     std::vector<PeakRow> peaks = peak_comparison(solution, reference);
     const Picture picture{solution, std::move(reference), display_scale(solution.scene.motion),

@@ -18,14 +18,21 @@ std::string optional_text(const std::optional<double>& value) {
     return value ? short_text(*value) : "–";
 }
 
+std::string kind_of_motion(const MotionSpec& motion) {
+    if (motion.type == MotionType::program) {
+        return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
+                           short_text(motion.length() * motion.unit_angle() / units::degree));
+    }
+    return motion.type == MotionType::drd ? "rise between two dwells"
+                                          : "rise and return without a dwell at the top";
+}
+
 std::string asked_motion(const MotionSpec& motion) {
     const DisplayScale scale = display_scale(motion);
-    std::string text =
-        fmt::format("- Motion: {}, lift {} {}, rise {} deg",
-                    motion.type == MotionType::drd ? "rise between two dwells"
-                                                   : "rise and return without a dwell at the top",
-                    short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0],
-                    short_text(motion.rise / units::degree));
+    std::string text = fmt::format("- Motion: {}, lift {} {}", kind_of_motion(motion),
+                                   short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0]);
+    if (motion.type != MotionType::program)
+        text += fmt::format(", rise {} deg", short_text(motion.rise / units::degree));
     if (motion.type == MotionType::rr)
         text += fmt::format(", return {} deg",
                             short_text(motion.return_angle.value_or(motion.rise) / units::degree));
@@ -68,7 +75,7 @@ std::string verdict_section(const Solution& solution) {
     const auto line = [&](const char* name, double value, int digits) {
         text += fmt::format("- {}: {}\n", name, short_text(value, digits));
     };
-    if (solution.curve) line("Objective", certificate.objective, 10);
+    if (solution.motion) line("Objective", certificate.objective, 10);
     if (certificate.lower_bound) line("Proved lower bound", *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)
@@ -98,7 +105,7 @@ std::string peak_table(const Solution& solution) {
 }
 
 std::string limits_section(const Solution& solution) {
-    if (!solution.curve) return {};  // nothing was reached; the relaxation names the limits
+    if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
@@ -165,9 +172,9 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : solution.scene.title);
     text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
-    if (solution.curve) text += peak_table(solution);
+    if (solution.motion) text += peak_table(solution);
     text += limits_section(solution);
-    if (solution.curve) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
+    if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     return text + design_section(solution.design) + solver_section(solution, origin) +
            notes_section(solution.notes);
 }

@@ -33,8 +33,8 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
         write_text_file(folder / name, text);
         written.push_back(folder / name);
     };
-    if (solution.curve) {
-        write("motion.csv", motion_csv(*solution.curve, solution.peaks, solution.scene.motion));
+    if (solution.motion) {
+        write("motion.csv", motion_csv(*solution.motion, solution.peaks, solution.scene.motion));
         write("motion.svg", motion_svg(solution));
     } else {
         std::error_code absent;

@@ -32,7 +32,7 @@ Json peak_json(const Extremum& peak) {
 }
 
 Json peaks_json(const Solution& solution) {
-    if (!solution.curve) return nullptr;
+    if (!solution.motion) return nullptr;
     const Peaks& peaks = solution.peaks;
     return {{"velocity", peak_json(peaks.velocity)},
             {"acceleration", peak_json(peaks.acceleration)},
@@ -45,7 +45,7 @@ Json peaks_json(const Solution& solution) {
 
 /// The peaks in the units of the drawing, named like the columns of motion.csv.
 Json physical_peaks_json(const Solution& solution) {
-    if (!solution.curve) return nullptr;
+    if (!solution.motion) return nullptr;
     const DisplayScale scale = display_scale(solution.scene.motion);
     const Peaks& peaks = solution.peaks;
     const double values[] = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
@@ -98,7 +98,7 @@ Json spline_json(const Solution& solution) {
 }
 
 Json design_json(const Solution& solution) {
-    if (!solution.curve) return nullptr;
+    if (!solution.motion) return nullptr;
     return {{"kind", name_of(solution.design.kind)},
             {"names", solution.design.names},
             {"values", numbers_json(solution.design.values)}};

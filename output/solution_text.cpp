@@ -100,8 +100,8 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     text += verdict_sentence(solution.certificate) + "\n";
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";
-    if (solution.curve) text += peak_lines(solution);
-    if (solution.curve)
+    if (solution.motion) text += peak_lines(solution);
+    if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));
     for (const Relaxation& row : solution.relaxation)

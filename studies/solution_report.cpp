@@ -2,6 +2,7 @@
 #include "studies/solution_report.hpp"
 
 #include "core/units.hpp"
+#include "motions/law_catalogue.hpp"
 #include "motions/smallest_cam.hpp"
 #include "objectives/cam_limits.hpp"
 #include "splines/extrema.hpp"
@@ -27,23 +28,6 @@ void report_peak_limit(Solution& solution, const char* name, const std::optional
     const double unit = limit->unit_per_normalised();
     solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
                                     peak.value >= limit->normalised * (1.0 - active_limit)});
-}
-
-/// |y^{(order)}| over a whole program, not normalised by segments.
-Extremum largest_of_motion(const Motion& motion, int order) {
-    constexpr int samples = 64;
-    Extremum largest{0.0, motion.begin(), Side::right};
-    const std::vector<double> points = motion.breakpoints();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        for (int k = 0; k <= samples; ++k) {
-            const double x =
-                k == samples ? points[i + 1] : points[i] + (points[i + 1] - points[i]) * k / samples;
-            const Side side = k == samples ? Side::left : Side::right;
-            const double value = std::abs(motion.at(x, side).derivative[order]);
-            if (value > largest.value) largest = {value, x, side};
-        }
-    }
-    return largest;
 }
 
 SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
@@ -73,8 +57,26 @@ int continuity_at(const Motion& motion, double left_x, double right_x) {
     return order;
 }
 
-void raise(Extremum& peak, const Extremum& other) {
-    if (other.value > peak.value) peak = other;
+void raise(Peaks& peaks, const Peaks& other) {
+    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+        if ((other.*peak).value > (peaks.*peak).value) peaks.*peak = other.*peak;
+    }
+}
+
+/// Peaks of a law that takes `width` of x and `rise` lifts, in units of the whole motion.
+Peaks peaks_of_law(const std::string& key, double begin, double width, double rise) {
+    Peaks peaks = make_law(key)->peaks();
+    const double size = std::abs(rise);
+    const std::array<std::pair<Extremum Peaks::*, double>, 4> factors = {
+        {{&Peaks::velocity, size / width},
+         {&Peaks::acceleration, size / (width * width)},
+         {&Peaks::jerk, size / (width * width * width)},
+         {&Peaks::torque, size * size / (width * width * width)}}};
+    for (const auto& [peak, factor] : factors) {
+        (peaks.*peak).value *= factor;
+        (peaks.*peak).at = begin + width * (peaks.*peak).at;
+    }
+    return peaks;
 }
 
 void report_segments(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
@@ -102,15 +104,17 @@ void report_segments(Solution& solution, const CamProblem& problem, const Eigen:
         if (written.kind == SegmentKind::spline) {
             report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
             report.peaks = normalised_peaks(*report.curve, model.stretch_scale(s));
-            raise(solution.peaks.velocity, report.peaks->velocity);
-            raise(solution.peaks.acceleration, report.peaks->acceleration);
-            raise(solution.peaks.jerk, report.peaks->jerk);
-            raise(solution.peaks.torque, report.peaks->torque);
+            raise(solution.peaks, *report.peaks);
+            raise(solution.motion_peaks, peaks_of(*report.curve));
             const double length = stretch.end - stretch.begin;
             spline_length += length;
             const std::array<double, 3> rms = {report.peaks->rms_velocity, report.peaks->rms_acceleration,
                                                report.peaks->rms_jerk};
             for (int k = 0; k < 3; ++k) squares[k] += length * rms[k] * rms[k];
+        }
+        if (written.kind == SegmentKind::law) {
+            raise(solution.motion_peaks, peaks_of_law(written.law, report.begin, report.end - report.begin,
+                                                      report.to - report.from));
         }
         solution.segments.push_back(std::move(report));
     }
@@ -121,15 +125,13 @@ void report_segments(Solution& solution, const CamProblem& problem, const Eigen:
 
 void report_peak_limits(Solution& solution) {
     const LimitSpec& limits = solution.scene.limits;
-    const bool program = solution.scene.motion.type == MotionType::program;
-    const auto report = [&](const char* name, const std::optional<PeakLimit>& limit, const Extremum& peak,
-                            int order) {
-        const bool in_time = program && limit && limit->in_time();
-        report_peak_limit(solution, name, limit, in_time ? largest_of_motion(*solution.motion, order) : peak);
+    const auto report = [&](const char* name, const std::optional<PeakLimit>& limit, Extremum Peaks::*peak) {
+        const bool in_time = limit && limit->in_time();
+        report_peak_limit(solution, name, limit, (in_time ? solution.motion_peaks : solution.peaks).*peak);
     };
-    report("velocity", limits.velocity, solution.peaks.velocity, 1);
-    report("acceleration", limits.acceleration, solution.peaks.acceleration, 2);
-    report("jerk", limits.jerk, solution.peaks.jerk, 3);
+    report("velocity", limits.velocity, &Peaks::velocity);
+    report("acceleration", limits.acceleration, &Peaks::acceleration);
+    report("jerk", limits.jerk, &Peaks::jerk);
 }
 
 void report_cam(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
@@ -237,7 +239,7 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
         report_segments(solution, problem, x);
     } else {
         solution.curve = problem.curve(x);
-        solution.peaks = peaks_of(*solution.curve);
+        solution.peaks = solution.motion_peaks = peaks_of(*solution.curve);
     }
     report_peak_limits(solution);
     report_cam(solution, problem, x);
