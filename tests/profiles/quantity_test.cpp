@@ -168,6 +168,28 @@ TEST_P(QuantityOf, RefusesWhatTheFollowerHasNot) {
     });
 }
 
+/// Lifts of 1e-6 m and 1 m on cams of their size, and a lift of 1e-6 m on one of 45 mm.
+TEST(ExtremeQuantities, StayFinite) {
+    const TestTurn turn;
+    for (const TestCam& cam : regular_cams())
+        for (const auto& [size, lift] :
+             {std::pair(4e-5, 4e-5), std::pair(40.0, 40.0), std::pair(1.0, 4e-5)}) {
+            DiskCam scaled = cam.cam;
+            for (double& dimension : scaled.dimensions) dimension *= size;
+            const double scaled_lift = is_oscillating(cam.cam.follower) ? cam.lift : cam.lift * lift;
+            for (double angle = 0.0; angle <= 360.0; angle += 7.5)
+                for (const Quantity which : every_quantity) {
+                    if (!has_quantity(scaled.follower, which)) continue;
+                    const FollowerState state =
+                        state_of(turn.at(angle * degree, Side::right), {scaled_lift, 1.0});
+                    const QuantityValue value = quantity(scaled, state, which);
+                    ASSERT_TRUE(std::isfinite(value.value)) << cam.name << " " << angle;
+                    ASSERT_TRUE(value.gradient.allFinite()) << cam.name << " " << angle;
+                    ASSERT_TRUE(value.hessian.allFinite()) << cam.name << " " << angle;
+                }
+        }
+}
+
 std::vector<Case> every_case() {
     std::vector<Case> cases;
     for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})

@@ -111,4 +111,12 @@ inline std::vector<TestCam> regular_cams() {
     return cams;
 }
 
+/// Those of them whose follower is of a kind.
+template <class Kind>
+std::vector<TestCam> regular_cams(const Kind& kind) {
+    std::vector<TestCam> cams = regular_cams();
+    std::erase_if(cams, [&](const TestCam& cam) { return !kind(cam.cam.follower); });
+    return cams;
+}
+
 }  // namespace camopt::test
