@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// profile_diagrams.svg: pressure angle and curvature of the cam over the cam angle, with their limits dotted
+// and their extremes marked. Curvature in 1/mm, > 0 convex; where it grows beyond all bounds the curve leaves
+// the frame.
+#pragma once
+
+#include "output/profile_shape.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// A limit on the magnitude of the pressure angle over a stretch of the cam, rad.
+struct PressureLimit {
+    double begin = 0.0, end = 0.0;  ///< θ
+    double limit = 0.0;
+};
+
+struct ProfileDiagramLimits {
+    std::vector<PressureLimit> pressure;
+    std::optional<double> convex_radius_min, concave_radius_min;  ///< m; 0 is no line
+};
+
+[[nodiscard]] std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
+                                               std::string_view title);
+
+}  // namespace camopt
