@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// For an infeasible scene: the least change of each limit alone, the others kept, that would make it
-// feasible.
+// For an infeasible scene: the least change of each limit and dimension alone, the others kept, that would
+// make it feasible.
 //
-// Found by solving: the limited peak is minimized under the other limits; its optimum is the least limit that
-// works.
+// Found by solving. A cap on a peak: the peak is minimized under the other limits. Everything else: the least
+// common violation t(v) of the scene with the value v is brought to zero, first by steps that double, then by
+// regula falsi; v is taken from the feasible side.
 #pragma once
 
 #include "studies/solution.hpp"

@@ -99,8 +99,6 @@ struct SolverReport {
     bool convex = true;        ///< every rule is linear or convex: the optimum is the global one
     int starts = 1;            ///< searches from different starts
     std::string proof_source;  ///< whose multipliers proved the bound
-    bool convex = true;  ///< every rule is linear or convex: the optimum is the global one
-    int starts = 1;      ///< searches from different starts
 };
 
 struct LimitCurve {  ///< the limit no curve can pass (motions/any_curve_limit.hpp)
@@ -119,7 +117,7 @@ struct Solution {
     Peaks peaks;                          ///< of the delivered motion, exact, normalised
     /// Of the motion in lifts and units of x: what physical peaks come from. The same but for a program.
     Peaks motion_peaks;
-    Peaks reference_peaks;                ///< what the objective divides by (only the parts in use are set)
+    Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;    ///< filled where the verdict is infeasible

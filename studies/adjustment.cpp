@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "studies/adjustment.hpp"
+
+#include "core/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// The first change tried, relative; then it doubles.
+constexpr double first_change = 0.02;
+// No cam is built this much larger than asked for, and no limit is worth this much less.
+constexpr double farthest = 1e3;
+// Pressure angles end short of the right angle.
+constexpr double largest_pressure_angle = 89.9 * units::degree;
+
+using WrittenMember = std::optional<WrittenLimit> LimitSpec::*;
+
+Adjustment limit_adjustment(const Scene& scene, WrittenMember member, bool grows, double end) {
+    const WrittenLimit limit = *(scene.limits.*member);
+    const double given = limit.given();
+    Adjustment adjustment;
+    adjustment.key = limit.key;
+    adjustment.given = given;
+    adjustment.step = first_change * std::max(std::abs(given), 1e-3 * std::abs(end / limit.unit_value));
+    adjustment.may_grow = grows;
+    adjustment.may_shrink = !grows;
+    adjustment.least = grows ? given : end / limit.unit_value;
+    adjustment.most = grows ? end / limit.unit_value : given;
+    adjustment.with = [scene, member, unit = limit.unit_value](double value) {
+        Scene changed = scene;
+        (changed.limits.*member)->value = value * unit;
+        return changed;
+    };
+    return adjustment;
+}
+
+void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
+    const LimitSpec& limits = scene.limits;
+    const auto add = [&](WrittenMember member, bool grows, double end) {
+        if (limits.*member) all.push_back(limit_adjustment(scene, member, grows, end));
+    };
+    const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
+    if (!both_replaced) add(&LimitSpec::pressure_angle, true, largest_pressure_angle);
+    add(&LimitSpec::rise_pressure_angle, true, largest_pressure_angle);
+    add(&LimitSpec::return_pressure_angle, true, largest_pressure_angle);
+    add(&LimitSpec::cam_radius_min, false, 0.0);
+    add(&LimitSpec::concave_radius_min, false, 0.0);
+    add(&LimitSpec::undercut_margin, false, 0.0);
+    if (limits.contact_force_min) {
+        const double scale = std::abs(limits.contact_force_min->value) + scene.forces->preload + 1.0;
+        add(&LimitSpec::contact_force_min, false, -farthest * scale);
+    }
+    if (limits.torque_max) add(&LimitSpec::torque_max, true, farthest * limits.torque_max->value);
+    if (limits.hertz_pressure_max)
+        add(&LimitSpec::hertz_pressure_max, true, farthest * limits.hertz_pressure_max->value);
+}
+
+/// Limits in time keep their meaning when the rise takes another angle.
+void rescale_limits_in_time(Scene& scene, double ratio) {
+    int order = 0;
+    for (auto* limit : {&scene.limits.velocity, &scene.limits.acceleration, &scene.limits.jerk}) {
+        ++order;
+        if (*limit && (*limit)->in_time()) (*limit)->normalised *= std::pow(ratio, order);
+    }
+}
+
+void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    const bool own_places = !scene.spline.breakpoints.empty() || !motion.via.empty();
+    if (motion.type == MotionType::program ||
+        (motion.type == MotionType::rr && motion.return_angle && own_places)) {
+        return;
+    }
+    const double turn = 360.0;
+    const double given = motion.rise / units::degree;
+    const double rest = motion.return_angle ? *motion.return_angle / units::degree : 0.0;
+    const bool doubled = motion.type == MotionType::rr && !motion.return_angle;
+    Adjustment adjustment{"motion.rise_deg",
+                          given,
+                          first_change * given,
+                          true,
+                          false,
+                          given,
+                          doubled ? 0.5 * turn : turn - rest,
+                          {}};
+    adjustment.with = [scene](double value) {
+        Scene changed = scene;
+        changed.motion.rise = value * units::degree;
+        rescale_limits_in_time(changed, changed.motion.rise / scene.motion.rise);
+        return changed;
+    };
+    all.push_back(std::move(adjustment));
+}
+
+void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIndex which) {
+    const Dimension& dimension = (*scene.cam)[which];
+    const std::string key =
+        dimension.key.empty() ? std::string("cam.") + name_of(which) + "_mm" : dimension.key;
+    const double unit = dimension.unit;
+    const double size =
+        std::max(std::abs(dimension.high), first_change * (*scene.cam)[DimensionIndex::base_radius].high);
+    const bool has_sign = which == DimensionIndex::offset || which == DimensionIndex::face_offset;
+    // A larger base circle always helps a translating follower; the rest may have to move either way.
+    const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower);
+    const auto with = [scene, which, unit](bool upper, double value) {
+        Scene changed = scene;
+        Dimension& own = (*changed.cam)[which];
+        const bool range = own.is_variable();
+        if (upper || !range) own.high = value * unit;
+        if (!upper || !range) own.low = value * unit;
+        return changed;
+    };
+    const double farthest_value = farthest * size / unit;
+    if (!dimension.is_variable()) {
+        Adjustment adjustment{key,
+                              dimension.low / unit,
+                              first_change * size / unit,
+                              true,
+                              !grows_only,
+                              has_sign ? -farthest_value : 0.0,
+                              farthest_value,
+                              {}};
+        adjustment.with = [with](double value) { return with(true, value); };
+        all.push_back(std::move(adjustment));
+        return;
+    }
+    Adjustment upper{key + ".max",
+                     dimension.high / unit,
+                     first_change * size / unit,
+                     true,
+                     false,
+                     dimension.high / unit,
+                     farthest_value,
+                     {}};
+    upper.with = [with](double value) { return with(true, value); };
+    all.push_back(std::move(upper));
+    if (grows_only) return;
+    Adjustment lower{key + ".min",
+                     dimension.low / unit,
+                     first_change * size / unit,
+                     false,
+                     true,
+                     has_sign ? -farthest_value : 0.0,
+                     dimension.low / unit,
+                     {}};
+    lower.with = [with](double value) { return with(false, value); };
+    all.push_back(std::move(lower));
+}
+
+void add_face(std::vector<Adjustment>& all, const Scene& scene) {
+    if (!scene.cam->face_half_width) return;
+    const double given = *scene.cam->face_half_width / units::millimetre;
+    Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
+                          farthest * given,         {}};
+    adjustment.with = [scene](double value) {
+        Scene changed = scene;
+        changed.cam->face_half_width = value * units::millimetre;
+        return changed;
+    };
+    all.push_back(std::move(adjustment));
+}
+
+}  // namespace
+
+std::vector<Adjustment> adjustments(const Scene& scene) {
+    std::vector<Adjustment> all;
+    add_limits(all, scene);
+    add_rise(all, scene);
+    if (!scene.cam) return all;
+    for (int d = 0; d < dimension_count; ++d) {
+        const auto which = static_cast<DimensionIndex>(d);
+        if (has_dimension(scene.cam->follower, which)) add_dimension(all, scene, which);
+    }
+    add_face(all, scene);
+    return all;
+}
+
+}  // namespace camopt
