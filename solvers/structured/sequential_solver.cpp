@@ -360,6 +360,13 @@ std::optional<BackendResult> SequentialRun::pass() {
     if (fresh_) linearize();
     StepModel model = step_model();
     Step step = next_step(model);
+    if (passes_ == 1 && step.usable && !step.multipliers.isZero()) {
+        // The first step knew no multipliers, hence no curvature of the rows.
+        multipliers_ = step.multipliers;
+        linearize();
+        model = step_model();
+        step = next_step(model);
+    }
     if (step.stopped())
         return ended(step.stop == Stop::time_limit ? Termination::time_limit : Termination::interrupted,
                      "stopped");
