@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/sequential_solver.hpp"
 
-#include "solvers/backend_support.hpp"
-#include "solvers/structured/nlp_measures.hpp"
 #include "solvers/structured/run_limits.hpp"
-#include "solvers/structured/step_solver.hpp"
+#include "solvers/structured/sequential_run.hpp"
 
 #include <fmt/core.h>
 
@@ -15,92 +13,25 @@
 namespace camopt::structured {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
-
 constexpr double least_radius = 1e-13;
 constexpr double largest_size = 1e10;   // of a variable: beyond it the point runs away
 constexpr double linear_reach = 100.0;  // how much further variables may move in which all is linear
 constexpr double proximal = 1e-8;       // multiple of I in H, of the size of the gradient
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
-constexpr double least_unit = 1e-3;     // of a step problem while the last digits are sought
-constexpr double penalty_excess =
-    8.0;  // over what the multipliers ask for: the merit then clings to the rows
-constexpr double least_penalty = 1e-6;
-constexpr int most_reductions = 20;
-constexpr int most_polishing = 6;    // passes
-constexpr double polished = 1e-3;    // of the tolerance: stationarity that no pass can improve
-constexpr double stationary = 1e-6;  // what deserves the word converged
-constexpr double nearly_kept = 1e3;  // tolerances of violation that further passes remove
-constexpr int slow_passes = 25;      // in which the violation must fall by a tenth
-constexpr int most_corrections = 3;
-constexpr int most_failures = 8;  // step problems in a row that end without a step
+constexpr int most_polishing = 6;       // passes
+constexpr double polished = 1e-3;       // of the tolerance: stationarity that no pass can improve
+constexpr double stationary = 1e-6;     // what deserves the word converged
+constexpr double nearly_kept = 1e3;     // tolerances of violation that further passes remove
+constexpr int slow_passes = 25;         // in which the violation must fall by a tenth
+constexpr int most_failures = 8;        // step problems in a row that end without a step
 constexpr double stationary_violation = 1e-7;
 constexpr double off = 0.1;     // of the tolerance: linear rows that must be restored first
 constexpr double nudge = 0.01;  // of the size of a variable
-constexpr double rounding = 1e-14;
 
-class SequentialRun {
- public:
-    SequentialRun(const Nlp& problem, const BackendOptions& options, const SolveControl& control);
-    BackendResult run(const VectorXd& start);
+}  // namespace
 
- private:
-    std::optional<BackendResult> begin(const VectorXd& start);
-    [[nodiscard]] VectorXd nudged() const;
-    std::optional<BackendResult> pass();
-    void linearize();
-    [[nodiscard]] StepModel step_model() const;
-    Step next_step(StepModel& model);
-    std::optional<BackendResult> contradiction();
-    [[nodiscard]] bool settled(const Step& step);
-    bool take(const StepModel& model, Step step);
-    [[nodiscard]] BackendResult finished() const;
-    [[nodiscard]] BackendResult infeasible() const;
-    [[nodiscard]] bool hopeless(double least_elastic);
-    [[nodiscard]] bool stationary_in_violation(double least_elastic) const;
-    void raise_penalty(const StepModel& model, const Step& step);
-    [[nodiscard]] double slope_change(const VectorXd& step) const;
-    [[nodiscard]] VectorXd corrected_rows(const NlpPoint& trial, const VectorXd& step) const;
-    [[nodiscard]] NlpPoint moved(const VectorXd& step) const;
-    [[nodiscard]] double violation(const NlpPoint& point) const {
-        return violation_of(shape_, point.rows, false);
-    }
-    [[nodiscard]] double merit(const NlpPoint& point) const;
-    [[nodiscard]] bool kept(const NlpPoint& point) const {
-        return keeps_rows(shape_, point, jacobian_, options_.tolerance);
-    }
-    [[nodiscard]] double cost_size() const { return std::max(1.0, std::abs(here_.cost)); }
-    BackendResult ended(Termination termination, std::string why) const;
-
-    const Nlp& problem_;
-    const NlpShape& shape_;
-    const BackendOptions& options_;
-    const SolveControl& control_;
-    SolveGuard guard_;
-    StepSolver steps_;
-    int most_passes_;
-    VectorXd weights_, reach_;
-    std::vector<bool> curved_;  ///< variables in which something is not linear
-    NlpPoint here_;
-    RowMatrix jacobian_;
-    ConvexifiedHessian hessian_;
-    Eigen::SparseMatrix<double> true_hessian_;
-    VectorXd multipliers_, least_multipliers_;
-    double radius_, penalty_ = 1.0, last_length_ = infinity, least_elastic_ = 0.0;
-    bool fresh_ = true, relaxed_ = true, spoiled_ = false;
-    double marked_violation_ = infinity;
-    int marked_pass_ = 0, reductions_ = 0;
-    bool nudged_ = false, shrunk_ = false, flat_ = false;
-    int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
-    struct Best {
-        NlpPoint point;
-        VectorXd multipliers;
-        double error = infinity;  ///< stationarity or violation
-        bool kept = false;        ///< every row to the tolerance
-    };
-    std::optional<Best> best_;
-};
+using Eigen::Index;
+using Eigen::VectorXd;
 
 SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, const SolveControl& control)
     : problem_(problem),
@@ -116,10 +47,6 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
     most_passes_ = std::min(own.max_passes, options.max_iterations);
     radius_ = own.first_radius;
     for (Index i = 0; i < weights_.size(); ++i) weights_[i] = kind_of(shape_, i).scale;
-}
-
-double SequentialRun::merit(const NlpPoint& point) const {
-    return point.cost + penalty_ * violation(point);
 }
 
 NlpPoint SequentialRun::moved(const VectorXd& step) const {
@@ -166,49 +93,6 @@ void SequentialRun::linearize() {
     fresh_ = false;
 }
 
-StepModel SequentialRun::step_model() const {
-    StepModel model;
-    model.slope = here_.gradient + hessian_.slope;
-    model.curvature = hessian_.lower;
-    model.rows = here_.rows;
-    model.step_lower = (shape_.x_lower - here_.x).cwiseMax(-radius_ * reach_);
-    model.step_upper = (shape_.x_upper - here_.x).cwiseMin(radius_ * reach_);
-    model.weights = weights_;
-    model.elastic_base = violation(here_);
-    model.cost_unit = cost_size();
-    model.unit = std::min(1.0, radius_);
-    model.sharp = polishing_ > 0;
-    if (model.sharp)
-        model.unit = std::clamp(100.0 * last_length_, std::min(least_unit, model.unit), model.unit);
-    return model;
-}
-
-Step SequentialRun::next_step(StepModel& model) {
-    least_elastic_ = 0.0;
-    if (!relaxed_) {
-        model.penalty = 0.0;
-        Step step = steps_.solve(here_, model);
-        if (!step.usable && !step.stopped() && model.sharp) {
-            model.sharp = false;
-            model.unit = std::min(1.0, radius_);
-            step = steps_.solve(here_, model);
-        }
-        if (step.usable || step.stopped()) return step;
-        relaxed_ = true;
-        patience_ = 3;
-    }
-    model.penalty = penalty_;
-    const double before = violation(here_);
-    StepSolver::Steered steered = steps_.solve_elastic(here_, model, before);
-    penalty_ = model.penalty;
-    if (!steered.step.usable) return steered.step;
-    const bool free = steered.step.elastic <= 1e-8;
-    least_elastic_ = free ? 0.0 : steered.least_elastic;
-    least_multipliers_ = steered.least_multipliers;
-    relaxed_ = !free || --patience_ > 0;
-    return steered.step;
-}
-
 /// Tangents of convex rows that contradict each other, with the linear rows, prove that nothing is feasible.
 std::optional<BackendResult> SequentialRun::contradiction() {
     StepModel model = step_model();
@@ -230,11 +114,8 @@ std::optional<BackendResult> SequentialRun::contradiction() {
     return result;
 }
 
-double SequentialRun::slope_change(const VectorXd& step) const {
-    const VectorXd image = true_hessian_.selfadjointView<Eigen::Lower>() * step;
-    return here_.gradient.dot(step) + 0.5 * step.dot(image);
-}
-
+/// No gain in sight and the rows kept. The last digits, above all those of the multipliers, take some more
+/// passes: the best of them is delivered.
 bool SequentialRun::settled(const Step& step) {
     flat_ = std::abs(slope_change(step.step)) <= options_.tolerance * cost_size();
     if (!flat_) polishing_ = 0;
@@ -246,76 +127,6 @@ bool SequentialRun::settled(const Step& step) {
     if (!best_ || now < best_->error) best_ = Best{here_, step.multipliers, now, kept(here_)};
     return now <= polished * options_.tolerance || (!better && polishing_ >= 2) ||
            ++polishing_ > most_polishing;
-}
-
-void SequentialRun::raise_penalty(const StepModel& model, const Step& step) {
-    const double needed = needed_penalty(shape_, step.multipliers);
-    const bool too_large = penalty_ > penalty_excess * needed && reductions_ < most_reductions;
-    if (model.penalty == 0.0 && (penalty_ < 1.1 * needed || too_large)) {
-        penalty_ = 2.0 * needed + least_penalty;
-        reductions_ += too_large ? 1 : 0;
-    }
-    const double change = slope_change(step.step), reduction = violation(here_) - step.elastic;
-    if (reduction > 0.0 && change > 0.0) penalty_ = std::max(penalty_, 2.0 * change / reduction);
-}
-
-VectorXd SequentialRun::corrected_rows(const NlpPoint& trial, const VectorXd& step) const {
-    VectorXd rows = trial.rows - jacobian_ * step;
-    for (Index i = 0; i < rows.size(); ++i)
-        if (kind_of(shape_, i).linear) rows[i] = here_.rows[i];
-    return rows;
-}
-
-bool SequentialRun::take(const StepModel& model, Step step) {
-    constexpr double accept = 1e-4, poor = 0.25, good = 0.75;
-    raise_penalty(model, step);
-    const double before = merit(here_);
-    const double noise = rounding * (cost_size() + penalty_);
-    const double predicted = penalty_ * (violation(here_) - step.elastic) - slope_change(step.step) + noise;
-    const auto ratio = [&](const NlpPoint& point) {
-        if (!std::isfinite(point.cost) || !point.rows.allFinite()) return -infinity;
-        return (before - merit(point) + noise) / std::max(predicted, noise);
-    };
-    NlpPoint trial = moved(step.step);
-    double gained = ratio(trial);
-    for (int k = 0; k < most_corrections; ++k) {
-        if (!(gained < good) || !std::isfinite(gained) || violation(trial) <= step.elastic + rounding) break;
-        StepModel again = model;
-        again.rows = corrected_rows(trial, step.step);
-        Step corrected = steps_.solve(here_, again);
-        if (!corrected.usable) break;
-        NlpPoint other = moved(corrected.step);
-        const double value = ratio(other);
-        if (!(value > gained)) break;
-        trial = std::move(other);
-        step = std::move(corrected);
-        gained = value;
-    }
-    const double length = step.step.cwiseAbs().cwiseQuotient(reach_).maxCoeff();
-    if (gained > accept) {
-        differentiate(problem_, trial);
-        if (!trial.finite()) gained = -infinity;
-    }
-    spoiled_ = gained == -infinity;
-    // The last digits do not show in the merit any more.
-    const bool polishing = flat_ && !spoiled_ && merit(trial) - before <= options_.tolerance * cost_size();
-    if (polishing && gained <= accept) {
-        differentiate(problem_, trial);
-        gained = trial.finite() ? 1.0 : -infinity;
-    }
-    if (gained > accept) {
-        here_ = std::move(trial);
-        multipliers_ = step.multipliers;
-        last_length_ = length;
-        fresh_ = true;
-        if (gained > good && length > 0.9 * radius_) radius_ *= shrunk_ ? 1.5 : 4.0;
-        shrunk_ = false;
-        if (gained < poor) radius_ = std::min(radius_, 0.5 * length);
-    } else {
-        radius_ = 0.25 * std::min(radius_, length);
-        shrunk_ = true;
-    }
-    return gained > accept;
 }
 
 BackendResult SequentialRun::finished() const {
@@ -437,8 +248,6 @@ BackendResult SequentialRun::run(const VectorXd& start) {
         if (std::optional<BackendResult> end = pass()) return *end;
     }
 }
-
-}  // namespace
 
 BackendResult sequential_minimize(const Nlp& problem, const VectorXd& start, const BackendOptions& options,
                                   const SolveControl& control) {

@@ -233,6 +233,57 @@ TEST(StructuredNonlinear, RandomConvexProblemsAgainstIpoptAndDuality) {
     }
 }
 
+/// Indefinite quadratic cost and rows around a known feasible point, some equalities, rows of many scales.
+CurvedNlp random_indefinite(std::mt19937& random, int size) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    const auto vector = [&] { return VectorXd(VectorXd::NullaryExpr(size, [&] { return normal(random); })); };
+    const auto matrix = [&](double filled) {
+        const MatrixXd half = MatrixXd::NullaryExpr(
+            size, size, [&] { return uniform(random) < filled ? normal(random) : 0.0; });
+        return MatrixXd(0.5 * (half + half.transpose()));
+    };
+    CurvedNlp problem(uniform(random) < 0.5 ? affine(vector()) : Quadratic{matrix(1.0), vector(), 0.0},
+                      false);
+    problem.box(-2.0, 2.0);
+    const VectorXd inside = 0.8 * vector().cwiseMax(-1.0).cwiseMin(1.0);
+    for (int k = 0; k < size / 2; ++k) {
+        const double factor = std::pow(10.0, 2.0 * uniform(random) - 1.0);
+        const Quadratic row{factor * matrix(0.4), factor * vector(), 0.0};
+        const double value = row.value(inside), kind = uniform(random);
+        const double lower = kind < 0.2 ? value : kind < 0.6 ? -infinity : value - 0.3 * factor;
+        problem.add(row, lower, kind < 0.2 ? value : value + 0.3 * factor, factor);
+    }
+    for (int k = 0; k < size / 3; ++k) {
+        const Quadratic row = affine(vector());
+        problem.add(row, -infinity, row.value(inside) + 0.5 * uniform(random));
+    }
+    return problem;
+}
+
+TEST(StructuredNonlinear, RandomIndefiniteProblems) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    int passes = 0, unsolved = 0;
+    constexpr int trials = 80;
+    for (int trial = 0; trial < trials; ++trial) {
+        SCOPED_TRACE(trial);
+        const int size = 2 + trial % 16;
+        const CurvedNlp problem = random_indefinite(random, size);
+        const VectorXd start = VectorXd::NullaryExpr(size, [&] { return normal(random); });
+        const BackendResult result = solve(problem, start);
+        passes += result.iterations;
+        if (result.termination == Termination::converged)
+            expect_stationary(problem, result, 100);
+        else
+            ++unsolved;  // a local method may end where the violation is least nearby
+    }
+    EXPECT_LE(unsolved, 2);
+    EXPECT_LE(passes, 25 * trials);
+    RecordProperty("passes", passes);
+    RecordProperty("unsolved", unsolved);
+}
+
 TEST(StructuredNonlinear, PitchCurvesOfLimitedCurvature) {
     struct Case {
         PitchCurveNlp::Data data;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Internal to solvers/structured/: the state of one sequential solve (sequential_solver.hpp says how).
+#pragma once
+
+#include "solvers/backend_support.hpp"
+#include "solvers/structured/nlp_measures.hpp"
+#include "solvers/structured/step_solver.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt::structured {
+
+class SequentialRun {
+ public:
+    SequentialRun(const Nlp& problem, const BackendOptions& options, const SolveControl& control);
+    BackendResult run(const Eigen::VectorXd& start);
+
+ private:
+    std::optional<BackendResult> begin(const Eigen::VectorXd& start);
+    [[nodiscard]] Eigen::VectorXd nudged() const;
+    std::optional<BackendResult> pass();
+    void linearize();
+    [[nodiscard]] StepModel step_model() const;
+    Step next_step(StepModel& model);
+    std::optional<BackendResult> contradiction();
+    [[nodiscard]] bool settled(const Step& step);
+    bool take(const StepModel& model, Step step);
+    [[nodiscard]] BackendResult finished() const;
+    [[nodiscard]] BackendResult infeasible() const;
+    [[nodiscard]] bool hopeless(double least_elastic);
+    [[nodiscard]] bool stationary_in_violation(double least_elastic) const;
+    void adapt_penalty(const StepModel& model, const Step& step);
+    [[nodiscard]] double slope_change(const Eigen::VectorXd& step) const;
+    [[nodiscard]] Eigen::VectorXd corrected_rows(const NlpPoint& trial, const Eigen::VectorXd& step) const;
+    [[nodiscard]] NlpPoint moved(const Eigen::VectorXd& step) const;
+    [[nodiscard]] double violation(const NlpPoint& point) const {
+        return violation_of(shape_, point.rows, false);
+    }
+    [[nodiscard]] double merit(const NlpPoint& point) const;
+    [[nodiscard]] bool kept(const NlpPoint& point) const {
+        return keeps_rows(shape_, point, jacobian_, options_.tolerance);
+    }
+    [[nodiscard]] double cost_size() const { return std::max(1.0, std::abs(here_.cost)); }
+    BackendResult ended(Termination termination, std::string why) const;
+
+    const Nlp& problem_;
+    const NlpShape& shape_;
+    const BackendOptions& options_;
+    const SolveControl& control_;
+    SolveGuard guard_;
+    StepSolver steps_;
+    int most_passes_;
+    Eigen::VectorXd weights_, reach_;
+    std::vector<bool> curved_;  ///< variables in which something is not linear
+    NlpPoint here_;
+    RowMatrix jacobian_;
+    ConvexifiedHessian hessian_;
+    Eigen::SparseMatrix<double> true_hessian_;
+    Eigen::VectorXd multipliers_, least_multipliers_;
+    double radius_, penalty_ = 1.0, last_length_ = infinity, least_elastic_ = 0.0;
+    bool fresh_ = true, relaxed_ = true, spoiled_ = false;
+    double marked_violation_ = infinity;
+    int marked_pass_ = 0, reductions_ = 0;
+    bool nudged_ = false, shrunk_ = false, flat_ = false;
+    int passes_ = 0, polishing_ = 0, failures_ = 0, patience_ = 0;
+    struct Best {
+        NlpPoint point;
+        Eigen::VectorXd multipliers;
+        double error = infinity;  ///< stationarity or violation
+        bool kept = false;        ///< every row to the tolerance
+    };
+    std::optional<Best> best_;
+};
+
+}  // namespace camopt::structured
