@@ -54,12 +54,8 @@ class RegularCam : public ::testing::TestWithParam<TestCam> {
                 (function(theta + 2 * h) - function(theta - 2 * h))) /
                (12.0 * h);
     }
-    /// Places well inside the pieces of the turn.
-    [[nodiscard]] static std::vector<double> places() {
-        std::vector<double> result;
-        for (double angle = 5.5; angle < 360.0; angle += 10.0) result.push_back(angle * degree);
-        return result;
-    }
+    /// Well inside the pieces of the turn.
+    [[nodiscard]] static std::vector<double> places() { return angles(5.5, 10.0); }
 };
 
 TEST_P(RegularCam, NormalIsAtARightAngleToTheSurfaceAndPointsOutward) {
@@ -167,9 +163,9 @@ TEST_P(ScaledCam, ScalesWithItsLengths) {
         TestCam scaled = original;
         for (double& dimension : scaled.cam.dimensions) dimension *= GetParam();
         if (!is_oscillating(scaled.cam.follower)) scaled.lift *= GetParam();
-        for (double angle = 0.0; angle <= 360.0; angle += 2.5) {
-            const ProfilePoint point = scaled.at(angle * degree, turn);
-            const ProfilePoint expected = original.at(angle * degree, turn);
+        for (const double theta : angles(0.0, 2.5)) {
+            const ProfilePoint point = scaled.at(theta, turn);
+            const ProfilePoint expected = original.at(theta, turn);
             EXPECT_LT((point.contact / GetParam() - expected.contact).norm(), 1e-15);
             EXPECT_NEAR(point.pressure_angle, expected.pressure_angle, 1e-14);
             EXPECT_NEAR(point.regularity, expected.regularity, 1e-13);
@@ -183,17 +179,17 @@ INSTANTIATE_TEST_SUITE_P(All, ScaledCam, ::testing::Values(1e-6 / 0.025, 1.0 / 0
 /// Lifts far from the size of the cam: everything stays a number.
 TEST(ExtremeLift, StaysFinite) {
     const TestTurn turn;
-    for (TestCam cam : regular_cams())
+    for (const TestCam& cam : regular_cams())
         for (const double factor : {1e-6, 1e-3, 4.0}) {
             TestCam extreme = cam;
             extreme.lift *= factor;
-            for (double angle = 0.0; angle <= 360.0; angle += 0.5) {
-                const ProfilePoint point = extreme.at(angle * degree, turn);
+            for (const double theta : angles(0.0, 0.5)) {
+                const ProfilePoint point = extreme.at(theta, turn);
                 const std::array values{point.contact.x(),     point.contact.y(),    point.normal.x(),
                                         point.normal.y(),      point.pressure_angle, point.cam_radius,
                                         point.pitch_curvature, point.regularity,     point.contact_offset};
                 for (const double value : values)
-                    ASSERT_TRUE(std::isfinite(value)) << cam.name << " " << factor << " " << angle;
+                    ASSERT_TRUE(std::isfinite(value)) << cam.name << " " << factor << " " << theta;
             }
         }
 }

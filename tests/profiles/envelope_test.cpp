@@ -141,20 +141,20 @@ class EnvelopeOf : public ::testing::TestWithParam<TestCam> {};
 TEST_P(EnvelopeOf, ContactPointsTouchTheirFollowerAndEnterNone) {
     const TestTurn turn;
     const Envelope envelope(GetParam());
-    for (double angle = 1.25; angle < 360.0; angle += 5.0) {
-        const ProfilePoint point = GetParam().at(angle * degree, turn);
+    for (const double theta : angles(1.25, 5.0)) {
+        const ProfilePoint point = GetParam().at(theta, turn);
         ASSERT_GT(point.regularity, 0.0);
-        EXPECT_NEAR(envelope.room(point.contact, angle * degree), 0.0, 1e-16) << angle;
-        EXPECT_NEAR(envelope.clearance(point.contact), 0.0, 1e-15) << angle;
+        EXPECT_NEAR(envelope.room(point.contact, theta), 0.0, 1e-16) << theta / degree;
+        EXPECT_NEAR(envelope.clearance(point.contact), 0.0, 1e-15) << theta / degree;
     }
 }
 
 TEST_P(EnvelopeOf, ContactPointsLieOnTheBoundary) {
     const TestTurn turn;
     const Envelope envelope(GetParam());
-    for (double angle = 1.25; angle < 360.0; angle += 5.0) {
-        const Vector2d contact = GetParam().at(angle * degree, turn).contact;
-        EXPECT_NEAR(envelope.boundary(contact.normalized()), contact.norm(), 1e-15) << angle;
+    for (const double theta : angles(1.25, 5.0)) {
+        const Vector2d contact = GetParam().at(theta, turn).contact;
+        EXPECT_NEAR(envelope.boundary(contact.normalized()), contact.norm(), 1e-15) << theta / degree;
     }
 }
 
@@ -164,9 +164,9 @@ TEST_P(PitchCurveOf, IsThePathOfTheRollerOrEdge) {
     const TestTurn turn;
     const Envelope envelope(GetParam());
     const double radius = has_roller(GetParam().cam.follower) ? GetParam().cam[roller_radius] : 0.0;
-    for (double angle = 1.25; angle < 360.0; angle += 5.0) {
-        const ProfilePoint point = GetParam().at(angle * degree, turn);
-        EXPECT_NEAR(envelope.room(point.pitch, angle * degree), -radius, 1e-15);
+    for (const double theta : angles(1.25, 5.0)) {
+        const ProfilePoint point = GetParam().at(theta, turn);
+        EXPECT_NEAR(envelope.room(point.pitch, theta), -radius, 1e-15);
         EXPECT_LT((point.pitch - radius * point.normal - point.contact).norm(), 1e-16);
     }
 }

@@ -177,15 +177,14 @@ TEST(ExtremeQuantities, StayFinite) {
             DiskCam scaled = cam.cam;
             for (double& dimension : scaled.dimensions) dimension *= size;
             const double scaled_lift = is_oscillating(cam.cam.follower) ? cam.lift : cam.lift * lift;
-            for (double angle = 0.0; angle <= 360.0; angle += 7.5)
+            for (const double theta : angles(0.0, 7.5))
                 for (const Quantity which : every_quantity) {
                     if (!has_quantity(scaled.follower, which)) continue;
-                    const FollowerState state =
-                        state_of(turn.at(angle * degree, Side::right), {scaled_lift, 1.0});
+                    const FollowerState state = state_of(turn.at(theta, Side::right), {scaled_lift, 1.0});
                     const QuantityValue value = quantity(scaled, state, which);
-                    ASSERT_TRUE(std::isfinite(value.value)) << cam.name << " " << angle;
-                    ASSERT_TRUE(value.gradient.allFinite()) << cam.name << " " << angle;
-                    ASSERT_TRUE(value.hessian.allFinite()) << cam.name << " " << angle;
+                    ASSERT_TRUE(std::isfinite(value.value)) << cam.name << " " << theta;
+                    ASSERT_TRUE(value.gradient.allFinite()) << cam.name << " " << theta;
+                    ASSERT_TRUE(value.hessian.allFinite()) << cam.name << " " << theta;
                 }
         }
 }

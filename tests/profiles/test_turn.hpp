@@ -21,6 +21,14 @@ using units::degree;
 using units::millimetre;
 inline constexpr double full_turn = 2.0 * std::numbers::pi;
 
+/// Cam angles over the turn, rad; first and step in degrees.
+inline std::vector<double> angles(double first, double step) {
+    std::vector<double> result;
+    while (first + step * static_cast<double>(result.size()) <= 360.0)
+        result.push_back((first + step * static_cast<double>(result.size())) * degree);
+    return result;
+}
+
 /// x is the cam angle in radians, y the displacement by the lift.
 class TestTurn : public Motion {
  public:
