@@ -37,8 +37,8 @@ double row_sum(const Matrix& lower) {
 }  // namespace
 
 ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, double least) {
-    constexpr double most_weight = 1e4, first_shift = 1e-4, growth = 4.0, margin = 1.2;
-    constexpr int halvings = 4;
+    constexpr double first_shift = 1e-4, growth = 4.0, margin = 1.2;
+    constexpr int weights = 5, halvings = 4;
     const Eigen::Index size = lower.rows();
     const Matrix unit = identity(size);
     const double bound = row_sum(lower);
@@ -48,7 +48,8 @@ ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, do
     if (active.normals.rows() > 0) {
         const Matrix normals = active.normals;
         gram = Matrix(Matrix(normals.transpose()) * normals).triangularView<Eigen::Lower>();
-        for (double weight = bound; weight <= most_weight * bound; weight *= 10.0) {
+        double weight = bound;
+        for (int k = 0; k < weights; ++k, weight *= 10.0) {
             result.lower = lower + weight * gram + least * unit;
             if (!positive_definite(result.lower)) continue;
             result.slope = weight * (active.normals.transpose() * active.residuals);
