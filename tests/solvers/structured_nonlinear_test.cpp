@@ -287,7 +287,7 @@ TEST(StructuredNonlinear, RandomIndefiniteProblems) {
 TEST(StructuredNonlinear, PitchCurvesOfLimitedCurvature) {
     struct Case {
         PitchCurveNlp::Data data;
-        double cost;  ///< Ipopt 3.14, tolerance 1e-9
+        double cost = 0.0;  ///< Ipopt 3.14, tolerance 1e-9
     };
     for (const auto& [data, cost] : {Case{{20, 1.2, 2.0, 0.62}, 0.571346679},
                                      {{30, 1.2, 1.0, 1.2}, 0.492912303},
