@@ -159,12 +159,12 @@ Range jerk_range(const std::vector<Piece>& pieces, const Law& law) {
 
 }  // namespace
 
-Peaks find_peaks(const Law& law) {
+Peaks find_peaks_without_impulses(const Law& law) {
     const std::vector<Piece> pieces = pieces_of(law);
     Peaks peaks;
     peaks.velocity = magnitude(range_of(pieces, Quantity::velocity));
     peaks.acceleration = magnitude(range_of(pieces, Quantity::acceleration));
-    peaks.jerk = magnitude(jerk_range(pieces, law));
+    peaks.jerk = magnitude(range_of(pieces, Quantity::jerk));
     peaks.torque = magnitude(range_of(pieces, Quantity::torque));
     std::array<double, 3> sum{};
     for (const Piece& piece : pieces) {
@@ -173,9 +173,14 @@ Peaks find_peaks(const Law& law) {
     }
     peaks.rms_velocity = std::sqrt(sum[0]);
     peaks.rms_acceleration = std::sqrt(sum[1]);
-    const JerkExtrema jerk = find_jerk_extrema(law);
-    const bool impulse = std::isinf(jerk.positive.value) || std::isinf(jerk.negative.value);
-    peaks.rms_jerk = impulse ? std::numeric_limits<double>::infinity() : std::sqrt(sum[2]);
+    peaks.rms_jerk = std::sqrt(sum[2]);
+    return peaks;
+}
+
+Peaks find_peaks(const Law& law) {
+    Peaks peaks = find_peaks_without_impulses(law);
+    peaks.jerk = magnitude(jerk_range(pieces_of(law), law));
+    if (std::isinf(peaks.jerk.value)) peaks.rms_jerk = peaks.jerk.value;
     return peaks;
 }
 

@@ -12,6 +12,8 @@
 namespace camopt {
 
 [[nodiscard]] Peaks find_peaks(const Law& law);
+/// From inside the law's pieces alone: impulses are left out, whatever precedes and follows the law.
+[[nodiscard]] Peaks find_peaks_without_impulses(const Law& law);
 [[nodiscard]] JerkExtrema find_jerk_extrema(const Law& law);
 
 }  // namespace camopt

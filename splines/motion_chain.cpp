@@ -7,18 +7,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camopt {
 
 namespace {
 // Joints that differ by less than this part of the whole are the same place.
 constexpr double same_place = 1e-12;
+// Relative error of x = x0 + x_scale · own and of the way back.
+constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
-MotionPoint point_of(const ChainPart& part, double x, Side side) {
+Side opposite(Side side) {
+    return side == Side::left ? Side::right : Side::left;
+}
+
+/// x in the shape's own units. What the way there and back has rounded away from a breakpoint returns to it,
+/// so that each side of a jump stays on its side.
+double own_place(const ChainPart& part, const std::vector<double>& own_breakpoints, double x) {
+    const double own = (x - part.x0) / part.x_scale;
+    const double rounded = rounding * (std::abs(x) + std::abs(part.x0)) / std::abs(part.x_scale);
+    const auto next = std::ranges::lower_bound(own_breakpoints, own - rounded);
+    if (next != own_breakpoints.end() && *next <= own + rounded) return *next;
+    return std::clamp(own, own_breakpoints.front(), own_breakpoints.back());
+}
+
+MotionPoint point_of(const ChainPart& part, const std::vector<double>& own_breakpoints, double x, Side side) {
     MotionPoint point{x, {part.y0, 0.0, 0.0, 0.0}};
     if (!part.shape) return point;
-    const double own = std::clamp((x - part.x0) / part.x_scale, part.shape->begin(), part.shape->end());
-    const MotionPoint shape = part.shape->at(own, side);
+    const double own = own_place(part, own_breakpoints, x);
+    const Side own_side = part.x_scale > 0.0 ? side : opposite(side);
+    const MotionPoint shape = part.shape->at(own, own_side);
     double scale = part.y_scale;
     for (std::size_t order = 0; order < 4; ++order) {
         point.derivative[order] += scale * shape.derivative[order];
@@ -47,6 +65,7 @@ MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)
                             "without gaps",
                             i, parts_[i].begin, parts_[i].end));
         }
+        own_breakpoints_.push_back(parts_[i].shape ? parts_[i].shape->breakpoints() : std::vector<double>{});
     }
 }
 
@@ -56,7 +75,7 @@ MotionPoint MotionChain::at(double x, Side side) const {
            (side == Side::right ? x >= parts_[index + 1].begin : x > parts_[index + 1].begin)) {
         ++index;
     }
-    return point_of(parts_[index], x, side);
+    return point_of(parts_[index], own_breakpoints_[index], x, side);
 }
 
 std::vector<double> MotionChain::breakpoints() const {
@@ -65,10 +84,12 @@ std::vector<double> MotionChain::breakpoints() const {
     const auto add = [&](double x) {
         if (points.empty() || x > points.back() + tolerance) points.push_back(x);
     };
-    for (const ChainPart& part : parts_) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const ChainPart& part = parts_[i];
         add(part.begin);
-        if (!part.shape) continue;
-        for (const double own : part.shape->breakpoints()) {
+        std::vector<double> own_points = own_breakpoints_[i];
+        if (part.x_scale < 0.0) std::ranges::reverse(own_points);
+        for (const double own : own_points) {
             const double x = part.x0 + part.x_scale * own;
             if (x > part.begin && x < part.end - tolerance) add(x);
         }

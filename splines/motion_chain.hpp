@@ -2,7 +2,8 @@
 // Motions one after another: a whole turn of dwells, laws and splines as one Motion.
 //
 // On its stretch each part follows y(x) = y0 + y_scale · shape((x − x0) / x_scale); a dwell has no shape and
-// stays at y0. The r-th derivative is y_scale / x_scale^r · shape^{(r)}.
+// stays at y0. The r-th derivative is y_scale / x_scale^r · shape^{(r)}. x_scale < 0 mirrors the shape: it is
+// run through from its end to its begin, and its left side is seen from the right.
 #pragma once
 
 #include "core/motion.hpp"
@@ -15,7 +16,7 @@ namespace camopt {
 struct ChainPart {
     double begin = 0.0, end = 0.0;        ///< x
     std::shared_ptr<const Motion> shape;  ///< none: a dwell
-    double x0 = 0.0, x_scale = 1.0;
+    double x0 = 0.0, x_scale = 1.0;       ///< x_scale not 0
     double y0 = 0.0, y_scale = 1.0;
 };
 
@@ -33,6 +34,7 @@ class MotionChain final : public Motion {
 
  private:
     std::vector<ChainPart> parts_;
+    std::vector<std::vector<double>> own_breakpoints_;  ///< of each shape; empty for a dwell
 };
 
 /// Index of the interval [begins_i, begins_{i+1}) that holds x, of (…] as seen from the left; clamped.

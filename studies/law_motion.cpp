@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "studies/law_motion.hpp"
+
+#include "motions/law_catalogue.hpp"
+#include "motions/law_peaks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// A jump of y'' below this part of its peak is rounding, not an impulse.
+constexpr double smallest_jump = 1e-9;
+
+double width_of(const Stroke& stroke) {
+    return stroke.end - stroke.begin;
+}
+
+double rise_of(const Stroke& stroke) {
+    return *stroke.to - *stroke.from;
+}
+
+/// Whether two neighbouring strokes of the law turn from one into the other without a rest.
+bool turns(const Stroke& before, const Stroke& after) {
+    return before.kind == SegmentKind::spline && after.kind == SegmentKind::spline &&
+           rise_of(before) * rise_of(after) < 0.0;
+}
+
+std::string free_displacement(std::span<const Stroke> strokes) {
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (strokes[i].from && strokes[i].to) continue;
+        return fmt::format(
+            "the scene leaves a displacement of segment {} free, and there is no optimum to "
+            "take it from",
+            i);
+    }
+    return {};
+}
+
+/// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
+std::string turn_strokes(std::vector<Stroke>& strokes, bool closed) {
+    const std::size_t count = strokes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Stroke& stroke = strokes[i];
+        if (stroke.kind != SegmentKind::spline) continue;
+        const bool at_begin = (i > 0 || closed) && turns(strokes[(i + count - 1) % count], stroke);
+        const bool at_end = (i + 1 < count || closed) && turns(stroke, strokes[(i + 1) % count]);
+        if (at_begin && at_end) return "turns back at its top and needs a dwell at its foot";
+        if (!at_begin && !at_end) return "turns back at its top, where this motion dwells";
+        stroke.mirrored = at_begin;
+    }
+    return {};
+}
+
+MotionChain chain_of(std::span<const Stroke> strokes, const std::vector<std::shared_ptr<const Law>>& laws) {
+    std::vector<ChainPart> parts;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const Stroke& stroke = strokes[i];
+        ChainPart part{stroke.begin, stroke.end, laws[i], stroke.begin, width_of(stroke), *stroke.from, 0.0};
+        if (laws[i]) part.y_scale = rise_of(stroke);
+        if (laws[i] && stroke.mirrored) {
+            part = {stroke.begin,      stroke.end, laws[i],         stroke.end,
+                    -width_of(stroke), *stroke.to, -rise_of(stroke)};
+        }
+        parts.push_back(std::move(part));
+    }
+    return MotionChain(std::move(parts));
+}
+
+/// Peaks of the law from inside, stretched to `width` of x and `rise` lifts and placed at the stroke.
+Peaks stretched(Peaks peaks, const Stroke& stroke, double rise, double width) {
+    const std::array<std::pair<Extremum Peaks::*, double>, 4> factors = {
+        {{&Peaks::velocity, rise / width},
+         {&Peaks::acceleration, rise / std::pow(width, 2)},
+         {&Peaks::jerk, rise / std::pow(width, 3)},
+         {&Peaks::torque, rise * rise / std::pow(width, 3)}}};
+    for (const auto& [member, factor] : factors) {
+        Extremum& peak = peaks.*member;
+        peak.value *= factor;
+        if (stroke.mirrored) peak.side = peak.side == Side::left ? Side::right : Side::left;
+        peak.at = stroke.mirrored ? stroke.end - width_of(stroke) * peak.at
+                                  : stroke.begin + width_of(stroke) * peak.at;
+    }
+    peaks.rms_velocity *= rise / width;
+    peaks.rms_acceleration *= rise / std::pow(width, 2);
+    peaks.rms_jerk *= rise / std::pow(width, 3);
+    return peaks;
+}
+
+void raise(Peaks& peaks, const Peaks& other) {
+    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+        if ((other.*peak).value > (peaks.*peak).value) peaks.*peak = other.*peak;
+    }
+}
+
+/// y'' beyond one end of a stroke: of its neighbour, at rest 0.
+double acceleration_beyond(const MotionChain& motion, double x, bool closed, Side side) {
+    const double edge = side == Side::left ? motion.begin() : motion.end();
+    if (x != edge) return motion.at(x, side).derivative[2];
+    if (!closed) return 0.0;
+    return motion.at(side == Side::left ? motion.end() : motion.begin(), side).derivative[2];
+}
+
+/// The first place of a stroke, its ends included, where y'' jumps.
+std::optional<double> impulse_of(const Stroke& stroke, const Law& law, const MotionChain& motion,
+                                 bool closed) {
+    const double size = std::abs(rise_of(stroke)) / std::pow(width_of(stroke), 2) *
+                        find_peaks_without_impulses(law).acceleration.value;
+    const auto jump = [&](double left, double right) {
+        return std::abs(left - right) > smallest_jump * size;
+    };
+    if (jump(acceleration_beyond(motion, stroke.begin, closed, Side::left),
+             motion.at(stroke.begin, Side::right).derivative[2])) {
+        return stroke.begin;
+    }
+    std::vector<double> points = law.breakpoints();
+    for (const double point : points) {
+        const double x =
+            stroke.mirrored ? stroke.end - width_of(stroke) * point : stroke.begin + width_of(stroke) * point;
+        const bool inside = point > law.begin() && point < law.end();
+        if (inside && jump(motion.at(x, Side::left).derivative[2], motion.at(x, Side::right).derivative[2]))
+            return x;
+    }
+    if (jump(motion.at(stroke.end, Side::left).derivative[2],
+             acceleration_beyond(motion, stroke.end, closed, Side::right))) {
+        return stroke.end;
+    }
+    return {};
+}
+
+void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
+               const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
+    double length = 0.0;
+    std::array<double, 3> squares{};
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!laws[i]) continue;
+        const Stroke& stroke = strokes[i];
+        const Peaks inside = find_peaks_without_impulses(*laws[i]);
+        const double rise = std::abs(rise_of(stroke));
+        Peaks own = stretched(inside, stroke, rise / stroke.scale.displacement,
+                              width_of(stroke) / stroke.scale.angle);
+        Peaks whole = stretched(inside, stroke, rise, width_of(stroke));
+        if (const std::optional<double> x = impulse_of(stroke, *laws[i], *result.motion, closed)) {
+            own.jerk = whole.jerk = {infinity, *x, Side::right};
+            own.rms_jerk = infinity;
+        }
+        raise(result.motion_peaks, whole);
+        if (stroke.kind != SegmentKind::spline) continue;
+        raise(result.peaks, own);
+        length += width_of(stroke);
+        const std::array<double, 3> rms = {own.rms_velocity, own.rms_acceleration, own.rms_jerk};
+        for (std::size_t k = 0; k < 3; ++k) squares[k] += width_of(stroke) * rms[k] * rms[k];
+    }
+    result.peaks.rms_velocity = std::sqrt(squares[0] / length);
+    result.peaks.rms_acceleration = std::sqrt(squares[1] / length);
+    result.peaks.rms_jerk = std::sqrt(squares[2] / length);
+}
+
+std::optional<double> known(const AffineRow& row) {
+    if (!row.columns.empty() || !std::isfinite(row.offset)) return {};
+    return row.offset;
+}
+
+}  // namespace
+
+std::vector<Stroke> strokes_of(const MotionSpec& motion) {
+    std::vector<Stroke> strokes(1);
+    strokes[0].from = 0.0;
+    strokes[0].to = 1.0;
+    if (motion.type != MotionType::rr) return strokes;
+    Stroke back = strokes[0];
+    back.begin = 1.0;
+    back.end = motion.length();
+    std::swap(back.from, back.to);
+    back.mirrored = true;
+    strokes.push_back(back);
+    return strokes;
+}
+
+std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model, const Motion* optimum) {
+    if (scene.motion.type != MotionType::program) return strokes_of(scene.motion);
+    std::vector<Stroke> strokes;
+    for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+        const ProgramSegment& written = scene.motion.segments[i];
+        const MotionFamily::Stretch& stretch = model.design.stretches()[i];
+        Stroke stroke{written.kind,
+                      written.law,
+                      stretch.begin,
+                      stretch.end,
+                      known(stretch.from),
+                      known(stretch.to),
+                      model.stretch_scale(static_cast<int>(i)),
+                      false};
+        if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
+        if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
+        strokes.push_back(std::move(stroke));
+    }
+    return strokes;
+}
+
+LawMotion law_motion(std::span<const Stroke> strokes, bool closed, const std::shared_ptr<const Law>& law) {
+    LawMotion result;
+    result.misfit = free_displacement(strokes);
+    if (!result.misfit.empty()) return result;
+    std::vector<Stroke> placed(strokes.begin(), strokes.end());
+    if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);
+    if (!result.misfit.empty()) return result;
+    std::vector<std::shared_ptr<const Law>> laws;
+    for (const Stroke& stroke : placed) {
+        if (stroke.kind == SegmentKind::law)
+            laws.push_back(make_law(stroke.law));
+        else
+            laws.push_back(stroke.kind == SegmentKind::spline ? law : nullptr);
+    }
+    result.motion = std::make_shared<MotionChain>(chain_of(placed, laws));
+    add_peaks(result, placed, laws, closed);
+    return result;
+}
+
+}  // namespace camopt
