@@ -23,6 +23,7 @@ const char* examples =
     "Examples:\n"
     "  camopt solve scene.toml                      print the verdict, the objective and the peaks\n"
     "  camopt solve scene.toml --out results        and write the result folder\n"
+    "  camopt solve scene.toml --out results --dxf  and the cam for CAD; --points 720 sets profile.csv\n"
     "  camopt solve scene.toml --json               print result.json and nothing else\n"
     "  camopt solve scene.toml --set spline.segments=24 --set limits.velocity=1.7\n"
     "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
@@ -31,6 +32,9 @@ const char* examples =
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "\n"
     "Exit codes: 0 optimal, local or feasible; 1 failed; 2 wrong input; 3 proved infeasible.\n";
+
+// Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
+constexpr int least_points = 16, most_points = 1'000'000;
 
 struct Words {
     SolveRequest solve;
@@ -49,7 +53,17 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     CLI::App& command = *program.add_subcommand("solve", "Find the best motion of a scene, with its proof");
     command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
-    command.add_option("--out", request.out, "Write the result folder here")->type_name("DIR");
+    CLI::Option* const out =
+        command.add_option("--out", request.out, "Write the result folder here")->type_name("DIR");
+    command.add_flag("--dxf", request.dxf, "Write the cam as profile.dxf too; with --out")->needs(out);
+    command
+        .add_option(
+            "--points", request.points,
+            "Points of profile.csv, evenly by cam angle; default: as many as keep the chords within 1 "
+            "micrometre of the cam; with --out")
+        ->type_name("N")
+        ->check(CLI::Range(least_points, most_points))
+        ->needs(out);
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");
     add_settings(command, request.settings);

@@ -5,6 +5,7 @@
 
 #include "apps/exit_code.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct SolveRequest {
     std::string out;                    ///< folder; empty: nothing is written
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
+    std::optional<int> points;          ///< of profile.csv; none: by chord tolerance
+    bool dxf = false;                   ///< write profile.dxf too
     bool json = false;
     std::string command;  ///< the whole command line, for the record
 };

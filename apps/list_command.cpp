@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
 // camopt list: the laws, followers and solvers that this camopt knows.
 #include "apps/commands.hpp"
+#include "core/cam_spec.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/json_text.hpp"
 #include "output/number_text.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <array>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace camopt::apps {
 
 namespace {
 
 std::string laws_text() {
-    std::string text = fmt::format("{:<20} {:>9} {:>9} {:>9} {:>9}  {}\n", "key", "V", "A", "J", "Q", "law");
+    std::string text = fmt::format("{:<30} {:>9} {:>9} {:>9} {:>9}  {}\n", "key", "V", "A", "J", "Q", "law");
     for (const LawInfo& info : law_catalogue()) {
         const Peaks peaks = make_law(info.key)->peaks();
-        text += fmt::format("{:<20} {:>9} {:>9} {:>9} {:>9}  {}\n", info.key,
+        text += fmt::format("{:<30} {:>9} {:>9} {:>9} {:>9}  {}\n", info.key,
                             short_text(peaks.velocity.value), short_text(peaks.acceleration.value),
                             short_text(peaks.jerk.value), short_text(peaks.torque.value), info.title);
     }
@@ -47,6 +51,47 @@ Json laws_json() {
                         {"rms_acceleration", number_json(peaks.rms_acceleration)},
                         {"rms_jerk", number_json(peaks.rms_jerk)}});
     }
+    return list;
+}
+
+constexpr std::array all_followers = {FollowerType::translating_roller, FollowerType::translating_knife,
+                                      FollowerType::translating_flat, FollowerType::oscillating_roller,
+                                      FollowerType::oscillating_flat};
+
+/// The keys of the scene's table [cam] that this follower has, in the order of the key table.
+std::vector<std::string> keys_of(FollowerType follower) {
+    std::vector<std::string> keys;
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto which = static_cast<DimensionIndex>(i);
+        if (has_dimension(follower, which)) keys.push_back(fmt::format("{}_mm", name_of(which)));
+    }
+    if (follower == FollowerType::translating_flat) keys.emplace_back("face_half_width_mm");
+    return keys;
+}
+
+const char* touches_with(FollowerType follower) {
+    if (has_roller(follower)) return "a roller";
+    return has_flat_face(follower) ? "a flat face" : "a knife edge";
+}
+
+std::string followers_text() {
+    std::string text = fmt::format("{:<20} {:<9} {:<13} {}\n", "key", "lift", "touches with", "dimensions");
+    for (const FollowerType follower : all_followers)
+        text += fmt::format("{:<20} {:<9} {:<13} {}\n", name_of(follower),
+                            is_oscillating(follower) ? "lift_deg" : "lift_mm", touches_with(follower),
+                            fmt::join(keys_of(follower), ", "));
+    return text +
+           "Dimensions are numbers or ranges { min = …, max = … }, keys of [cam]; face_half_width_mm is a "
+           "number.\n";
+}
+
+Json followers_json() {
+    Json list = Json::array();
+    for (const FollowerType follower : all_followers)
+        list.push_back({{"key", name_of(follower)},
+                        {"lift", is_oscillating(follower) ? "lift_deg" : "lift_mm"},
+                        {"touches_with", touches_with(follower)},
+                        {"dimensions", keys_of(follower)}});
     return list;
 }
 
@@ -97,9 +142,7 @@ ExitCode list_command(const ListRequest& request) {
     else if (request.what == "solvers")
         text = request.json ? json_text(solvers_json()) : solvers_text();
     else
-        text = request.json
-                   ? json_text(Json::array())
-                   : "No follower is available in this version: it finds motions; cams ([cam]) come later.\n";
+        text = request.json ? json_text(followers_json()) : followers_text();
     std::fputs(text.c_str(), stdout);
     return success;
 }

@@ -4,10 +4,14 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
+#include "core/errors.hpp"
 #include "output/result_folder.hpp"
 #include "output/result_json.hpp"
 #include "output/solution_text.hpp"
+#include "studies/check_cam.hpp"
 #include "studies/solve.hpp"
+
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -25,11 +29,27 @@ Scene requested_scene(const SolveRequest& request) {
 }
 
 Solution solve_with_progress(const Scene& scene) {
-    const InterruptWatch watch;
     const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
     Solution solution = solve(scene, control);
     end_progress();
     return solution;
+}
+
+/// Runs a follower over the finished cam. Who pressed Ctrl-C waits for the files, not for this.
+void add_forward_check(Solution& solution) {
+    if (!solution.cam || InterruptWatch::interrupted()) return;
+    try {
+        solution.cam->forward_check = check_cam(solution);
+    } catch (const InputError& error) {
+        solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
+    }
+}
+
+std::vector<std::filesystem::path> write_results(const SolveRequest& request, const RunOrigin& origin,
+                                                 Solution& solution) {
+    if (request.out.empty()) return {};
+    add_forward_check(solution);
+    return write_result_folder(request.out, solution, origin, {request.points, request.dxf});
 }
 
 }  // namespace
@@ -38,10 +58,10 @@ ExitCode solve_command(const SolveRequest& request) {
     const Scene scene = requested_scene(request);
     if (!request.out.empty())
         prepare_folder(request.out);  // a wrong folder is told before the work, not after
-    const Solution solution = solve_with_progress(scene);
+    const InterruptWatch watch;       // until the files are written: Ctrl-C must not lose them
+    Solution solution = solve_with_progress(scene);
     const RunOrigin origin{request.scene, request.command};
-    std::vector<std::filesystem::path> written;
-    if (!request.out.empty()) written = write_result_folder(request.out, solution, origin);
+    const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
     std::fputs(text.c_str(), stdout);
     return exit_code_of(solution.certificate.verdict);

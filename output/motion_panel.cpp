@@ -17,6 +17,7 @@ constexpr double headroom = 0.17;  // of the value range, above and below: room 
 constexpr double limit_in_sight =
     1.45;  // a limit beyond this many times the largest value is left out of sight
 constexpr std::size_t most_breakpoint_ticks = 200;  // more would be a grey band
+constexpr double title_character = 7.0;             // px: width of a letter of a segment's title
 constexpr double edge = 120;         // px: nearer to the frame's end a peak's label grows away from it
 constexpr double below_zero = 0.02;  // of the largest value: less than this is not a motion downwards
 
@@ -89,8 +90,30 @@ void draw_angle_axis(SvgCanvas& canvas, const Plot& plot, const PanelContent& co
         canvas.line(plot.x(breakpoint), plot.bottom() - 5, plot.x(breakpoint), plot.bottom(), "breakpoint");
 }
 
+void draw_segments(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    for (const PanelSegment& segment : content.segments) {
+        const double begin = plot.x(segment.begin), end = plot.x(segment.end);
+        if (segment.begin > plot.begin) canvas.line(begin, plot.frame.top, begin, plot.bottom(), "segment");
+        const double room = title_character * static_cast<double>(segment.title.size());
+        if (!segment.title.empty() && room < end - begin)
+            canvas.text(0.5 * (begin + end), plot.bottom() - 8, segment.title, "segment-label middle");
+    }
+}
+
+/// One level of a limit over a stretch of the motion, above and, where the panel reaches it, below zero.
+void draw_level(SvgCanvas& canvas, const Plot& plot, const LimitSpan& span) {
+    for (const double value : {span.normalised, -span.normalised})
+        if (value >= plot.lower && value <= plot.upper)
+            canvas.line(plot.x(span.begin), plot.y(value), plot.x(span.end), plot.y(value), "limit");
+}
+
 void draw_limit(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
     if (!content.limit) return;
+    if (!content.limit->spans.empty()) {
+        for (const LimitSpan& span : content.limit->spans) draw_level(canvas, plot, span);
+        canvas.text(plot.frame.left + 6, plot.frame.top + 14, content.limit->words, "limit-label");
+        return;
+    }
     const double value = content.limit->normalised;
     if (value > plot.upper) {
         canvas.text(plot.right() - 6, plot.frame.top + 14, fmt::format("{} lies above", content.limit->words),
@@ -135,6 +158,8 @@ std::string_view panel_style() {
            ".unit{fill:#555}.caption{font-size:13px;font-weight:600}.compare{fill:#555}"
            ".frame{fill:none;stroke:#999;stroke-width:1}.grid{stroke:#ececec;stroke-width:1}"
            ".zero{stroke:#b5b5b5;stroke-width:1}.axis{stroke:#999;stroke-width:1}"
+           ".segment{stroke:#555;stroke-width:1;stroke-dasharray:8 3}"
+           ".segment-label{font-size:11.5px;fill:#444;paint-order:stroke;stroke:#fff;stroke-width:4px}"
            ".breakpoint{stroke:#9a9a9a;stroke-width:1}"
            ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
            ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
@@ -149,6 +174,7 @@ void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& 
     const Plot plot = make_plot(frame, content);
     const PlotMap map{[&](double x) { return plot.x(x); }, [&](double value) { return plot.y(value); }};
     draw_angle_axis(canvas, plot, content);
+    draw_segments(canvas, plot, content);
     draw_value_axes(canvas, plot, content);
     canvas.rectangle(frame.left, frame.top, frame.width, frame.height, "frame");
     if (content.reference) canvas.path(curve_path(*content.reference, content.order, map), "reference");

@@ -16,9 +16,21 @@ struct PanelFrame {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
 };
 
+/// A limit that holds from x = begin to end only.
+struct LimitSpan {
+    double begin = 0.0, end = 0.0, normalised = 0.0;
+};
+
 struct PanelLimit {
-    double normalised = 0.0;  ///< drawn at ±normalised
-    std::string words;        ///< "limit 1.8"
+    double normalised = 0.0;       ///< drawn at ±normalised
+    std::string words;             ///< "limit 1.8"
+    std::vector<LimitSpan> spans;  ///< instead of one over the whole motion; `normalised` is the largest
+};
+
+/// A segment of a program: lines mark its ends, its title stands between them where there is room.
+struct PanelSegment {
+    double begin = 0.0, end = 0.0;  ///< x
+    std::string title;              ///< empty: none in this panel
 };
 
 struct PanelContent {
@@ -32,6 +44,7 @@ struct PanelContent {
     std::optional<Extremum> peak;  ///< signed value
     std::string peak_words;
     std::optional<PanelLimit> limit;
+    std::vector<PanelSegment> segments;
     std::vector<double> angle_ticks;  ///< degrees
     bool angle_labels = false;        ///< the lowest panel carries the numbers
 };

@@ -7,11 +7,14 @@
 #include "output/motion_panel.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
+#include "output/segment_table.hpp"
 #include "output/solution_text.hpp"
 #include "output/svg_canvas.hpp"
+#include "splines/extrema.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,22 +43,66 @@ const std::optional<PeakLimit>& limit_of(const LimitSpec& limits, int order) {
     return order == 3 ? limits.jerk : none;
 }
 
+/// A normalised limit holds for each spline segment by its own angle and displacement: the ratio of the
+/// segment's two peaks is what brings it to the motion's own units.
+std::vector<LimitSpan> limit_spans(const Solution& solution, const PeakLimit& limit, Extremum Peaks::*peak) {
+    std::vector<LimitSpan> spans;
+    if (limit.in_time()) return spans;
+    for (const SegmentReport& segment : solution.segments) {
+        if (!segment.curve || !segment.peaks) continue;
+        const double normalised = ((*segment.peaks).*peak).value;
+        if (!(normalised > 0.0)) continue;
+        const double own = (peaks_of(*segment.curve).*peak).value;
+        spans.push_back({segment.begin, segment.end, limit.normalised * own / normalised});
+    }
+    return spans;
+}
+
+std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
+    const std::optional<PeakLimit>& limit = limit_of(picture.solution.scene.limits, order);
+    if (!limit) return {};
+    PanelLimit shown{
+        limit->normalised,
+        fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit),
+        {}};
+    constexpr std::array peaks = {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk};
+    shown.spans = limit_spans(picture.solution, *limit, peaks[static_cast<std::size_t>(order) - 1]);
+    if (shown.spans.empty()) return shown;
+    shown.normalised = std::ranges::max(shown.spans, {}, &LimitSpan::normalised).normalised;
+    shown.words += " by the segment's own angle and displacement";
+    return shown;
+}
+
+/// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
+/// stands in the caption.
+void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
+    const std::string physical =
+        fmt::format("{} {}", short_text(content.factor * row.motion.value, 5), content.unit);
+    const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
+    const bool program = !picture.solution.segments.empty();
+    content.peak_words = program ? physical : normalised + " · " + physical;
+    if (program) content.caption_right = normalised + " of the spline segments";
+    if (!row.reference) return;
+    content.caption_right += fmt::format(
+        "{}{} {} = {} · change {}", program ? " · " : "", reference_title(picture.reference), row.symbol,
+        short_text(*row.reference, 5), change_text(row.optimum.value, *row.reference));
+}
+
 void add_peak(PanelContent& content, const Picture& picture) {
     const PeakRow& row = picture.peaks[static_cast<std::size_t>(content.order) - 1];
-    Extremum peak = row.optimum;
+    Extremum peak = row.motion;
     const MotionPoint point = content.optimum->at(peak.at, peak.side);
     peak.value = std::copysign(peak.value, point.derivative[static_cast<std::size_t>(content.order)]);
-    content.peak = peak;
-    content.peak_words = fmt::format("{} = {} · {} {}", row.symbol, short_text(row.optimum.value, 5),
-                                     short_text(content.factor * row.optimum.value, 5), content.unit);
-    if (row.reference)
-        content.caption_right =
-            fmt::format("{} {} = {} · change {}", reference_title(picture.reference), row.symbol,
-                        short_text(*row.reference, 5), change_text(row.optimum.value, *row.reference));
-    if (const auto& limit = limit_of(picture.solution.scene.limits, content.order))
-        content.limit =
-            PanelLimit{limit->normalised, fmt::format("limit {}{}{}", short_text(limit->given),
-                                                      limit->unit.empty() ? "" : " ", limit->unit)};
+    if (std::isfinite(peak.value)) content.peak = peak;
+    add_words(content, picture, row);
+    content.limit = panel_limit(picture, content.order);
+}
+
+std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) {
+    std::vector<PanelSegment> all;
+    for (const SegmentReport& segment : solution.segments)
+        all.push_back({segment.begin, segment.end, titles ? segment_title(segment) : ""});
+    return all;
 }
 
 PanelContent panel_content(const Picture& picture, int order) {
@@ -72,10 +119,13 @@ PanelContent panel_content(const Picture& picture, int order) {
     content.degrees_per_x = picture.scale.degrees_per_x;
     content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
     content.angle_labels = order == 3;
+    content.segments = panel_segments(picture.solution, order == 0);
     if (order > 0)
         add_peak(content, picture);
     else
-        content.caption_right = "left axis: physical units · right axis: normalised by lift and rise";
+        content.caption_right =
+            fmt::format("left axis: physical units · right axis: normalised by lift and {}",
+                        picture.solution.segments.empty() ? "rise" : "the angle of the first spline segment");
     return content;
 }
 
@@ -94,6 +144,11 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     canvas.circle(x + 4, y - 4, 4, "peak");
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;
+    if (!picture.solution.segments.empty()) {
+        canvas.line(x, y - 11, x, y + 3, "segment");
+        canvas.text(x + 8, y, "segments", "subtitle");
+        x += 80;
+    }
     canvas.line(x, y - 7, x, y - 1, "breakpoint");
     canvas.text(x + 8, y, fmt::format("breakpoints ({})", picture.solution.motion->breakpoints().size()),
                 "subtitle");
@@ -112,7 +167,7 @@ std::string motion_svg(const Solution& solution) {
     SvgCanvas canvas(page_width, page_height, std::string(panel_style()) + page_style, title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(panel_left, 36, title, "title");
-    canvas.text(panel_left, 58, verdict_sentence(solution.certificate), "subtitle");
+    canvas.text(panel_left, 58, verdict_sentence(solution), "subtitle");
     canvas.text(panel_left, 77, objective_line(solution, " · "), "subtitle");
     draw_legend(canvas, picture);
     for (int order = 0; order < 4; ++order) {

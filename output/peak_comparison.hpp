@@ -14,10 +14,11 @@ namespace camopt {
 struct PeakRow {
     std::string name;                 ///< "velocity"
     std::string symbol;               ///< "V"
-    Extremum optimum;                 ///< normalised
+    Extremum optimum;                 ///< normalised; of a program the largest over its spline segments
+    Extremum motion;                  ///< of the whole motion, in lifts and units of x: what `factor` is for
     std::optional<double> reference;  ///< normalised; infinite for a law with impulses
     std::optional<double> any_curve;  ///< at the limit no curve can pass
-    double factor = 0.0;              ///< from normalised to `unit`; 0 where there is none
+    double factor = 0.0;              ///< from `motion` to `unit`; 0 where there is none
     std::string unit;                 ///< "mm/rad"
 };
 

@@ -77,6 +77,7 @@ ReferenceMotion reference_motion(const Scene& scene) {
     std::unique_ptr<Law> law = make_law(scene.objective.reference.law);
     reference.title = words_of(law->key());
     reference.peaks = law->peaks();
+    if (scene.motion.type == MotionType::program) return reference;
     reference.motion = std::move(law);
     if (scene.motion.type == MotionType::rr) {
         const double ratio = scene.motion.length() - 1.0;

@@ -13,12 +13,13 @@
 namespace camopt {
 
 struct ReferenceMotion {
-    std::string title;  ///< for people: "modified sine"
+    std::string title;  ///< for people: "modified sine"; empty where the reference is given as numbers
     std::unique_ptr<Motion> motion;
     Peaks peaks;  ///< of the whole motion in this scene, exact; infinite where they are
 };
 
-/// motion is empty where the reference is given as numbers. Throws InputError for an unknown law.
+/// motion is empty where the reference is given as numbers, and for a program, whose normalised peaks compare
+/// with the law's but which has no single curve beside it. Throws InputError for an unknown law.
 [[nodiscard]] ReferenceMotion reference_motion(const Scene& scene);
 
 }  // namespace camopt

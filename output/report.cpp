@@ -3,8 +3,10 @@
 
 #include "core/units.hpp"
 #include "output/display_scale.hpp"
+#include "output/infeasible_words.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
+#include "output/report_sections.hpp"
 #include "output/solution_text.hpp"
 #include "output/version.hpp"
 
@@ -49,9 +51,11 @@ std::string asked(const Scene& scene) {
                                                             : spline.breakpoints.size() - 1;
     std::string text = fmt::format("## What was asked\n\n{}", asked_motion(scene.motion));
     text +=
-        fmt::format("- Spline: degree {}, {} {}segments, continuous up to derivative {}{}\n", spline.degree,
-                    segments, spline.breakpoints.empty() ? "uniform " : "", spline.smoothness(),
-                    spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "");
+        fmt::format("- Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}\n", spline.degree,
+                    segments, spline.breakpoints.empty() ? "uniform " : "",
+                    scene.motion.type == MotionType::program ? " in each spline segment" : "",
+                    spline.smoothness(), spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "");
+    text += asked_cam(scene);
     std::string terms;
     const auto term = [&](double weight, const char* name) {
         if (weight > 0.0)
@@ -63,20 +67,29 @@ std::string asked(const Scene& scene) {
     term(objective.jerk, "jerk");
     term(objective.rms_acceleration, "rms acceleration");
     term(objective.rms_jerk, "rms jerk");
-    return text + fmt::format("- Objective: the least {}, each divided by that of {}\n", terms,
+    const std::size_t of_motion = terms.size();
+    for (int i = 0; i < dimension_count; ++i)
+        term(objective.dimensions[static_cast<std::size_t>(i)],
+             words_of(name_of(static_cast<DimensionIndex>(i))).c_str());
+    return text + fmt::format("- Objective: the least {}, each divided by that of {}{}\n", terms,
                               objective.reference.numeric
                                   ? "the reference given as numbers"
-                                  : fmt::format("the law {}", words_of(objective.reference.law)));
+                                  : fmt::format("the law {}", words_of(objective.reference.law)),
+                              terms.size() > of_motion ? "; dimensions are divided by the lift" : "");
 }
 
 std::string verdict_section(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
-    std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(certificate));
+    std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(solution));
     const auto line = [&](const char* name, double value, int digits) {
         text += fmt::format("- {}: {}\n", name, short_text(value, digits));
     };
     if (solution.motion) line("Objective", certificate.objective, 10);
-    if (certificate.lower_bound) line("Proved lower bound", *certificate.lower_bound, 10);
+    const bool searched = !solution.solver.convex && solution.solver.starts > 0;
+    if (certificate.lower_bound)
+        line(searched ? "No motion is better than this (bound of the convex relaxation)"
+                      : "Proved lower bound",
+             *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)
         line("Least objective of any curve whatever, spline or not", solution.any_curve_limit->objective, 10);
@@ -93,8 +106,7 @@ std::string peak_table(const Solution& solution) {
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
     for (const PeakRow& row : peak_comparison(solution, reference)) {
         const std::string physical =
-            row.factor > 0.0 ? fmt::format("{} {}", short_text(row.factor * row.optimum.value), row.unit)
-                             : "";
+            row.factor > 0.0 ? fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit) : "";
         text += fmt::format("| {} {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.symbol,
                             short_text(row.optimum.value), physical,
                             short_text(row.optimum.at * degrees_per_x), optional_text(row.reference),
@@ -117,6 +129,7 @@ std::string limits_section(const Solution& solution) {
 }
 
 std::string relaxation_section(const Solution& solution) {
+    if (is_told_in_words(solution.scene)) return infeasible_section(solution);
     if (solution.relaxation.empty()) return {};
     std::string text =
         "\n## What would have to change\n\nEach line is the least change of one limit alone, with all "
@@ -148,6 +161,8 @@ std::string solver_section(const Solution& solution, const RunOrigin& origin) {
             : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
                           words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
     text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
+    if (!solver.convex)
+        text += fmt::format("- The scene is not convex: searches from different starts: {}\n", solver.starts);
     if (!solver.proof_source.empty())
         text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
     if (solution.certificate.proof)
@@ -172,9 +187,12 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : solution.scene.title);
     text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
-    if (solution.motion) text += peak_table(solution);
+    if (solution.motion)
+        text += solution.segments.empty() ? peak_table(solution)
+                                          : program_peak_section(solution) + segment_section(solution);
     text += limits_section(solution);
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
+    text += cam_section(solution);
     return text + design_section(solution.design) + solver_section(solution, origin) +
            notes_section(solution.notes);
 }

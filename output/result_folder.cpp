@@ -2,6 +2,7 @@
 #include "output/result_folder.hpp"
 
 #include "core/errors.hpp"
+#include "output/cam_profile.hpp"
 #include "output/certificate_json.hpp"
 #include "output/motion_csv.hpp"
 #include "output/motion_svg.hpp"
@@ -11,9 +12,43 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string>
 #include <system_error>
 
 namespace camopt {
+
+namespace {
+
+/// The files that not every result has.
+constexpr std::array optional_files = {"motion.csv",  "motion.svg",           "profile.csv",
+                                       "profile.svg", "profile_diagrams.svg", "profile.dxf"};
+
+class FolderWriter {
+ public:
+    explicit FolderWriter(const std::filesystem::path& folder) : folder_(folder) {}
+
+    void write(const char* name, const std::string& text) {
+        write_text_file(folder_ / name, text);
+        written_.push_back(folder_ / name);
+    }
+    /// Optional files that an earlier run left and this one does not have.
+    void remove_others() const {
+        for (const char* name : optional_files) {
+            std::error_code absent;
+            if (std::ranges::find(written_, folder_ / name) == written_.end())
+                std::filesystem::remove(folder_ / name, absent);
+        }
+    }
+    [[nodiscard]] const std::vector<std::filesystem::path>& written() const { return written_; }
+
+ private:
+    const std::filesystem::path& folder_;
+    std::vector<std::filesystem::path> written_;
+};
+
+}  // namespace
 
 void prepare_folder(const std::filesystem::path& folder) {
     std::error_code error;
@@ -26,25 +61,27 @@ void prepare_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const Solution& solution, const RunOrigin& origin) {
+                                                       const Solution& solution, const RunOrigin& origin,
+                                                       const WriteOptions& options) {
     prepare_folder(folder);
-    std::vector<std::filesystem::path> written;
-    const auto write = [&](const char* name, const std::string& text) {
-        write_text_file(folder / name, text);
-        written.push_back(folder / name);
-    };
+    FolderWriter writer(folder);
     if (solution.motion) {
-        write("motion.csv", motion_csv(*solution.motion, solution.peaks, solution.scene.motion));
-        write("motion.svg", motion_svg(solution));
-    } else {
-        std::error_code absent;
-        std::filesystem::remove(folder / "motion.csv", absent);
-        std::filesystem::remove(folder / "motion.svg", absent);
+        writer.write("motion.csv",
+                     motion_csv(*solution.motion, solution.motion_peaks, solution.scene.motion));
+        writer.write("motion.svg", motion_svg(solution));
     }
-    write("report.md", report_markdown(solution, origin));
-    write("certificate.json", certificate_json(solution.certificate));
-    write("result.json", result_json(solution, origin));  // last: who sees it finds the others complete
-    return written;
+    if (solution.cam) {
+        const CamProfileTexts profile = cam_profile(solution, {.points = options.points, .dxf = options.dxf});
+        writer.write("profile.csv", profile.csv);
+        writer.write("profile.svg", profile.svg);
+        writer.write("profile_diagrams.svg", profile.diagrams_svg);
+        if (profile.dxf) writer.write("profile.dxf", *profile.dxf);
+    }
+    writer.remove_others();
+    writer.write("report.md", report_markdown(solution, origin));
+    writer.write("certificate.json", certificate_json(solution.certificate));
+    writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete
+    return writer.written();
 }
 
 }  // namespace camopt

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The result folder: result.json, certificate.json, report.md, and with a curve motion.csv and motion.svg.
+// The result folder: result.json, certificate.json, report.md; with a motion motion.csv and motion.svg; with
+// a cam profile.csv, profile.svg, profile_diagrams.svg and, where asked for, profile.dxf.
 #pragma once
 
 #include "output/run_origin.hpp"
 #include "studies/solution.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace camopt {
 
-/// Creates the folder where it does not exist and writes each file in one step (text_file.hpp). A motion.csv
-/// or motion.svg of an earlier run is removed where this one has no curve. Returns the paths written. Throws
-/// InputError where the path is a file or cannot be written.
+struct WriteOptions {
+    std::optional<int> points = {};  ///< of profile.csv, evenly by cam angle; none: by chord tolerance
+    bool dxf = false;                ///< profile.dxf too
+};
+
+/// Creates the folder where it does not exist and writes each file in one step (text_file.hpp). Files of an
+/// earlier run that this one does not have (motion.*, profile*.*) are removed. Returns the paths written.
+/// Throws InputError where the path is a file or cannot be written.
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const Solution& solution,
-                                                       const RunOrigin& origin = {});
+                                                       const Solution& solution, const RunOrigin& origin = {},
+                                                       const WriteOptions& options = {});
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.
 void prepare_folder(const std::filesystem::path& folder);

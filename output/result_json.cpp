@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/result_json.hpp"
 
+#include "output/cam_json.hpp"
 #include "output/display_scale.hpp"
 #include "output/json_text.hpp"
+#include "output/segment_json.hpp"
 #include "output/version.hpp"
 
-#include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace camopt {
@@ -27,27 +29,11 @@ Json bound_json(const Solution& solution) {
             {"source", text_json(solution.solver.proof_source)}};
 }
 
-Json peak_json(const Extremum& peak) {
-    return {{"value", number_json(peak.value)}, {"at", number_json(peak.at)}};
-}
-
-Json peaks_json(const Solution& solution) {
-    if (!solution.motion) return nullptr;
-    const Peaks& peaks = solution.peaks;
-    return {{"velocity", peak_json(peaks.velocity)},
-            {"acceleration", peak_json(peaks.acceleration)},
-            {"jerk", peak_json(peaks.jerk)},
-            {"torque", peak_json(peaks.torque)},
-            {"rms_velocity", number_json(peaks.rms_velocity)},
-            {"rms_acceleration", number_json(peaks.rms_acceleration)},
-            {"rms_jerk", number_json(peaks.rms_jerk)}};
-}
-
 /// The peaks in the units of the drawing, named like the columns of motion.csv.
 Json physical_peaks_json(const Solution& solution) {
     if (!solution.motion) return nullptr;
     const DisplayScale scale = display_scale(solution.scene.motion);
-    const Peaks& peaks = solution.peaks;
+    const Peaks& peaks = solution.motion_peaks;
     const double values[] = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
     Json json = Json::object();
     const auto add = [&](const DerivativeScale& derivatives) {
@@ -87,16 +73,6 @@ Json constraints_json(const Solution& solution) {
     return list;
 }
 
-Json spline_json(const Solution& solution) {
-    if (!solution.curve) return nullptr;
-    const SplineCurve& curve = *solution.curve;
-    return {{"degree", curve.degree()},
-            {"continuity", curve.continuity()},
-            {"breakpoints", numbers_json(curve.breakpoints())},
-            {"knots", numbers_json(curve.knots())},
-            {"coefficients", numbers_json(curve.coefficients())}};
-}
-
 Json design_json(const Solution& solution) {
     if (!solution.motion) return nullptr;
     return {{"kind", name_of(solution.design.kind)},
@@ -110,7 +86,9 @@ Json solver_json(const SolverReport& solver) {
             {"iterations", solver.iterations},
             {"exchange_rounds", solver.exchange_rounds},
             {"native_status", text_json(solver.native_status)},
-            {"choice", text_json(solver.choice)}};
+            {"choice", text_json(solver.choice)},
+            {"convex", solver.convex},
+            {"starts", solver.starts}};
 }
 
 Json evaluations_json(const EvaluationCounts& count) {
@@ -127,6 +105,16 @@ Json relaxation_json(const std::vector<Relaxation>& rows) {
     return list;
 }
 
+Json conflict_json(const Solution& solution) {
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json list = Json::array();
+    for (const ConflictReport& row : solution.conflict)
+        list.push_back({{"key", row.key},
+                        {"at_deg", number_json(row.at * degrees_per_x)},
+                        {"weight", number_json(row.weight)}});
+    return list;
+}
+
 }  // namespace
 
 std::string result_json(const Solution& solution, const RunOrigin& origin) {
@@ -140,7 +128,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["reason"] = text_json(certificate.reason);
     json["objective"] = number_json(certificate.objective);
     json["bound"] = bound_json(solution);
-    json["peaks"] = peaks_json(solution);
+    json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
     json["reference"] = reference_json(solution);
     json["worst_violation"] = number_json(certificate.worst_violation);
@@ -148,9 +136,12 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["constraints"] = constraints_json(solution);
     if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
         json["relaxation"] = relaxation_json(solution.relaxation);
-    json["spline"] = spline_json(solution);
+    if (certificate.verdict == Verdict::infeasible) json["conflict"] = conflict_json(solution);
+    json["spline"] = spline_json(solution.curve);
+    json["segments"] = segments_json(solution);
     json["design"] = design_json(solution);
-    json["dimensions"] = Json::object();
+    json["dimensions"] = dimensions_json(solution);
+    json["cam"] = cam_json(solution);
     json["solver"] = solver_json(solution.solver);
     json["evaluations"] = evaluations_json(solution.evaluations);
     json["seconds"] = {{"total", number_json(solution.seconds_total)},

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/solution_text.hpp"
 
+#include "output/cam_remarks.hpp"
+#include "output/cam_words.hpp"
+#include "output/infeasible_words.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
+#include "output/segment_table.hpp"
+#include "output/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -12,17 +17,28 @@ namespace camopt {
 
 namespace {
 
+constexpr int line_width = 110;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
     return certificate.reason.empty() ? std::string{} : fmt::format(" ({})", words_of(certificate.reason));
 }
 
+std::string indented(const std::string& lines) {
+    std::string text = "  ";
+    for (const char letter : lines) {
+        text += letter;
+        if (letter == '\n') text += "  ";
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
 std::string peak_line(const PeakRow& row, const std::string& reference_name) {
     std::string line =
         fmt::format("  {:<12} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
     if (row.factor > 0.0)
-        line += fmt::format("  {:>10} {:<8}", short_text(row.factor * row.optimum.value), row.unit);
+        line += fmt::format("  {:>10} {:<8}", short_text(row.factor * row.motion.value), row.unit);
     else if (row.reference)
         line += std::string(21, ' ');
     if (row.reference)
@@ -40,7 +56,64 @@ std::string peak_lines(const Solution& solution) {
     return text;
 }
 
+bool searched(const Solution& solution) {
+    return !solution.solver.convex && solution.solver.starts > 0;
+}
+
+/// "8 starts" or "from one start"
+std::string starts_text(int starts) {
+    return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
+}
+
+std::string segment_lines(const Solution& solution) {
+    if (solution.segments.empty()) return {};
+    return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
+}
+
+std::string cam_lines(const Solution& solution) {
+    if (!solution.cam) return {};
+    TextTable table;
+    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
+    for (const CamFigure& figure : cam_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    std::string text = fmt::format("  cam: {}\n", follower_text(*solution.scene.cam));
+    text += wrapped_text(dimensions_text(solution), "  dimensions: ", line_width);
+    text += indented(aligned_text(table));
+    for (const std::string& remark : cam_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
+    return text;
+}
+
+std::string relaxation_lines(const Solution& solution) {
+    std::string text;
+    if (is_told_in_words(solution.scene)) {
+        for (const std::string& remark : infeasible_remarks(solution))
+            text += wrapped_text(remark, "  ", line_width);
+        return text;
+    }
+    for (const Relaxation& row : solution.relaxation)
+        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    return text;
+}
+
 }  // namespace
+
+std::string verdict_sentence(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    const SolverReport& solver = solution.solver;
+    if (!searched(solution) || certificate.verdict == Verdict::optimal ||
+        certificate.verdict == Verdict::infeasible)
+        return verdict_sentence(certificate);
+    if (certificate.verdict == Verdict::local)
+        return fmt::format(
+            "Local optimum, {}: no small change improves it. That a better one exists is not ruled out.",
+            starts_text(solver.starts));
+    if (certificate.verdict == Verdict::feasible)
+        return fmt::format("Feasible, {}: every limit is kept; that it is optimal is not shown{}.",
+                           starts_text(solver.starts), because(certificate));
+    return fmt::format(
+        "Failed: no motion that keeps every limit was found from {} {}, and no proof that there is none{}.",
+        solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
+}
 
 std::string verdict_sentence(const Certificate& certificate) {
     switch (certificate.verdict) {
@@ -75,7 +148,9 @@ std::string objective_line(const Solution& solution, std::string_view separator)
                             short_text(value, digits));
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
-    if (certificate.lower_bound) add("proved bound", *certificate.lower_bound, figures);
+    if (certificate.lower_bound)
+        add(searched(solution) ? "bound of the convex relaxation" : "proved bound", *certificate.lower_bound,
+            figures);
     if (certificate.gap) add("gap", *certificate.gap, 2);
     if (solution.any_curve_limit) add("limit of any curve", solution.any_curve_limit->objective, figures);
     return line;
@@ -97,15 +172,14 @@ std::string relaxation_sentence(const Relaxation& row) {
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
     std::string text;
     if (!solution.scene.title.empty()) text += solution.scene.title + "\n";
-    text += verdict_sentence(solution.certificate) + "\n";
+    text += verdict_sentence(solution) + "\n";
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";
-    if (solution.motion) text += peak_lines(solution);
+    if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));
-    for (const Relaxation& row : solution.relaxation)
-        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    text += cam_lines(solution) + relaxation_lines(solution);
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;
     if (!solver.name.empty())

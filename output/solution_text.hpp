@@ -14,6 +14,8 @@ namespace camopt {
 
 /// "Proved optimal: …" One sentence.
 [[nodiscard]] std::string verdict_sentence(const Certificate& certificate);
+/// The same, and what a search from several starts can say and cannot.
+[[nodiscard]] std::string verdict_sentence(const Solution& solution);
 
 /// "objective 0.940489277   proved bound 0.940489270   gap 7e-09". Only what exists.
 [[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "output/key_words.hpp"
+
+#include "output/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// Endings of the keys and what they say; a longer one stands before those it ends in.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> units_of_keys = {{
+    {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
+    {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
+    {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
+    {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_deg", "deg"},
+    {"_rad", "rad"},       {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},
+    {"_gpa", "GPa"},       {"_nm", "N m"},        {"_n", "N"},           {"_pa", "Pa"},
+    {"_m", "m"},
+}};
+// The limits whose names end so say the rest by ">=" and "<=".
+constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};
+
+constexpr int needed_digits = 6;
+
+}  // namespace
+
+KeyWords key_words(std::string_view key) {
+    KeyWords found;
+    found.limit = key.starts_with("limits.");
+    if (const std::size_t table = key.find('.'); table != std::string_view::npos)
+        key.remove_prefix(table + 1);
+    const std::size_t remark = key.find(' ');  // "cam_radius_min_mm (face turns back)"
+    const std::string_view behind = remark == std::string_view::npos ? "" : key.substr(remark);
+    key = key.substr(0, remark);
+    for (const auto& [ending, unit] : units_of_keys) {
+        if (!key.ends_with(ending)) continue;
+        found.unit = unit;
+        key.remove_suffix(ending.size());
+        break;
+    }
+    for (const std::string_view bound : bounds)
+        if (key.ends_with(bound)) key.remove_suffix(bound.size());
+    found.words = words_of(key) + std::string(behind);
+    return found;
+}
+
+std::string needed_words(const Relaxation& row) {
+    if (!row.needed) return {};
+    const KeyWords key = key_words(row.key);
+    const bool more = *row.needed > row.given;
+    // A limit that is to grow is an upper one, and a larger one is what it would have to be.
+    const char* const sign = more != key.limit ? ">=" : "<=";
+    return fmt::format("{} {} {}{}{}", key.words, sign, short_text(*row.needed, needed_digits),
+                       key.unit.empty() ? "" : " ", key.unit);
+}
+
+}  // namespace camopt

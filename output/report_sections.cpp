@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "output/report_sections.hpp"
+
+#include "output/cam_remarks.hpp"
+#include "output/cam_words.hpp"
+#include "output/display_scale.hpp"
+#include "output/infeasible_words.hpp"
+#include "output/key_words.hpp"
+#include "output/number_text.hpp"
+#include "output/peak_comparison.hpp"
+#include "output/segment_table.hpp"
+#include "output/text_table.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+std::string list_of(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", sentence);
+    return text;
+}
+
+std::string range_text(const Dimension& dimension) {
+    const auto shown = [&](double value) { return short_text(value / dimension.unit); };
+    const KeyWords key = key_words(dimension.key);
+    const std::string unit = key.unit.empty() ? "mm" : key.unit;
+    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), unit);
+    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), unit);
+}
+
+}  // namespace
+
+std::string asked_cam(const Scene& scene) {
+    if (!scene.cam) return {};
+    std::string text = fmt::format("- Cam: {}", follower_text(*scene.cam));
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto which = static_cast<DimensionIndex>(i);
+        if (has_dimension(scene.cam->follower, which))
+            text += fmt::format(", {} {}", words_of(name_of(which)), range_text((*scene.cam)[which]));
+    }
+    return text + "\n";
+}
+
+std::string cam_section(const Solution& solution) {
+    if (!solution.cam) return {};
+    std::string text = fmt::format("\n## The cam\n\n{}: {}.\n\n", follower_text(*solution.scene.cam),
+                                   dimensions_text(solution));
+    TextTable table;
+    table.columns = {{"", true}, {""}, {"at (deg)"}};
+    for (const CamFigure& figure : cam_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    text += markdown_text(table) + "\n" + list_of(cam_remarks(solution));
+    return text +
+           "\n![The cam to scale](profile.svg)\n\n![Pressure angle and curvature](profile_diagrams.svg)\n";
+}
+
+std::string program_peak_section(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    TextTable table;
+    table.columns = {{"", true}, {"spline segments"}, {"at (deg)"}, {reference_title(reference)},
+                     {"change"}, {"whole motion"},    {"at (deg)"}};
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        std::vector<std::string> cells = {
+            fmt::format("{} {}", row.name, row.symbol), short_text(row.optimum.value),
+            short_text(row.optimum.at * degrees_per_x), row.reference ? short_text(*row.reference) : "–",
+            row.reference ? change_text(row.optimum.value, *row.reference) : "–"};
+        if (row.factor > 0.0) {
+            cells.push_back(fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit));
+            cells.push_back(short_text(row.motion.at * degrees_per_x));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return "\n## Peaks\n\n" + markdown_text(table) +
+           "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
+           "segment's "
+           "own angle and displacement; those of the whole motion include the law segments.\n";
+}
+
+std::string segment_section(const Solution& solution) {
+    if (solution.segments.empty()) return {};
+    return fmt::format("\n## Segments\n\n{}\n{}\n", markdown_text(segment_table(solution)),
+                       segment_table_note());
+}
+
+std::string infeasible_section(const Solution& solution) {
+    const std::vector<std::string> remarks = infeasible_remarks(solution);
+    if (remarks.empty()) return {};
+    std::string text = "\n## Why no motion exists, and what would have to change\n\n" + list_of(remarks);
+    if (solution.relaxation.empty()) return text;
+    TextTable table;
+    table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
+    for (const Relaxation& row : solution.relaxation)
+        table.rows.push_back({fmt::format("`{}`", row.key), short_text(row.given),
+                              row.needed ? short_text(*row.needed, 9) : "no change helps"});
+    return text + "\n" + markdown_text(table);
+}
+
+}  // namespace camopt

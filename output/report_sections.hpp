@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Sections of report.md that only scenes with a cam and programs have. Empty where they have nothing to say.
+#pragma once
+
+#include "studies/solution.hpp"
+
+#include <string>
+
+namespace camopt {
+
+/// What was asked of the cam: one line of the list; its variable dimensions with their ranges.
+[[nodiscard]] std::string asked_cam(const Scene& scene);
+
+/// "The cam": dimensions, figures, remarks, pictures.
+[[nodiscard]] std::string cam_section(const Solution& solution);
+
+/// "Peaks" of a program: normalised ones of the spline segments, physical ones of the whole motion.
+[[nodiscard]] std::string program_peak_section(const Solution& solution);
+
+/// "Segments": the table of a program.
+[[nodiscard]] std::string segment_section(const Solution& solution);
+
+/// "Why no motion exists, and what would have to change", in words.
+[[nodiscard]] std::string infeasible_section(const Solution& solution);
+
+}  // namespace camopt
