@@ -250,11 +250,13 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     return model;
 }
 
-CamModel convex_part(const CamModel& model) {
+CamModel convex_part(const CamModel& model, ConvexOver range) {
     CamModel part = model;
-    std::erase_if(part.rules, [&](const PlacedRule& rule) {
-        return rule->curvature(model.least_displacement, model.most_displacement) == Curvature::general;
-    });
+    const bool sensible = range == ConvexOver::sensible_motion;
+    const double least = sensible ? model.least_displacement : -infinity;
+    const double most = sensible ? model.most_displacement : infinity;
+    std::erase_if(part.rules,
+                  [&](const PlacedRule& rule) { return rule->curvature(least, most) == Curvature::general; });
     return part;
 }
 

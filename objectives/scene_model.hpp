@@ -24,8 +24,14 @@ namespace camopt {
 /// where that is 0 or free).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference);
 
-/// The model without the rules that are not known to be convex: a relaxation that can be solved to proof.
-[[nodiscard]] CamModel convex_part(const CamModel& model);
+/// Which motions a rule must be convex over to be kept.
+enum class ConvexOver {
+    every_motion,    ///< whatever its displacements: proofs need nothing else
+    sensible_motion  ///< displacements as CamModel expects them: a proof needs bounds on them too
+};
+
+/// The model without the rules that are not convex there: a relaxation.
+[[nodiscard]] CamModel convex_part(const CamModel& model, ConvexOver range);
 
 /// The same problem with `energy_weight` times the mean square jerk (over its reference²) added to the cost:
 /// for a weight small enough its optimum is, among the optima of the model, the one of least ∫ s'''².

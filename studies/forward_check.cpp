@@ -70,9 +70,10 @@ class Simulation {
                 continue;
             }
             ++result.angles;
-            const double deviation = std::abs(contact.lift - follower_.start() - input_.designed(theta));
-            if (!(deviation <= result.deviation)) {
-                result.deviation = std::isnan(deviation) ? infinity : deviation;
+            const double found = std::abs(contact.lift - follower_.start() - input_.designed(theta));
+            const double deviation = found < infinity ? found : infinity;  // NaN is no contact either
+            if (deviation > result.deviation) {
+                result.deviation = deviation;
                 result.theta = theta;
             }
         }

@@ -206,6 +206,7 @@ Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& soluti
                           scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
+    if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
         solution.notes.push_back(
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "

@@ -121,45 +121,83 @@ void judge_search(ContinuousResult& result, const StartSearch& search) {
 }  // namespace
 
 bool needs_starts(const CamModel& model) {
-    return std::ranges::any_of(model.rules, [&](const PlacedRule& rule) {
-        return rule->curvature(model.least_displacement, model.most_displacement) == Curvature::general;
+    return std::ranges::any_of(model.rules, [](const PlacedRule& rule) {
+        return rule->curvature(-infinity, infinity) == Curvature::general;
     });
 }
+
+namespace {
+
+/// The two relaxations in turn. `settled`: the answer of the whole already.
+struct Relaxed {
+    ContinuousResult result;
+    bool settled = false;
+};
+
+/// A cost is never negative: a bound below that says nothing.
+void drop_idle_bound(Certificate& certificate) {
+    if (certificate.lower_bound && *certificate.lower_bound < 0.0) {
+        certificate.lower_bound.reset();
+        certificate.gap.reset();
+        certificate.proof.reset();
+        certificate.proof_kind = ProofKind::none;
+    }
+}
+
+Relaxed solve_relaxed(const CamModel& model, const CamProblem& whole, ConvexOver range,
+                      const ExchangeOptions& exchange, const JudgeOptions& judge,
+                      const SolveControl& control) {
+    ExchangeOptions options = exchange;
+    options.backend.native.clear();  // they belong to the backend the user chose
+    CamProblem problem(convex_part(model, range));
+    Relaxed relaxed{solve_continuous(problem, *make_structured_solver(), options, judge, control)};
+    Certificate& certificate = relaxed.result.certificate;
+    drop_idle_bound(certificate);
+    relaxed.settled = certificate.verdict == Verdict::infeasible;
+    if (certificate.verdict != Verdict::optimal) return relaxed;
+    const Candidate kept = judged(whole, relaxed.result.x);
+    if (kept.violation > judge.tolerance) return relaxed;
+    certificate.worst_violation = kept.violation;
+    relaxed.settled = true;
+    return relaxed;
+}
+
+}  // namespace
 
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
                                const SolveControl& control) {
     StartsResult all;
-    ExchangeOptions relaxed_options = exchange;
-    relaxed_options.backend.native.clear();  // they belong to the backend the user chose
-    CamProblem relaxed(convex_part(model));
-    ContinuousResult bound =
-        solve_continuous(relaxed, *make_structured_solver(), relaxed_options, judge, control);
-    if (bound.certificate.verdict == Verdict::infeasible) {
-        all.result = std::move(bound);
-        return all;
-    }
     const CamProblem whole(model);
-    if (bound.x.size() > 0) {
-        const Candidate kept = judged(whole, bound.x);
-        if (kept.violation <= judge.tolerance) {
-            bound.certificate.worst_violation = kept.violation;
-            all.result = std::move(bound);
-            return all;
+    Relaxed relaxed = solve_relaxed(model, whole, ConvexOver::every_motion, exchange, judge, control);
+    const bool more_rules = convex_part(model, ConvexOver::sensible_motion).rules.size() >
+                            convex_part(model, ConvexOver::every_motion).rules.size();
+    if (!relaxed.settled && more_rules) {
+        Relaxed tighter = solve_relaxed(model, whole, ConvexOver::sensible_motion, exchange, judge, control);
+        const bool unproved = !tighter.result.certificate.lower_bound;
+        if (unproved && !tighter.settled) {  // keep the bound at hand, start from the better motion
+            if (tighter.result.x.size() > 0) relaxed.result.x = tighter.result.x;
+        } else {
+            relaxed = std::move(tighter);
         }
     }
+    if (relaxed.settled) {
+        all.result = std::move(relaxed.result);
+        return all;
+    }
     StartSearch search(model, solver, exchange, judge, control);
-    search.run(starts, seed, bound.x);
+    search.run(starts, seed, relaxed.result.x);
     all.starts = search.ran();
     all.best_start = search.best_start();
     ContinuousResult& result = all.result;
     result.exchange = search.totals();
     judge_search(result, search);
-    if (bound.certificate.lower_bound) {
-        result.certificate.lower_bound = bound.certificate.lower_bound;
-        result.certificate.gap = gap_of(result.certificate.objective, *bound.certificate.lower_bound);
-        result.certificate.proof = std::move(bound.certificate.proof);
-        result.certificate.proof_kind = bound.certificate.proof_kind;
+    Certificate& bound = relaxed.result.certificate;
+    if (bound.lower_bound) {
+        result.certificate.lower_bound = bound.lower_bound;
+        result.certificate.gap = gap_of(result.certificate.objective, *bound.lower_bound);
+        result.certificate.proof = std::move(bound.proof);
+        result.certificate.proof_kind = bound.proof_kind;
         result.proof_source = "structured, convex relaxation";
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);

@@ -24,7 +24,7 @@ struct StartsResult {
                                              const ExchangeOptions& exchange, const JudgeOptions& judge,
                                              int starts, unsigned seed, const SolveControl& control);
 
-/// Rules that are not known to be convex: this is the way to solve the model.
+/// Rules that are not convex for every motion: this is the way to solve the model.
 [[nodiscard]] bool needs_starts(const CamModel& model);
 
 }  // namespace camopt

@@ -71,6 +71,16 @@ TEST(ForwardCheck, EveryFollowerMovesAsDesigned) {
             }
 }
 
+TEST(ForwardCheck, JumpsOfTheAccelerationAndShortStretchesDoNotMatter) {
+    for (const std::string law : {"parabolic", "mcv_50", "double_harmonic"})
+        for (const FollowerType follower : test::all_followers) {
+            const MotionChain motion = test::turn_motion(law);
+            const auto input =
+                forward_check_input(test::sample_cam(follower), motion, test::sample_scale(follower), 2000);
+            EXPECT_LT(forward_check(input).relative, 1e-11) << law << " " << name_of(follower);
+        }
+}
+
 TEST(ForwardCheck, AWrongCamIsFound) {
     for (const FollowerType follower : test::all_followers) {
         const MotionChain motion = test::turn_motion("modified_sine");

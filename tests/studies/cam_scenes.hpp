@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Scenes with a cam that the tests of studies/ share.
+#pragma once
+
+#include "core/scene.hpp"
+#include "core/units.hpp"
+
+namespace camopt::testing_support {
+
+inline WrittenLimit degrees(double value, const char* key) {
+    return {value * units::degree, key, units::degree, "deg"};
+}
+inline WrittenLimit millimetres(double value, const char* key) {
+    return {value * units::millimetre, key, units::millimetre, "mm"};
+}
+
+inline void paper_weights(Scene& scene) {
+    scene.objective.velocity = scene.objective.acceleration = 0.4;
+    scene.objective.jerk = 0.2;
+    scene.objective.reference = {"", 1.76, 5.53, 69.0, {}, {}, true};
+}
+
+/// MATH.md §5: rise 60°, lift 20 mm, |φ| <= 30°, cubic, roller of 10 mm on the cam axis.
+inline Scene pressure_angle_scene(double prime_radius_mm, int segments = 24) {
+    Scene scene;
+    scene.motion.lift = 20e-3;
+    scene.motion.rise = 60.0 * units::degree;
+    scene.spline.segments = segments;
+    paper_weights(scene);
+    scene.cam.emplace();
+    (*scene.cam)[DimensionIndex::base_radius] = (prime_radius_mm - 10.0) * 1e-3;
+    (*scene.cam)[DimensionIndex::base_radius].key = "cam.base_radius_mm";
+    (*scene.cam)[DimensionIndex::roller_radius] = 10e-3;
+    (*scene.cam)[DimensionIndex::roller_radius].key = "cam.roller_radius_mm";
+    scene.limits.pressure_angle = degrees(30.0, "limits.pressure_angle_deg");
+    return scene;
+}
+
+/// A flat-faced valve lift: rise and return of 70° each, lift 14 mm.
+inline Scene flat_scene(double base_mm, double radius_mm) {
+    Scene scene;
+    scene.motion.type = MotionType::rr;
+    scene.motion.lift = 14e-3;
+    scene.motion.rise = 70.0 * units::degree;
+    scene.spline.segments = 24;
+    paper_weights(scene);
+    scene.cam.emplace();
+    scene.cam->follower = FollowerType::translating_flat;
+    (*scene.cam)[DimensionIndex::base_radius] = base_mm * 1e-3;
+    scene.limits.cam_radius_min = millimetres(radius_mm, "limits.cam_radius_min_mm");
+    return scene;
+}
+
+}  // namespace camopt::testing_support
