@@ -69,8 +69,8 @@ void FollowerDrawing::draw_stem(const ProfileCanvas& canvas, const Vector2d& foo
     const auto at = [&](double height) -> Vector2d { return foot + height * size_ * pose_.lift; };
     std::vector<Vector2d> stem = {at(stem_length) + side, at(gap) + side};
     if (gap > 0.0) stem.push_back(foot);
-    stem.push_back(at(gap) - side);
-    stem.push_back(at(stem_length) - side);
+    stem.emplace_back(at(gap) - side);
+    stem.emplace_back(at(stem_length) - side);
     canvas.polyline(stem, false, "follower");
     for (const double sign : {-1.5, 1.5})
         canvas.line(at(guide_begin) + sign * side, at(guide_end) + sign * side, "guide");

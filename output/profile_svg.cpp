@@ -108,6 +108,7 @@ ProfileCanvas fitted_canvas(SvgCanvas& canvas, const Extent& extent) {
 std::vector<PlotTick> ticks_of(const PlotAxis& axis) {
     std::vector<PlotTick> ticks;
     const std::vector<double> values = round_ticks(axis.lower, axis.upper, 8);
+    ticks.reserve(values.size());
     for (const double value : values)
         ticks.push_back({value, tick_text(value, values.size() > 1 ? values[1] - values[0] : 1.0)});
     return ticks;
