@@ -9,16 +9,42 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace camopt::apps {
 
+namespace {
+
+const char* meaning_of(Curvature curvature) {
+    switch (curvature) {
+        case Curvature::linear:
+            return "linear";
+        case Curvature::convex:
+            return "convex";
+        case Curvature::general:
+            break;
+    }
+    return "general: an optimum may be a local one";
+}
+
+std::string limits_text(const std::vector<LimitShape>& limits) {
+    std::string text;
+    for (const LimitShape& limit : limits)
+        text += fmt::format("  limit: {} is {}\n", limit.key, meaning_of(limit.curvature));
+    return text;
+}
+
+}  // namespace
+
 ExitCode check_command(const CheckRequest& request) {
-    const SceneCheck check = check_scene(load_scene(request.scene, request.settings));
+    const Scene scene = load_scene(request.scene, request.settings);
+    const SceneCheck check = check_scene(scene);
     std::string text = fmt::format("{}: the scene is valid\n", request.scene);
     text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
                         check.rows, check.convex ? "convex: an optimum is global" : "not convex");
     text +=
         fmt::format("  solver: {}, design vector: {}\n", check.choice.solver, name_of(check.choice.design));
+    if (scene.cam) text += limits_text(check.limits);
     for (const DerivativeError& error : check.derivatives)
         text +=
             fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind, short_text(error.error, 2),

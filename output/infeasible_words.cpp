@@ -8,64 +8,90 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
-constexpr double one_place = 0.02;    // of the motion: rows of a proof this close speak of one place
-constexpr double worth_naming = 0.2;  // of a limit's heaviest row: lighter places are left out
-constexpr std::size_t most_places = 3;
-constexpr int angle_digits = 4;
+constexpr double same_stretch = 0.1;   // of the motion: rows of a proof this close belong together
+constexpr double same_place = 0.02;    // of the motion: a stretch shorter than this is a place
+constexpr double worth_naming = 0.02;  // of a limit's heaviest row: lighter rows are left out
+constexpr std::size_t most_stretches = 3;
+constexpr int angle_digits = 3;
 
-/// The rows of one limit.
-struct LimitSide {
-    std::string words;
-    double weight = 0.0;
-    std::vector<ConflictReport> places;  ///< heaviest first
+/// Where a limit bites.
+struct Stretch {
+    double begin = 0.0, end = 0.0, weight = 0.0;  ///< x
 };
 
-std::vector<LimitSide> sides_of(const Solution& solution) {
-    std::vector<LimitSide> sides;
-    const double near = one_place * solution.scene.motion.length();
-    for (const ConflictReport& row : solution.conflict) {
+/// The rows of one limit.
+struct OneLimit {
+    std::string words;
+    double weight = 0.0;
+    std::vector<ConflictReport> rows;  ///< heaviest first
+};
+
+std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
+    std::vector<OneLimit> limits;
+    for (const ConflictReport& row : conflict) {
         const std::string words = key_words(row.key).words;
-        auto side = std::ranges::find(sides, words, &LimitSide::words);
-        if (side == sides.end()) side = sides.insert(side, {words, 0.0, {}});
-        side->weight += row.weight;
-        const bool known = std::ranges::any_of(
-            side->places, [&](const ConflictReport& place) { return std::abs(place.at - row.at) <= near; });
-        const bool light = !side->places.empty() && row.weight < worth_naming * side->places.front().weight;
-        if (!known && !light && side->places.size() < most_places) side->places.push_back(row);
+        auto limit = std::ranges::find(limits, words, &OneLimit::words);
+        if (limit == limits.end()) limit = limits.insert(limit, {words, 0.0, {}});
+        limit->weight += row.weight;
+        limit->rows.push_back(row);
     }
-    std::ranges::stable_sort(sides, std::greater{}, &LimitSide::weight);
-    return sides;
+    std::ranges::stable_sort(limits, std::greater{}, &OneLimit::weight);
+    return limits;
 }
 
-std::string text_of(LimitSide side, double degrees_per_x) {
-    std::ranges::sort(side.places, {}, &ConflictReport::at);
-    std::string places;
-    for (std::size_t i = 0; i < side.places.size(); ++i) {
-        if (i > 0) places += i + 1 < side.places.size() ? ", " : " and ";
-        places += short_text(degrees_per_x * side.places[i].at, angle_digits);
+/// The heaviest few, in the order of the cam angle.
+std::vector<Stretch> stretches_of(std::vector<ConflictReport> rows, double length) {
+    const double least = worth_naming * rows.front().weight;
+    std::erase_if(rows, [&](const ConflictReport& row) { return row.weight < least; });
+    std::ranges::sort(rows, {}, &ConflictReport::at);
+    std::vector<Stretch> stretches;
+    for (const ConflictReport& row : rows) {
+        if (stretches.empty() || row.at > stretches.back().end + same_stretch * length)
+            stretches.push_back({row.at, row.at, 0.0});
+        stretches.back().end = row.at;
+        stretches.back().weight += row.weight;
     }
-    return fmt::format("the {} limit at {} deg", side.words, places);
+    std::ranges::stable_sort(stretches, std::greater{}, &Stretch::weight);
+    if (stretches.size() > most_stretches) stretches.resize(most_stretches);
+    std::ranges::sort(stretches, {}, &Stretch::begin);
+    return stretches;
+}
+
+/// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"
+std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
+    const double degrees_per_x = motion.unit_angle() / units::degree;
+    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, angle_digits); };
+    const std::vector<Stretch> stretches = stretches_of(limit.rows, motion.length());
+    std::string places;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const Stretch& stretch = stretches[i];
+        if (i > 0) places += i + 1 < stretches.size() ? ", " : " and ";
+        places += stretch.end - stretch.begin < same_place * motion.length()
+                      ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
+                      : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
+    }
+    return fmt::format("the {} limit {}", limit.words, places);
 }
 
 }  // namespace
 
 std::string conflict_sentence(const Solution& solution) {
-    const std::vector<LimitSide> sides = sides_of(solution);
-    if (sides.empty()) return {};
-    const double degrees_per_x = solution.scene.motion.unit_angle() / units::degree;
-    std::string first = text_of(sides.front(), degrees_per_x);
+    const std::vector<OneLimit> limits = limits_of(solution.conflict);
+    if (limits.empty()) return {};
+    const MotionSpec& motion = solution.scene.motion;
+    std::string first = text_of(limits.front(), motion);
     first.front() = 'T';
-    if (sides.size() == 1)
-        return first + " cannot be kept by any motion that makes the lift within its angle.";
+    if (limits.size() == 1) return first + " cannot be kept by any motion that makes the lift in its angle.";
     std::string others;
-    for (std::size_t i = 1; i < sides.size(); ++i)
-        others += (i > 1 ? " and " : "") + text_of(sides[i], degrees_per_x);
+    for (std::size_t i = 1; i < limits.size(); ++i)
+        others += (i > 1 ? " and " : "") + text_of(limits[i], motion);
     return fmt::format("{} fights {}: no motion keeps all of them.", first, others);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace camopt {
@@ -25,7 +26,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> units_of
 // The limits whose names end so say the rest by ">=" and "<=".
 constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};
 
-constexpr int needed_digits = 6;
+constexpr int needed_digits = 5;
+
+/// As many digits as are shown, on the side that still does.
+double rounded_on(double needed, bool up) {
+    if (needed == 0.0 || !std::isfinite(needed)) return needed;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(needed))) - (needed_digits - 1));
+    const double steps = needed / unit, slack = 1e-6;  // of a step: a value that is round stays
+    return unit * (up ? std::ceil(steps - slack) : std::floor(steps + slack));
+}
 
 }  // namespace
 
@@ -55,8 +64,9 @@ std::string needed_words(const Relaxation& row) {
     const bool more = *row.needed > row.given;
     // A limit that is to grow is an upper one, and a larger one is what it would have to be.
     const char* const sign = more != key.limit ? ">=" : "<=";
-    return fmt::format("{} {} {}{}{}", key.words, sign, short_text(*row.needed, needed_digits),
-                       key.unit.empty() ? "" : " ", key.unit);
+    return fmt::format("{} {} {}{}{}", key.words, sign,
+                       short_text(rounded_on(*row.needed, more), needed_digits), key.unit.empty() ? "" : " ",
+                       key.unit);
 }
 
 }  // namespace camopt

@@ -147,7 +147,7 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     if (!picture.solution.segments.empty()) {
         canvas.line(x, y - 11, x, y + 3, "segment");
         canvas.text(x + 8, y, "segments", "subtitle");
-        x += 80;
+        x += 92;
     }
     canvas.line(x, y - 7, x, y - 1, "breakpoint");
     canvas.text(x + 8, y, fmt::format("breakpoints ({})", picture.solution.motion->breakpoints().size()),

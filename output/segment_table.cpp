@@ -73,7 +73,7 @@ TextTable segment_table(const Solution& solution) {
 
 const char* segment_table_note() {
     return "V, A, J: by the segment's own angle and displacement. Joint: the highest derivative that is "
-           "continuous where the segment begins.";
+           "continuous where the segment begins, 3 at most.";
 }
 
 }  // namespace camopt

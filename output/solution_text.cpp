@@ -77,7 +77,7 @@ std::string cam_lines(const Solution& solution) {
     for (const CamFigure& figure : cam_figures(solution))
         table.rows.push_back({figure.name, figure.value, figure.degrees});
     std::string text = fmt::format("  cam: {}\n", follower_text(*solution.scene.cam));
-    text += wrapped_text(dimensions_text(solution), "  dimensions: ", line_width);
+    text += fmt::format("  dimensions: {}\n", dimensions_text(solution));
     text += indented(aligned_text(table));
     for (const std::string& remark : cam_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
     return text;

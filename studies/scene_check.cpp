@@ -118,6 +118,25 @@ class Checker {
                                            DerivativeError{"hessian", "", 0.0}};
 };
 
+/// A limit may be several rules (both signs, parts of a cam): the worst of them is its shape.
+std::vector<LimitShape> limit_shapes(const CamModel& model) {
+    std::vector<LimitShape> shapes;
+    const auto add = [&](const std::string& name, Curvature curvature) {
+        const std::string key = name.substr(0, name.find(' '));
+        const auto known = std::ranges::find(shapes, key, &LimitShape::key);
+        if (known == shapes.end())
+            shapes.push_back({key, curvature});
+        else
+            known->curvature = std::max(known->curvature, curvature);
+    };
+    for (const ParameterRow& row : model.parameter_rows)
+        if (row.limit) add(row.name, Curvature::linear);
+    for (const PlacedRule& rule : model.rules)
+        if (rule->limit())
+            add(rule->name(), rule->curvature(model.least_displacement, model.most_displacement));
+    return shapes;
+}
+
 }  // namespace
 
 SceneCheck check_scene(const Scene& scene) {
@@ -135,6 +154,7 @@ SceneCheck check_scene(const Scene& scene) {
     check.variables = shape.variables();
     check.rows = shape.constraints();
     check.convex = shape.convex;
+    check.limits = limit_shapes(problem.model());
     check.derivatives = Checker(problem.grid()).run(check_point(problem));
     check.derivatives_agree =
         std::all_of(check.derivatives.begin(), check.derivatives.end(),

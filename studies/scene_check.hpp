@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/scene.hpp"
+#include "objectives/point_rule.hpp"
 #include "studies/solve.hpp"
 
 #include <string>
@@ -18,10 +19,17 @@ struct DerivativeError {
     double error = 0.0;
 };
 
+/// A limit of the scene as the optimizer sees it.
+struct LimitShape {
+    std::string key;  ///< "limits.pressure_angle_deg"
+    Curvature curvature = Curvature::general;
+};
+
 struct SceneCheck {
     BackendChoice choice;
     int variables = 0, rows = 0;  ///< of the first grid
     bool convex = false;
+    std::vector<LimitShape> limits;  ///< each once, with the worst of its parts, in the scene's order
     std::vector<DerivativeError> derivatives;
     bool derivatives_agree = false;
     std::vector<std::string> redundant;       ///< conditions that follow from others
