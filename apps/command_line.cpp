@@ -28,6 +28,7 @@ const char* examples =
     "  camopt solve scene.toml --set spline.segments=24 --set limits.velocity=1.7\n"
     "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
     "  camopt check scene.toml                      is the scene right? No solve\n"
+    "  camopt compare scene.toml                    every classical law beside the optimum\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "\n"
@@ -38,6 +39,7 @@ constexpr int least_points = 16, most_points = 1'000'000;
 
 struct Words {
     SolveRequest solve;
+    CompareRequest compare;
     CheckRequest check;
     ListRequest list;
     TableRequest table;
@@ -68,6 +70,18 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
         ->type_name("NAME");
     add_settings(command, request.settings);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
+    return command;
+}
+
+CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "compare", "Every classical law on the same scene, beside its optimum: losses and broken limits");
+    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    command.add_option("--out", request.out, "Write comparison.csv, .json and .svg here")->type_name("DIR");
+    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
+        ->type_name("NAME");
+    add_settings(command, request.settings);
+    command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
     return command;
 }
 
@@ -143,6 +157,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     program.require_subcommand(1);
     Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
+    const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
@@ -157,6 +172,11 @@ ExitCode parse_and_run(int count, const char* const* words) {
         find_scene(parsed.solve.scene, parsed.solve.settings);
         parsed.solve.command = joined(count, words);
         return solve_command(parsed.solve);
+    }
+    if (compare.parsed()) {
+        find_scene(parsed.compare.scene, parsed.compare.settings);
+        parsed.compare.command = joined(count, words);
+        return compare_command(parsed.compare);
     }
     if (check.parsed()) {
         find_scene(parsed.check.scene, parsed.check.settings);

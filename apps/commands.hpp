@@ -23,6 +23,16 @@ struct SolveRequest {
 };
 [[nodiscard]] ExitCode solve_command(const SolveRequest& request);
 
+struct CompareRequest {
+    std::string scene;                  ///< file
+    std::string out;                    ///< folder; empty: nothing is written
+    std::string solver;                 ///< replaces solver.name; empty: the scene's
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    bool json = false;
+    std::string command;  ///< the whole command line, for the record
+};
+[[nodiscard]] ExitCode compare_command(const CompareRequest& request);
+
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;

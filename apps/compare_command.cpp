@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// camopt compare: every classical law on the scene, beside its optimum.
+#include "apps/commands.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/progress.hpp"
+#include "apps/scene_loading.hpp"
+#include "output/comparison_csv.hpp"
+#include "output/comparison_json.hpp"
+#include "output/comparison_svg.hpp"
+#include "output/comparison_text.hpp"
+#include "output/result_folder.hpp"
+#include "output/text_file.hpp"
+#include "studies/comparison.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace camopt::apps {
+
+namespace {
+
+Comparison compare_with_progress(const Scene& scene) {
+    const InterruptWatch watch;
+    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
+    Comparison comparison = compare(scene, control);
+    end_progress();
+    return comparison;
+}
+
+}  // namespace
+
+ExitCode compare_command(const CompareRequest& request) {
+    std::vector<std::string> settings = request.settings;
+    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
+    const Scene scene = load_scene(request.scene, settings);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const Comparison comparison = compare_with_progress(scene);
+    const RunOrigin origin{request.scene, request.command};
+    if (!request.out.empty()) {
+        const std::filesystem::path folder = request.out;
+        write_text_file(folder / "comparison.csv", comparison_csv(comparison));
+        write_text_file(folder / "comparison.svg", comparison_svg(comparison));
+        write_text_file(folder / "comparison.json", comparison_json(comparison, origin));
+    }
+    const std::string text = request.json ? comparison_json(comparison, origin) : comparison_text(comparison);
+    std::fputs(text.c_str(), stdout);
+    return exit_code_of(comparison.optimum.certificate.verdict);
+}
+
+}  // namespace camopt::apps
