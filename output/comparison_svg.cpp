@@ -22,7 +22,7 @@ namespace camopt {
 namespace {
 
 // Layout, px.
-constexpr double bars_left = 292, bars_width = 330, bars_top = 150, row_height = 24, bar_height = 14;
+constexpr double bars_left = 292, bars_width = 330, bars_top = 170, row_height = 24, bar_height = 14;
 constexpr double bars_right = bars_left + bars_width;
 constexpr double column_width = 74, first_column = bars_right + 84, margin = 40;
 constexpr double hatch_distance = 6;
@@ -71,7 +71,10 @@ void draw_hatch(SvgCanvas& canvas, double left, double top, double width) {
 }
 
 void draw_bar(SvgCanvas& canvas, const PlotAxis& axis, const ComparisonRow& row, double middle) {
-    if (!row.misfit.empty()) return;
+    if (!row.misfit.empty()) {
+        canvas.text(axis.begin + 6, middle + 4, "left out: " + row.misfit, "remark");
+        return;
+    }
     const double top = middle - 0.5 * bar_height;
     if (!std::isfinite(row.objective)) {
         canvas.text(axis.begin + 6, middle + 4, "∞", "value faint");
@@ -95,7 +98,6 @@ std::string shortened(const std::string& words) {
 }
 
 std::string remark_of(const ComparisonRow& row) {
-    if (!row.misfit.empty()) return row.misfit;
     const std::vector<std::string> broken = broken_limits(row);
     if (broken.empty()) return {};
     const std::string more = broken.size() > 1 ? fmt::format("; {} more", broken.size() - 1) : "";
@@ -123,10 +125,12 @@ void draw_axis(SvgCanvas& canvas, const PlotAxis& axis, const Comparison& compar
         frame.horizontal_ticks.push_back({value, tick_text(value, ticks.back() / 4)});
     frame.horizontal_title = "objective";
     draw_plot_frame(canvas, frame);
+    const auto fitting = static_cast<double>(
+        std::ranges::count_if(comparison.rows, [](const ComparisonRow& row) { return row.misfit.empty(); }));
     for (const ComparisonRow& row : comparison.rows) {
         if (!row.is_optimum() || !axis.holds(row.objective)) continue;
         const double x = axis.place(row.objective);
-        canvas.line(x, bars_top, x, bottom, "optimum-line");
+        canvas.line(x, bars_top, x, bars_top + row_height * fitting, "optimum-line");
     }
 }
 
@@ -145,7 +149,7 @@ void draw_row(SvgCanvas& canvas, const ComparisonRow& row, const std::vector<Col
 }
 
 void draw_key(SvgCanvas& canvas, bool limits) {
-    const double y = 112;
+    const double y = 130;
     canvas.rectangle(margin, y - 11, 24, bar_height, "optimum-bar");
     canvas.text(margin + 31, y, "optimum", "subtitle");
     canvas.rectangle(margin + 120, y - 11, 24, bar_height, "law-bar");
@@ -172,9 +176,9 @@ std::string comparison_svg(const Comparison& comparison) {
     SvgCanvas canvas(width, bottom + 56, std::string(page_style) + std::string(plot_frame_style()), title);
     canvas.rectangle(0, 0, width, bottom + 56, "page");
     canvas.text(margin, 38, title, "title");
-    canvas.text(margin, 62, verdict_sentence(solution.certificate) + " " + comparison_sentence(comparison),
-                "subtitle");
-    canvas.text(margin, 82, "Objective = " + objective_words(comparison), "subtitle");
+    canvas.text(margin, 61, verdict_sentence(solution.certificate), "subtitle");
+    canvas.text(margin, 80, comparison_sentence(comparison), "subtitle");
+    canvas.text(margin, 99, "Objective = " + objective_words(comparison), "subtitle");
     draw_key(canvas, limits);
     const PlotAxis axis = axis_of(comparison);
     draw_axis(canvas, axis, comparison, bottom);

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/number_text.hpp"
+#include "output/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace camopt {
 namespace {
 
 constexpr int figures = 4;
+constexpr int base_decimals = 3;  // of mm
 
 bool is_exact(const LimitOutcome& outcome) {
     return outcome.reached.key.starts_with("motion.") || outcome.reached.key == "spline.end_jerk";
@@ -73,7 +75,7 @@ std::vector<std::string> broken_limits(const ComparisonRow& row) {
 std::string base_words(const ComparisonRow& row) {
     if (!row.base) return {};
     if (!row.base->radius) return "none";
-    return short_text(*row.base->radius / units::millimetre, 5);
+    return fixed_text(*row.base->radius / units::millimetre, base_decimals);
 }
 
 bool has_bases(const Comparison& comparison) {
@@ -94,8 +96,10 @@ std::string comparison_sentence(const Comparison& comparison) {
     if (!best->loss_percent)
         return fmt::format("The best law that keeps every limit: {}, objective {}.", best->title,
                            short_text(best->objective));
-    return fmt::format("The best law that keeps every limit: {}, {} against the optimum.", best->title,
-                       loss_words(*best));
+    const std::string sentence = fmt::format(
+        "The best law that keeps every limit: {}, {} against the optimum", best->title, loss_words(*best));
+    return *best->loss_percent < 0.0 ? sentence + ": the spline is coarse, more segments would pass that law."
+                                     : sentence + ".";
 }
 
 std::string objective_words(const Comparison& comparison) {
