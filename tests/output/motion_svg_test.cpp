@@ -68,6 +68,32 @@ TEST(MotionSvg, ALawWithImpulsesIsDrawnWithoutThem) {
     }
 }
 
+TEST(MotionSvg, AProgramShowsItsSegmentsAndNoLaw) {
+    Solution solution = test::program_solution();
+    solution.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
+    const std::string svg = motion_svg(solution);
+    EXPECT_TRUE(well_formed(svg));
+    EXPECT_EQ(count_of(svg, "<path"), 4);                      // no reference
+    EXPECT_EQ(count_of(svg, "class=\"segment\""), 4 * 3 + 1);  // three boundaries a panel, one in the legend
+    for (const char* part :
+         {">dwell<", ">spline<", "modified sine V = 1.7596", "V = 2 of the spline segments", "22.404 mm/rad",
+          "limit 2.5 by the segment", "angle of the first spline segment"})
+        EXPECT_NE(svg.find(part), std::string::npos) << part;
+}
+
+TEST(MotionSvg, ALimitInTimeHoldsForTheWholeProgram) {
+    Solution solution = test::program_solution();
+    solution.scene.limits.velocity = PeakLimit{4.0, "limits.velocity_mm_s", 800.0, "mm/s"};
+    EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
+}
+
+TEST(ReferenceMotion, AProgramHasPeaksToCompareWithAndNoCurve) {
+    const ReferenceMotion reference = reference_motion(test::program_solution().scene);
+    EXPECT_EQ(reference.motion, nullptr);
+    EXPECT_EQ(reference.title, "modified sine");
+    EXPECT_NEAR(reference.peaks.acceleration.value, 5.527957070544091, 1e-12);
+}
+
 TEST(MotionSvg, NeedsACurve) {
     EXPECT_THROW((void)motion_svg(test::infeasible_solution()), InputError);
 }

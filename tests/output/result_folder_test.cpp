@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -37,6 +38,27 @@ TEST(ResultFolder, ALaterRunWithoutACurveLeavesNoOldOne) {
     write_result_folder(folder.path(), test::infeasible_solution());
     EXPECT_EQ(names_in(folder.path()),
               (std::set<std::string>{"certificate.json", "report.md", "result.json"}));
+}
+
+TEST(ResultFolder, ACamComesWithItsProfile) {
+    const test::TemporaryFolder folder;
+    const auto written = write_result_folder(folder.path(), test::cam_solution(), {}, {.points = 90});
+    EXPECT_EQ(names_in(folder.path()),
+              (std::set<std::string>{"certificate.json", "motion.csv", "motion.svg", "profile.csv",
+                                     "profile.svg", "profile_diagrams.svg", "report.md", "result.json"}));
+    EXPECT_EQ(written.back().filename(), "result.json");
+    const std::string table = read_text_file(folder.path() + "/profile.csv");
+    EXPECT_NEAR(static_cast<double>(std::count(table.begin(), table.end(), '\n')), 95.0, 6.0);
+}
+
+TEST(ResultFolder, ADrawingIsWrittenOnlyWhereItIsAskedFor) {
+    const test::TemporaryFolder folder;
+    write_result_folder(folder.path(), test::cam_solution(), {}, {.dxf = true});
+    EXPECT_TRUE(names_in(folder.path()).contains("profile.dxf"));
+    write_result_folder(folder.path(), test::cam_solution());
+    EXPECT_FALSE(names_in(folder.path()).contains("profile.dxf"));  // it would not be this cam's
+    write_result_folder(folder.path(), test::sample_solution());
+    EXPECT_EQ(names_in(folder.path()).size(), 5U);
 }
 
 TEST(ResultFolder, RefusesAFile) {

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "sample_solution.hpp"
 
+#include "core/units.hpp"
+#include "motions/law_catalogue.hpp"
+#include "studies/solution_report.hpp"
+
+#include <memory>
 #include <numbers>
+#include <vector>
 
 namespace camopt::test {
 
 namespace {
 
-SplineCurve four_segments() {
+/// From x = begin to begin + 1.
+SplineCurve four_segments(double begin = 0.0) {
     Eigen::MatrixXd pieces(4, 4);
     const double jerk[] = {32, -32, -32, 32}, h = 0.25;
     double y = 0.0, v = 0.0, a = 0.0;
@@ -17,7 +24,7 @@ SplineCurve four_segments() {
         v += a * h + jerk[i] * h * h / 2;
         a += jerk[i] * h;
     }
-    return SplineCurve(SplineSpace::uniform(3, 2, 4, 1.0), pieces);
+    return {SplineSpace(3, 2, {begin, begin + h, begin + 2 * h, begin + 3 * h, begin + 1.0}), pieces};
 }
 
 DualityProof small_proof() {
@@ -39,6 +46,13 @@ DualityProof small_proof() {
     return proof;
 }
 
+/// The cam of the scene's dimensions on the motion the solution has.
+void add_cam(Solution& solution) {
+    solution.cam = cam_report(solution.scene, middle_cam(*solution.scene.cam), *solution.motion);
+    for (const ConstraintReport& row : cam_constraints(solution.scene, *solution.cam))
+        solution.constraints.push_back(row);
+}
+
 }  // namespace
 
 Solution sample_solution() {
@@ -53,11 +67,14 @@ Solution sample_solution() {
     scene.objective.jerk = 0.2;
     scene.limits.velocity = PeakLimit{2.5, "limits.velocity_mm_s", 500.0, "mm/s"};
     solution.curve = four_segments();
+    solution.motion = std::make_shared<MotionChain>(std::vector<ChainPart>{
+        {0.0, 1.0, std::make_shared<SplineCurve>(*solution.curve), 0.0, 1.0, 0.0, 1.0}});
     solution.peaks.velocity = {2.0, 0.5};
     solution.peaks.acceleration = {8.0, 0.25};
     solution.peaks.jerk = {32.0, 0.0};
     solution.peaks.torque = {9.0, 0.375};
     solution.peaks.rms_velocity = 1.2;
+    solution.motion_peaks = solution.peaks;
     solution.reference_peaks.velocity.value = 1.76;
     solution.reference_peaks.acceleration.value = 5.53;
     solution.certificate.verdict = Verdict::optimal;
@@ -72,8 +89,12 @@ Solution sample_solution() {
     solution.design.kind = DesignKind::ordinates;
     solution.design.names = {"y1"};
     solution.design.values = Eigen::VectorXd::Constant(1, 1.0 / 12.0);
-    solution.solver = {"structured", "the scene is convex", Termination::converged, "optimal", 12, 2,
-                       "structured"};
+    solution.solver.name = solution.solver.proof_source = "structured";
+    solution.solver.choice = "the scene is convex";
+    solution.solver.termination = Termination::converged;
+    solution.solver.native_status = "optimal";
+    solution.solver.iterations = 12;
+    solution.solver.exchange_rounds = 2;
     solution.evaluations.cost = 18;
     solution.seconds_total = 0.004;
     solution.seconds_solve = 0.003;
@@ -81,10 +102,88 @@ Solution sample_solution() {
     return solution;
 }
 
+Solution cam_solution() {
+    Solution solution = sample_solution();
+    Scene& scene = solution.scene;
+    scene.title = "Four segments on a cam";
+    scene.cam = CamSpec{};
+    (*scene.cam)[DimensionIndex::base_radius] = 30 * units::millimetre;
+    (*scene.cam)[DimensionIndex::roller_radius] = 10 * units::millimetre;
+    scene.limits.pressure_angle =
+        WrittenLimit{30 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
+    scene.forces = ForceSpec{};
+    scene.forces->mass = 2.0;
+    scene.forces->spring_rate = 1e4;
+    scene.forces->preload = 60.0;
+    scene.forces->contact_width = 8 * units::millimetre;
+    add_cam(solution);
+    return solution;
+}
+
+Solution undercut_solution() {
+    Solution solution = cam_solution();
+    (*solution.scene.cam)[DimensionIndex::base_radius] = 5 * units::millimetre;
+    (*solution.scene.cam)[DimensionIndex::roller_radius] = 30 * units::millimetre;
+    solution.constraints.pop_back();
+    add_cam(solution);
+    return solution;
+}
+
+Solution program_solution() {
+    Solution solution = sample_solution();
+    MotionSpec& motion = solution.scene.motion;
+    motion.type = MotionType::program;
+    motion.segments = {{SegmentKind::dwell, 60 * units::degree, {}, {}},
+                       {SegmentKind::spline, 90 * units::degree, {}, 1.0},
+                       {SegmentKind::dwell, 165 * units::degree, {}, {}},
+                       {SegmentKind::law, 45 * units::degree, "modified_sine", 0.0}};
+    const double up = 2.0 / 3.0, top = up + 1.0, down = 3.5, end = 4.0;
+    const SplineCurve curve = four_segments(up);
+    solution.curve.reset();
+    solution.motion = std::make_shared<MotionChain>(
+        std::vector<ChainPart>{{0.0, up, nullptr, 0.0, 1.0, 0.0, 1.0},
+                               {up, top, std::make_shared<SplineCurve>(curve), 0.0, 1.0, 0.0, 1.0},
+                               {top, down, nullptr, 0.0, 1.0, 1.0, 1.0},
+                               {down, end, make_law("modified_sine"), down, 0.5, 1.0, -1.0}});
+    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque})
+        (solution.peaks.*peak).at += up;
+    solution.motion_peaks = solution.peaks;
+    solution.motion_peaks.velocity = {2 * 1.7596, 3.75};
+    solution.segments = {{SegmentKind::dwell, {}, 0.0, up, 0.0, 0.0, {}, {}, 2},
+                         {SegmentKind::spline, {}, up, top, 0.0, 1.0, solution.peaks, curve, 2},
+                         {SegmentKind::dwell, {}, top, down, 1.0, 1.0, {}, {}, 2},
+                         {SegmentKind::law, "modified_sine", down, end, 1.0, 0.0, {}, {}, 2}};
+    solution.any_curve_limit.reset();
+    return solution;
+}
+
+Solution infeasible_cam_solution() {
+    Solution solution = cam_solution();
+    solution.curve.reset();
+    solution.motion.reset();
+    solution.cam.reset();
+    solution.peaks = solution.motion_peaks = {};
+    solution.certificate = {};
+    solution.certificate.verdict = Verdict::infeasible;
+    solution.constraints.clear();
+    solution.design = {};
+    solution.conflict = {{"limits.pressure_angle_deg", 0.26, 0.4},
+                         {"limits.cam_radius_min_mm", 0.9, 0.25},
+                         {"limits.pressure_angle_deg", 0.31, 0.2},
+                         {"limits.pressure_angle_deg", 0.5, 0.15}};
+    solution.relaxation = {{"cam.base_radius_mm", 30.0, 31.41234},
+                           {"motion.rise_deg", 60.0, 68.15},
+                           {"limits.pressure_angle_deg", 30.0, 33.1},
+                           {"limits.cam_radius_min_mm", 4.0, 2.50009},
+                           {"cam.roller_radius_mm", 10.0, std::nullopt}};
+    return solution;
+}
+
 Solution infeasible_solution() {
     Solution solution = sample_solution();
     solution.curve.reset();
-    solution.peaks = {};
+    solution.motion.reset();
+    solution.peaks = solution.motion_peaks = {};
     solution.certificate = {};
     solution.certificate.verdict = Verdict::infeasible;
     solution.constraints.clear();
