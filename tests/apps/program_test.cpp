@@ -103,7 +103,7 @@ TEST(Program, RefusesAWrongCommandLine) {
                    "it is a file, not a folder");
 }
 
-TEST(Program, RefusesWhatThisVersionDoesNotHave) {
+TEST(Program, RefusesAnIncompleteCamOrProgram) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path() + "/scene.toml";
     const std::string rest = "[spline]\nsegments = 8\n[objective]\nvelocity = 1\n";
@@ -127,8 +127,17 @@ TEST(Program, ListsWhatItKnows) {
     ASSERT_NE(sine, laws.end());
     EXPECT_NEAR((*sine)["acceleration"].get<double>(), 5.527957070544091, 1e-12);
     EXPECT_EQ(json::parse(run_camopt("list solvers --json").output)[0]["name"], "structured");
-    EXPECT_EQ(json::parse(run_camopt("list followers --json").output), json::array());
-    EXPECT_NE(run_camopt("list followers").output.find("No follower is available"), std::string::npos);
+}
+
+TEST(Program, ListsTheFollowersWithTheirDimensions) {
+    const json followers = json::parse(run_camopt("list followers --json").output);
+    ASSERT_EQ(followers.size(), 5U);
+    EXPECT_EQ(followers[3]["key"], "oscillating_roller");
+    EXPECT_EQ(followers[3]["lift"], "lift_deg");
+    EXPECT_EQ(followers[3]["dimensions"],
+              (json{"base_radius_mm", "roller_radius_mm", "center_distance_mm", "arm_length_mm"}));
+    EXPECT_NE(run_camopt("list followers").output.find("translating_flat     lift_mm   a flat face"),
+              std::string::npos);
 }
 
 TEST(Program, SaysItsVersionAndHelps) {
