@@ -176,7 +176,7 @@ std::string comparison_svg(const Comparison& comparison) {
     SvgCanvas canvas(width, bottom + 56, std::string(page_style) + std::string(plot_frame_style()), title);
     canvas.rectangle(0, 0, width, bottom + 56, "page");
     canvas.text(margin, 38, title, "title");
-    canvas.text(margin, 61, verdict_sentence(solution.certificate), "subtitle");
+    canvas.text(margin, 61, verdict_sentence(solution), "subtitle");
     canvas.text(margin, 80, comparison_sentence(comparison), "subtitle");
     canvas.text(margin, 99, "Objective = " + objective_words(comparison), "subtitle");
     draw_key(canvas, limits);

@@ -56,9 +56,8 @@ std::string comparison_text(const Comparison& comparison) {
     const Solution& solution = comparison.optimum;
     std::string text;
     if (!solution.scene.title.empty()) text += solution.scene.title + "\n";
-    text += verdict_sentence(solution.certificate) + "\n";
-    for (const Relaxation& row : solution.relaxation)
-        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    text += verdict_sentence(solution) + "\n";
+    if (!solution.motion) text += "What each limit would have to give: camopt solve.\n";
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     text += wrapped_text(comparison_sentence(comparison), "", line_width);
     text += "\n" + aligned_text(table_of(comparison));

@@ -7,7 +7,7 @@
 #include "studies/law_motion.hpp"
 #include "studies/scene_limits.hpp"
 #include "studies/solution_report.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve_without_explaining.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
 
 Comparison compare(const Scene& scene, const SolveControl& control) {
     Comparison comparison;
-    comparison.optimum = solve(scene, control);
+    comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
     if (scene.cam) comparison.cam = solution.cam ? solution.cam->cam : middle_cam(*scene.cam);
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));

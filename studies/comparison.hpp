@@ -40,7 +40,8 @@ struct Comparison {
                                       ///< that do not fit come last
 };
 
-/// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum.
+/// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum; its relaxation
+/// is not looked for.
 [[nodiscard]] Comparison compare(const Scene& scene, const SolveControl& control = {});
 
 }  // namespace camopt

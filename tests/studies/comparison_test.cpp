@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 #include "motions/law_catalogue.hpp"
 #include "scenes_for_tests.hpp"
+#include "studies/law_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,6 +163,53 @@ TEST(Comparison, TheBaseRadiusOfTheAxialRollerIsThatOfADenseComputation) {
     EXPECT_GT(seen, 15);
     // The optimum needs no more than it has, and here all of it: the limit is active.
     EXPECT_NEAR(*row_of(comparison, "").base->radius, 30e-3, 1e-7);
+}
+
+TEST(Comparison, TheBaseRadiusOfTheFlatFaceIsThatOfADenseComputation) {
+    Scene scene = scene_of(MotionType::rr, 24);
+    scene.motion.lift = 10e-3;
+    scene.motion.rise = 1.3;
+    scene.motion.return_angle = 1.1;  // breakpoints of the mirrored laws are rounded
+    scene.cam.emplace();
+    scene.cam->follower = FollowerType::translating_flat;
+    (*scene.cam)[DimensionIndex::base_radius] = 80e-3;
+    scene.limits.cam_radius_min = WrittenLimit{5e-3, "limits.cam_radius_min_mm", units::millimetre, "mm"};
+    const Comparison comparison = compare(scene);
+    for (const LawInfo& info : law_catalogue()) {
+        const std::unique_ptr<Law> law = make_law(info.key);
+        double base = 0.0;  // max of 5 mm − s − s'', every piece of the law with its own two ends
+        const std::vector<double> points = law->breakpoints();
+        for (const double angle : {1.3, 1.1}) {
+            for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+                for (int k = 0; k <= 20000; ++k) {
+                    const double x = points[piece] + (points[piece + 1] - points[piece]) * k / 20000;
+                    const MotionPoint point =
+                        law->at(k == 20000 ? points[piece + 1] : x, k == 20000 ? Side::left : Side::right);
+                    base = std::max(
+                        base, 5e-3 - 10e-3 * (point.derivative[0] + point.derivative[2] / (angle * angle)));
+                }
+            }
+        }
+        const ComparisonRow& row = row_of(comparison, info.key);
+        ASSERT_TRUE(row.base && row.base->radius) << info.key;
+        EXPECT_NEAR(*row.base->radius, base, 1e-9) << info.key;
+    }
+}
+
+TEST(LawMotion, OneSideOfAJumpStaysOnItsSide) {
+    MotionSpec motion;
+    motion.type = MotionType::rr;
+    motion.rise = 1.3;
+    for (const double back : {0.37, 0.7, 1.1, 1.9}) {
+        motion.return_angle = back;
+        const LawMotion placed = law_motion(strokes_of(motion), false, make_law("parabolic"));
+        const double ratio = motion.length() - 1.0, half = placed.motion->breakpoints()[3];
+        EXPECT_NEAR(half, 1.0 + 0.5 * ratio, 1e-15);
+        EXPECT_NEAR(placed.motion->at(half, Side::left).derivative[2], -4.0 / (ratio * ratio), 1e-10);
+        EXPECT_NEAR(placed.motion->at(half, Side::right).derivative[2], 4.0 / (ratio * ratio), 1e-10);
+        EXPECT_EQ(placed.motion->breakpoints().back(), motion.length());
+        EXPECT_NEAR(placed.peaks.acceleration.value, 4.0 / std::min(1.0, ratio * ratio), 1e-10);
+    }
 }
 
 TEST(Comparison, NoBaseRadiusHelpsAgainstALimitThatKnowsNone) {
