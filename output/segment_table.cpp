@@ -45,8 +45,8 @@ TextTable segment_table(const Solution& solution) {
     const double lift = scale.by_angle.factor[0];
     TextTable table;
     table.columns = {{"segment", true},
-                     {"from deg"},
-                     {"to deg"},
+                     {"start deg"},
+                     {"end deg"},
                      {"angle deg"},
                      {fmt::format("from {}", scale.by_angle.unit[0])},
                      {fmt::format("to {}", scale.by_angle.unit[0])},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // result.json of scenes with a cam, of programs, and of scenes that have no motion.
 #include "output/result_json.hpp"
+#include "output/text_file.hpp"
 #include "sample_solution.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,21 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const Solution& solution) {
     return Json::parse(result_json(solution));
+}
+
+void expect_documented(const Json& json, const std::string& manual) {
+    for (const auto& [key, value] : json.items()) {
+        EXPECT_TRUE(json.is_array() || manual.find(key) != std::string::npos) << key;
+        if (value.is_structured()) expect_documented(value, manual);
+    }
+}
+
+TEST(ResultJson, EveryKeyIsInTheManual) {
+    const std::string manual = read_text_file(std::string(CAMOPT_SOURCE_DIR) + "/docs/results.md");
+    Solution cam = test::cam_solution();
+    cam.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.25};
+    for (const Solution& solution : {cam, test::program_solution(), test::infeasible_cam_solution()})
+        expect_documented(json_of(solution), manual);
 }
 
 TEST(ResultJsonCam, ASceneWithoutOneSaysSo) {
