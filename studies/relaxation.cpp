@@ -4,12 +4,15 @@
 #include "objectives/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/elastic.hpp"
+#include "solvers/structured/structured_solver.hpp"
 #include "studies/adjustment.hpp"
 #include "studies/solve_without_explaining.hpp"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <memory>
 
 namespace camopt {
 
@@ -19,6 +22,7 @@ namespace {
 constexpr double value_accuracy = 1e-8;
 constexpr int most_doublings = 24;
 constexpr int most_root_steps = 60;
+constexpr int most_rounds = 40;
 
 struct LimitedPeak {
     std::optional<PeakLimit> LimitSpec::*limit;
@@ -44,31 +48,74 @@ Scene without_limit(const Scene& scene, const LimitedPeak& one) {
     return relaxed;
 }
 
-/// The least common violation over all motions (and dimensions) of a scene; <= 0: it is feasible. Infinite
-/// where the cam cannot be built. For limits that are not convex it is what one search found.
-double least_violation(const Scene& scene, const SolveControl& control) {
-    if (find_fault(scene)) return infinity;
-    CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+/// Seconds left for the whole explanation, and the user's wish to stop.
+class Budget {
+ public:
+    Budget(double seconds, const SolveControl& control) : seconds_(seconds), control_(control) {}
+    [[nodiscard]] double left() const {
+        return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count();
+    }
+    [[nodiscard]] bool spent() const { return control_.stopped() || left() <= 0.0; }
+    [[nodiscard]] const SolveControl& control() const { return control_; }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin_ = Clock::now();
+    double seconds_;
+    const SolveControl& control_;
+};
+
+/// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is
+/// a bound from below and a judged motion's one from above. The value is whichever of the two decided.
+double least_violation(const CamModel& model, double tolerance, const Budget& budget) {
+    CamProblem problem(model);
     const Candidate start = judged(problem, problem.start());
     if (start.violation <= 0.0) return start.violation;
-    ExchangeOptions options;
-    options.tolerance = options.backend.tolerance = scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    const Feasibility found = find_feasible(problem, options, control);
-    return found.point.x.size() > 0 ? found.point.violation : infinity;
+    ElasticProblem elastic(problem);
+    const std::unique_ptr<Solver> solver = make_structured_solver();
+    Eigen::VectorXd x = elastic.start();
+    double violation = start.violation;
+    for (int round = 0; round < most_rounds && !budget.spent(); ++round) {
+        BackendOptions options;
+        options.tolerance = tolerance;
+        options.max_seconds = budget.left();
+        const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
+        if (result.x.size() == 0 || !result.x.allFinite()) break;
+        const double on_grid = result.x[result.x.size() - 1];
+        if (on_grid > tolerance) return on_grid;
+        const Candidate found = judged(problem, result.x.head(result.x.size() - 1));
+        violation = std::min(violation, found.violation);
+        if (violation <= 0.0) return violation;
+        std::vector<Violation> worst = elastic.violations(result.x, 0.0);
+        if (worst.empty() || elastic.refine(worst) == 0) break;
+        x = elastic.completed(result.x);
+    }
+    return violation <= tolerance ? 0.0 : violation;
+}
+
+/// <= 0: the scene is feasible. Infinite where the cam cannot be built. The limits that are linear or convex
+/// come first: they are quick, and may settle it. For the others it is what one search found.
+double least_violation(const Scene& scene, const Budget& budget) {
+    if (find_fault(scene)) return infinity;
+    const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    const CamModel convex = convex_part(model, ConvexOver::every_motion);
+    const double tolerance = scene.solver.tolerance;
+    const double necessary = least_violation(convex, tolerance, budget);
+    if (necessary > 0.0 || convex.rules.size() == model.rules.size()) return necessary;
+    return least_violation(model, tolerance, budget);
 }
 
 class ValueSearch {
  public:
-    ValueSearch(const Adjustment& adjustment, const SolveControl& control)
-        : adjustment_(adjustment), control_(control) {}
+    ValueSearch(const Adjustment& adjustment, const Budget& budget)
+        : adjustment_(adjustment), budget_(budget) {}
 
     /// The nearest feasible value in one direction, ±1.
     [[nodiscard]] std::optional<double> nearest(int direction) const {
         double inside = adjustment_.given;  // of the infeasible part
         double violation = violation_at(inside);
         double step = adjustment_.step;
-        for (int k = 0; k < most_doublings && !control_.stopped(); ++k, step *= 2.0) {
+        for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
             const double end = direction > 0 ? adjustment_.most : adjustment_.least;
             double next = adjustment_.given + direction * step;
             const bool last = direction > 0 ? next >= end : next <= end;
@@ -84,17 +131,17 @@ class ValueSearch {
 
  private:
     const Adjustment& adjustment_;
-    const SolveControl& control_;
+    const Budget& budget_;
 
     [[nodiscard]] double violation_at(double value) const {
-        return least_violation(adjustment_.with(value), control_);
+        return least_violation(adjustment_.with(value), budget_);
     }
 
     /// The boundary between an infeasible and a feasible value, from the feasible side.
     [[nodiscard]] double between(double outside, double violation, double inside, double slack) const {
         const double accuracy = value_accuracy * std::max(std::abs(inside), adjustment_.step);
         for (int k = 0; k < most_root_steps && std::abs(inside - outside) > accuracy; ++k) {
-            if (control_.stopped()) break;
+            if (budget_.spent()) break;
             double value = 0.5 * (inside + outside);
             // A slack of zero stands for all slack (a start that already keeps everything has its own).
             const bool usable = std::isfinite(violation) && slack < 0.0 && k % 3 != 2;
@@ -114,8 +161,8 @@ class ValueSearch {
     }
 };
 
-std::optional<double> needed_value(const Adjustment& adjustment, const SolveControl& control) {
-    const ValueSearch search(adjustment, control);
+std::optional<double> needed_value(const Adjustment& adjustment, const Budget& budget) {
+    const ValueSearch search(adjustment, budget);
     std::optional<double> nearest;
     for (const int direction : {1, -1}) {
         if (!(direction > 0 ? adjustment.may_grow : adjustment.may_shrink)) continue;
@@ -142,9 +189,11 @@ std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& cont
         found.push_back(std::move(relaxation));
     }
     if (!scene.cam) return found;
+    const Budget budget(scene.solver.max_seconds, control);
     for (const Adjustment& adjustment : adjustments(scene)) {
-        if (control.stopped()) break;
-        found.push_back({adjustment.key, adjustment.given, needed_value(adjustment, control)});
+        const std::optional<double> needed = needed_value(adjustment, budget);
+        if (budget.spent()) break;  // what was not searched to its end must not pass for "nothing helps"
+        found.push_back({adjustment.key, adjustment.given, needed});
     }
     return found;
 }

@@ -4,7 +4,8 @@
 //
 // Found by solving. A cap on a peak: the peak is minimized under the other limits. Everything else: the least
 // common violation t(v) of the scene with the value v is brought to zero, first by steps that double, then by
-// regula falsi; v is taken from the feasible side.
+// regula falsi; v is taken from the feasible side. All of it together gets solver.max_seconds; a change whose
+// search does not end in time is left out.
 #pragma once
 
 #include "studies/solution.hpp"

@@ -61,31 +61,45 @@ TEST(PressureAngle, EveryBackendFindsTheSame) {
         const Solution own = solve(scene);
         scene.solver.name = "structured";
         EXPECT_NEAR(own.certificate.objective, solve(scene).certificate.objective, 1e-6) << backend;
-        EXPECT_EQ(own.certificate.verdict, Verdict::optimal) << backend;
+        // SLSQP ends a little above the optimum: its own last digits decide between optimal and local.
+        EXPECT_LE(*own.certificate.gap, 1e-6) << backend;
     }
 }
 
-TEST(SmallestCam, TheBaseRadiusTendsToTheSplinesLeastOne) {
-    constexpr double any_motion = 24.0813;
+constexpr double any_motion_mm = 24.0813;  // h / (exp(β tan φ) − 1), MATH.md §8
+
+Scene smallest_cam_scene(int segments, double weight) {
+    Scene scene = pressure_angle_scene(0, segments);
+    (*scene.cam)[base_radius] = Dimension(1e-3, 60e-3);
+    scene.objective.dimensions[0] = weight;
+    return scene;
+}
+
+TEST(SmallestCam, WithGrowingWeightTheCamShrinksTowardsTheLeast) {
+    double last = 1e9;
+    for (const double weight : {0.3, 3.0, 30.0, 300.0, 3000.0}) {
+        const Solution solution = solve(smallest_cam_scene(24, weight));
+        ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << weight;
+        const double found = prime_radius_mm(solution);
+        EXPECT_LT(found, last);
+        EXPECT_GT(found, 27.00587);
+        ASSERT_TRUE(solution.cam->smallest);
+        EXPECT_NEAR(1e3 * solution.cam->smallest->prime_radius, any_motion_mm, 5e-5);
+        last = found;
+    }
+    EXPECT_NEAR(last, 27.00587, 0.02);
+}
+
+TEST(SmallestCam, ForItselfAloneItIsTheSplinesLeast) {
     for (const auto& [segments, least] :
          {std::pair{24, 27.00587}, {48, 25.4783}, {96, 24.7645}, {192, 24.4192}}) {
-        double last = 1e9;
-        for (const double weight : {0.3, 3.0, 30.0, 3000.0}) {
-            if (segments > 24 && weight < 3000.0) continue;
-            Scene scene = pressure_angle_scene(0, segments);
-            (*scene.cam)[base_radius] = Dimension(1e-3, 60e-3);
-            scene.objective.dimensions[0] = weight;
-            const Solution solution = solve(scene);
-            ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << segments << ' ' << weight;
-            const double found = prime_radius_mm(solution);
-            EXPECT_LE(found, last + 1e-7);
-            EXPECT_GE(found, least - 1e-3);
-            EXPECT_GT(found, any_motion);
-            ASSERT_TRUE(solution.cam->smallest);
-            EXPECT_NEAR(1e3 * solution.cam->smallest->prime_radius, any_motion, 5e-5);
-            last = found;
-        }
-        EXPECT_NEAR(last, least, 2e-3 * least) << segments;
+        Scene scene = smallest_cam_scene(segments, 1.0);
+        scene.objective.velocity = scene.objective.acceleration = scene.objective.jerk = 0.0;
+        const Solution solution = solve(scene);
+        ASSERT_TRUE(solution.motion);
+        EXPECT_LE(*solution.certificate.gap, 1e-6);
+        EXPECT_NEAR(prime_radius_mm(solution), least, 5e-5 * least / 24.0) << segments;
+        EXPECT_GT(prime_radius_mm(solution), any_motion_mm);
     }
 }
 

@@ -45,8 +45,12 @@ Scene random_scene(unsigned seed) {
     (*scene.cam)[offset] = prime * uniform(random, -0.15, 0.25);
     scene.cam->rotation = random() % 2 == 0 ? Rotation::counterclockwise : Rotation::clockwise;
     scene.limits.pressure_angle = degrees(uniform(random, 28.0, 45.0), "limits.pressure_angle_deg");
+    const Solution free = solve(scene);
+    if (!free.motion) return scene;
+    // A radius that the cam without this limit does not keep.
+    const double radius = std::max(free.cam->summary.convex_radius.value, 0.02 * prime);
     scene.limits.cam_radius_min =
-        millimetres(1e3 * prime * uniform(random, 0.15, 0.45), "limits.cam_radius_min_mm");
+        millimetres(1e3 * radius * uniform(random, 1.02, 1.35), "limits.cam_radius_min_mm");
     return scene;
 }
 
@@ -70,7 +74,7 @@ double worst_violation(const Scene& scene, const Motion& motion) {
         worst = std::max(worst, angle / scene.limits.pressure_angle->value - 1.0);
         const double w = std::hypot(y, v);
         const double curvature = (y * y + v * (2.0 * (v + e) - e) - y * a) / (w * w * w);
-        if (curvature <= 0.0) continue;
+        if (curvature <= 0.0 || !scene.limits.cam_radius_min) continue;
         const double radius = 1.0 / curvature - roller;
         worst = std::max(worst, 1.0 - radius / scene.limits.cam_radius_min->value);
     }
