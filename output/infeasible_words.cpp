@@ -80,6 +80,23 @@ std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
     return fmt::format("the {} limit {}", limit.words, places);
 }
 
+/// The law that is the motion at x; empty where a spline or a dwell is.
+std::string law_at(const MotionSpec& motion, double x) {
+    double end = 0.0;
+    for (const ProgramSegment& segment : motion.segments) {
+        end += segment.angle / motion.unit_angle();
+        if (x < end) return segment.kind == SegmentKind::law ? words_of(segment.law) : "";
+    }
+    return {};
+}
+
+std::string alone_sentence(const OneLimit& limit, const std::string& words, const MotionSpec& motion) {
+    const std::string law = law_at(motion, limit.rows.front().at);
+    if (law.empty()) return words + " cannot be kept by any motion that makes the lift in its angle.";
+    return fmt::format("{} cannot be kept: the motion there is the law {}, whatever the splines do.", words,
+                       law);
+}
+
 }  // namespace
 
 std::string conflict_sentence(const Solution& solution) {
@@ -88,7 +105,7 @@ std::string conflict_sentence(const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     std::string first = text_of(limits.front(), motion);
     first.front() = 'T';
-    if (limits.size() == 1) return first + " cannot be kept by any motion that makes the lift in its angle.";
+    if (limits.size() == 1) return alone_sentence(limits.front(), first, motion);
     std::string others;
     for (std::size_t i = 1; i < limits.size(); ++i)
         others += (i > 1 ? " and " : "") + text_of(limits[i], motion);

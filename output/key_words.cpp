@@ -43,6 +43,10 @@ KeyWords key_words(std::string_view key) {
     found.limit = key.starts_with("limits.");
     if (const std::size_t table = key.find('.'); table != std::string_view::npos)
         key.remove_prefix(table + 1);
+    const std::string_view end_of_range = key.ends_with(".max")   ? "largest "
+                                          : key.ends_with(".min") ? "least "
+                                                                  : "";
+    if (!end_of_range.empty()) key.remove_suffix(std::string_view(".max").size());
     const std::size_t remark = key.find(' ');  // "cam_radius_min_mm (face turns back)"
     const std::string_view behind = remark == std::string_view::npos ? "" : key.substr(remark);
     key = key.substr(0, remark);
@@ -54,7 +58,7 @@ KeyWords key_words(std::string_view key) {
     }
     for (const std::string_view bound : bounds)
         if (key.ends_with(bound)) key.remove_suffix(bound.size());
-    found.words = words_of(key) + std::string(behind);
+    found.words = fmt::format("{}{}{}", end_of_range, words_of(key), behind);
     return found;
 }
 

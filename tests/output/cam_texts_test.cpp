@@ -39,6 +39,8 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(key_words("limits.contact_moment_min_nm").unit, "N m");
     EXPECT_EQ(key_words("limits.velocity").unit, "");
     EXPECT_FALSE(key_words("cam.base_radius_mm").limit);
+    EXPECT_EQ(key_words("cam.base_radius_mm.max").words, "largest base radius");
+    EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
 }
 
 TEST(KeyWords, AChangeIsSaidOnTheSideThatStillDoes) {
@@ -172,6 +174,16 @@ TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
     EXPECT_EQ(conflict_sentence(alone),
               "The pressure angle limit at 23.4 deg cannot be kept by any motion that makes the lift in its "
               "angle.");
+}
+
+TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
+    Solution solution = test::program_solution();
+    solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
+    EXPECT_EQ(conflict_sentence(solution),
+              "The velocity limit at 338 deg cannot be kept: the motion there is the law modified sine, "
+              "whatever the splines do.");
+    solution.conflict.front().at = 1.0;
+    EXPECT_TRUE(says(conflict_sentence(solution), "by any motion that makes the lift"));
 }
 
 TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
