@@ -61,7 +61,9 @@ std::vector<Column> columns_of(const Comparison& comparison) {
 /// 45 degree lines inside a bar.
 void draw_hatch(SvgCanvas& canvas, double left, double top, double width) {
     std::string path;
-    for (double foot = left - bar_height + hatch_distance; foot < left + width; foot += hatch_distance) {
+    const int lines = static_cast<int>((width + bar_height) / hatch_distance);
+    for (int k = 1; k <= lines; ++k) {
+        const double foot = left - bar_height + k * hatch_distance;
         const double from = std::max(foot, left), to = std::min(foot + bar_height, left + width);
         if (to <= from) continue;
         path += fmt::format("M{} {}L{} {}", svg_number(from), svg_number(top + bar_height - (from - foot)),

@@ -68,6 +68,7 @@ std::vector<std::string> broken_limits(const ComparisonRow& row) {
     }
     std::ranges::stable_sort(broken, {}, &std::pair<double, std::string>::first);
     std::vector<std::string> words;
+    words.reserve(broken.size());
     for (auto& [weight, text] : broken) words.push_back(std::move(text));
     return words;
 }
