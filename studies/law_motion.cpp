@@ -16,8 +16,10 @@ namespace camopt {
 
 namespace {
 
-// A jump of y'' below this part of its peak is rounding, not an impulse.
+// A jump of y'' below this part of the motion's peak is rounding, not an impulse.
 constexpr double smallest_jump = 1e-9;
+// In lifts: a stroke that the optimizer has chosen to be shorter stands still.
+constexpr double smallest_rise = 1e-7;
 
 double width_of(const Stroke& stroke) {
     return stroke.end - stroke.begin;
@@ -29,7 +31,8 @@ double rise_of(const Stroke& stroke) {
 
 /// Whether two neighbouring strokes of the law turn from one into the other without a rest.
 bool turns(const Stroke& before, const Stroke& after) {
-    return before.kind == SegmentKind::spline && after.kind == SegmentKind::spline &&
+    const bool both_move = std::min(std::abs(rise_of(before)), std::abs(rise_of(after))) > smallest_rise;
+    return both_move && before.kind == SegmentKind::spline && after.kind == SegmentKind::spline &&
            rise_of(before) * rise_of(after) < 0.0;
 }
 
@@ -74,23 +77,35 @@ MotionChain chain_of(std::span<const Stroke> strokes, const std::vector<std::sha
     return MotionChain(std::move(parts));
 }
 
-/// Peaks of the law from inside, stretched to `width` of x and `rise` lifts and placed at the stroke.
-Peaks stretched(Peaks peaks, const Stroke& stroke, double rise, double width) {
-    const std::array<std::pair<Extremum Peaks::*, double>, 4> factors = {
-        {{&Peaks::velocity, rise / width},
-         {&Peaks::acceleration, rise / std::pow(width, 2)},
-         {&Peaks::jerk, rise / std::pow(width, 3)},
-         {&Peaks::torque, rise * rise / std::pow(width, 3)}}};
-    for (const auto& [member, factor] : factors) {
+/// x of a place of the law on its stroke.
+double placed_at(const Stroke& stroke, double own) {
+    return stroke.mirrored ? stroke.end - width_of(stroke) * own : stroke.begin + width_of(stroke) * own;
+}
+
+/// All peaks by size / width^order.
+Peaks scaled(Peaks peaks, double size, double width) {
+    peaks.velocity.value *= size / width;
+    peaks.acceleration.value *= size / std::pow(width, 2);
+    peaks.jerk.value *= size / std::pow(width, 3);
+    peaks.torque.value *= size * size / std::pow(width, 3);
+    peaks.rms_velocity *= size / width;
+    peaks.rms_acceleration *= size / std::pow(width, 2);
+    peaks.rms_jerk *= size / std::pow(width, 3);
+    return peaks;
+}
+
+Peaks normalised(const Peaks& peaks, const StretchScale& scale) {
+    return scaled(peaks, 1.0 / scale.displacement, 1.0 / scale.angle);
+}
+
+/// Peaks of a law placed on its stroke.
+Peaks stretched(const Peaks& law, const Stroke& stroke, double rise, double width) {
+    Peaks peaks = scaled(law, rise, width);
+    for (const auto member : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
         Extremum& peak = peaks.*member;
-        peak.value *= factor;
+        peak.at = placed_at(stroke, peak.at);
         if (stroke.mirrored) peak.side = peak.side == Side::left ? Side::right : Side::left;
-        peak.at = stroke.mirrored ? stroke.end - width_of(stroke) * peak.at
-                                  : stroke.begin + width_of(stroke) * peak.at;
     }
-    peaks.rms_velocity *= rise / width;
-    peaks.rms_acceleration *= rise / std::pow(width, 2);
-    peaks.rms_jerk *= rise / std::pow(width, 3);
     return peaks;
 }
 
@@ -108,51 +123,54 @@ double acceleration_beyond(const MotionChain& motion, double x, bool closed, Sid
     return motion.at(side == Side::left ? motion.end() : motion.begin(), side).derivative[2];
 }
 
-/// The first place of a stroke, its ends included, where y'' jumps.
-std::optional<double> impulse_of(const Stroke& stroke, const Law& law, const MotionChain& motion,
-                                 bool closed) {
-    const double size = std::abs(rise_of(stroke)) / std::pow(width_of(stroke), 2) *
-                        find_peaks_without_impulses(law).acceleration.value;
-    const auto jump = [&](double left, double right) {
-        return std::abs(left - right) > smallest_jump * size;
-    };
+/// The first place of a stroke, its ends included, where y'' jumps by more than `least`.
+std::optional<double> impulse_of(const Stroke& stroke, const Law& law, const MotionChain& motion, bool closed,
+                                 double least) {
+    const auto jump = [&](double left, double right) { return std::abs(left - right) > least; };
+    const auto inside = [&](double x, Side side) { return motion.at(x, side).derivative[2]; };
     if (jump(acceleration_beyond(motion, stroke.begin, closed, Side::left),
-             motion.at(stroke.begin, Side::right).derivative[2])) {
+             inside(stroke.begin, Side::right)))
         return stroke.begin;
-    }
     std::vector<double> points = law.breakpoints();
-    for (const double point : points) {
-        const double x =
-            stroke.mirrored ? stroke.end - width_of(stroke) * point : stroke.begin + width_of(stroke) * point;
-        const bool inside = point > law.begin() && point < law.end();
-        if (inside && jump(motion.at(x, Side::left).derivative[2], motion.at(x, Side::right).derivative[2]))
-            return x;
+    if (stroke.mirrored) std::ranges::reverse(points);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const double x = placed_at(stroke, points[i]);
+        if (jump(inside(x, Side::left), inside(x, Side::right))) return x;
     }
-    if (jump(motion.at(stroke.end, Side::left).derivative[2],
-             acceleration_beyond(motion, stroke.end, closed, Side::right))) {
+    if (jump(inside(stroke.end, Side::left), acceleration_beyond(motion, stroke.end, closed, Side::right)))
         return stroke.end;
-    }
     return {};
+}
+
+/// Peaks of every stroke from inside, in lifts and units of x; none where it rests.
+std::vector<Peaks> inner_peaks(std::span<const Stroke> strokes,
+                               const std::vector<std::shared_ptr<const Law>>& laws) {
+    std::vector<Peaks> all(strokes.size());
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!laws[i]) continue;
+        all[i] = stretched(find_peaks_without_impulses(*laws[i]), strokes[i], std::abs(rise_of(strokes[i])),
+                           width_of(strokes[i]));
+    }
+    return all;
 }
 
 void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
                const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
+    std::vector<Peaks> inner = inner_peaks(strokes, laws);
+    for (const Peaks& peaks : inner) raise(result.motion_peaks, peaks);
+    const double least = smallest_jump * result.motion_peaks.acceleration.value;
     double length = 0.0;
     std::array<double, 3> squares{};
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!laws[i]) continue;
         const Stroke& stroke = strokes[i];
-        const Peaks inside = find_peaks_without_impulses(*laws[i]);
-        const double rise = std::abs(rise_of(stroke));
-        Peaks own = stretched(inside, stroke, rise / stroke.scale.displacement,
-                              width_of(stroke) / stroke.scale.angle);
-        Peaks whole = stretched(inside, stroke, rise, width_of(stroke));
-        if (const std::optional<double> x = impulse_of(stroke, *laws[i], *result.motion, closed)) {
-            own.jerk = whole.jerk = {infinity, *x, Side::right};
-            own.rms_jerk = infinity;
+        if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
+            inner[i].jerk = {infinity, *x, Side::right};
+            inner[i].rms_jerk = infinity;
+            raise(result.motion_peaks, inner[i]);
         }
-        raise(result.motion_peaks, whole);
         if (stroke.kind != SegmentKind::spline) continue;
+        const Peaks own = normalised(inner[i], stroke.scale);
         raise(result.peaks, own);
         length += width_of(stroke);
         const std::array<double, 3> rms = {own.rms_velocity, own.rms_acceleration, own.rms_jerk};

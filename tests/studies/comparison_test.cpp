@@ -305,6 +305,30 @@ TEST(Comparison, AFreeDisplacementIsTheOptimums) {
     EXPECT_NEAR(row_of(comparison, "cycloidal").motion->at(2.0).derivative[0], chosen, 1e-12);
 }
 
+TEST(Comparison, AStrokeOfAlmostNothingMakesNoImpulseAndNoTurn) {
+    Scene scene = program_scene();
+    scene.motion.segments = {{SegmentKind::dwell, 1.0, {}, {}},
+                             {SegmentKind::spline, 1.7, {}, 1.0},
+                             {SegmentKind::spline, 1.7, {}, 1.0 - 1e-11},
+                             {SegmentKind::spline, 2 * pi - 4.4, {}, 0.0}};
+    const Comparison comparison = compare(scene);
+    // The stroke's own displacement is what it is normalised by: A and J are the law's.
+    EXPECT_NEAR(row_of(comparison, "cycloidal").peaks.jerk.value, 4 * pi * pi, 1e-4);
+    EXPECT_NE(row_of(comparison, "double_harmonic").misfit, "");
+}
+
+TEST(Comparison, WithoutAnOptimumAFreeDisplacementIsUnknown) {
+    Scene scene = program_scene();
+    scene.motion.segments = {{SegmentKind::dwell, pi / 2, {}, {}},
+                             {SegmentKind::spline, pi / 2, {}, 1.0},
+                             {SegmentKind::spline, pi / 2, {}, {}},
+                             {SegmentKind::spline, pi / 2, {}, 0.0}};
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.3);
+    const Comparison comparison = compare(scene);
+    EXPECT_EQ(comparison.rows.size(), law_catalogue().size());
+    EXPECT_TRUE(row_of(comparison, "cycloidal").misfit.starts_with("the scene leaves a displacement"));
+}
+
 TEST(Comparison, WithoutAnOptimumTheLawsAreStillThere) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
