@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// cam_error_against_time FOLDER: solves every scene with a cam (cam_case.hpp) with every backend, writes
+// cam_error_against_time.csv and its picture into the folder.
+//
+// Standard output: a line for every run that ended above the best optimum by more than 1e-6, or found no
+// motion. Progress goes to stderr. Takes some minutes.
+#include "benchmarks/cam_error_against_time_csv.hpp"
+#include "benchmarks/cam_error_against_time_svg.hpp"
+#include "benchmarks/machine.hpp"
+#include "output/result_folder.hpp"
+#include "output/text_file.hpp"
+#include "solvers/registry.hpp"
+#include "studies/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace camopt::benchmarks {
+
+namespace {
+
+constexpr double agreement = 1e-6;      // relative, of objectives
+constexpr double reference_gap = 1e-8;  // a reference proved less sharply is only the best known
+constexpr double reference_tolerance = 1e-10, reference_seconds = 60.0;
+constexpr TimingPlan plan{.most_seconds = 10.0, .series_seconds = 0.5, .least_repeats = 5, .slow = 0.5};
+
+bool is_available(const std::string& backend) {
+    return std::ranges::any_of(solver_entries(),
+                               [&](const auto& entry) { return entry.name == backend && entry.available; });
+}
+
+CamMeasurement row_of(const CamCase& one, const CamBackend& backend) {
+    if (!is_available(backend.solver)) return not_measured(one, backend, "not in this build");
+    if (is_too_large(backend, one)) return not_measured(one, backend, "skipped: too many segments");
+    try {
+        return measure(one, backend, plan);
+    } catch (const std::exception& error) {
+        return not_measured(one, backend, std::string("error: ") + error.what());
+    }
+}
+
+/// What all rows of one scene are compared with: the proved optimum, else the best that anything found.
+struct Reference {
+    double objective = infinity;
+    bool proved = false;
+};
+
+Reference reference_of(const CamCase& one, std::span<const CamMeasurement> rows) {
+    Scene scene = one.scene;
+    scene.solver.name = "structured";
+    scene.solver.tolerance = reference_tolerance;
+    scene.solver.max_seconds = reference_seconds;
+    const Certificate certificate = solve(scene).certificate;
+    if (certificate.verdict == Verdict::optimal && *certificate.gap <= reference_gap)
+        return {certificate.objective, true};
+    Reference best{certificate.objective, false};
+    for (const CamMeasurement& row : rows)
+        best.objective = std::min(best.objective, row.objective.value_or(infinity));
+    return best;
+}
+
+void compare(std::span<CamMeasurement> rows, const Reference& reference) {
+    for (CamMeasurement& row : rows) {
+        row.reference = reference.objective;
+        row.reference_source = reference.proved ? "proved" : "best known";
+        if (row.objective) row.relative_error = (*row.objective - reference.objective) / reference.objective;
+    }
+}
+
+void report_progress(const CamMeasurement& row) {
+    std::fprintf(stderr, "%s n = %d, %s: %s %s\n", row.scene.c_str(), row.segments,
+                 row.backend.name().c_str(), row.termination.c_str(), row.verdict.c_str());
+}
+
+std::vector<CamMeasurement> measured_rows() {
+    std::vector<CamMeasurement> rows;
+    for (const CamCase& one : cam_cases()) {
+        const std::size_t first = rows.size();
+        for (const CamBackend& backend : cam_backends()) {
+            rows.push_back(row_of(one, backend));
+            report_progress(rows.back());
+        }
+        const std::span<CamMeasurement> own = std::span(rows).subspan(first);
+        compare(own, reference_of(one, own));
+    }
+    return rows;
+}
+
+/// Agrees with the reference, or did not run at all.
+bool is_as_it_should(const CamMeasurement& row) {
+    if (row.verdict.empty()) return !row.termination.starts_with("error");
+    return row.relative_error && *row.relative_error <= agreement;
+}
+
+void print_disagreements(std::span<const CamMeasurement> rows) {
+    int count = 0;
+    for (const CamMeasurement& row : rows) {
+        if (is_as_it_should(row)) continue;
+        ++count;
+        fmt::print(
+            "{} n = {}, {}: {}, {} {}; {} the {} optimum {:.9g}, {} s\n", row.scene, row.segments,
+            row.backend.name(), row.termination, row.verdict, row.reason,
+            row.relative_error ? fmt::format("{:.2g} above", *row.relative_error) : "no motion against",
+            row.reference_source, row.reference.value_or(infinity),
+            row.seconds_median ? fmt::format("{:.3g}", *row.seconds_median) : "-");
+    }
+    fmt::print("{} of {} rows miss the optimum by more than {:g}\n", count, rows.size(), agreement);
+}
+
+void run(const std::filesystem::path& folder) {
+    prepare_folder(folder);
+    const std::vector<CamMeasurement> rows = measured_rows();
+    write_text_file(folder / "cam_error_against_time.csv", cam_measurements_csv(rows));
+    write_text_file(folder / "cam_error_against_time.svg", cam_error_against_time_svg(rows, machine_line()));
+    print_disagreements(rows);
+}
+
+}  // namespace
+
+}  // namespace camopt::benchmarks
+
+int main(int count, char** words) {
+    if (count != 2) {
+        std::fputs("usage: cam_error_against_time FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        camopt::benchmarks::run(words[1]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cam_error_against_time: %s\n", error.what());
+        return 1;
+    }
+}
