@@ -60,6 +60,12 @@ struct ParameterRow {
     double scale = 1.0;
 };
 
+/// A displacement that every motion of the model has; at_rest: with y' = 0.
+struct KnownPoint {
+    double x = 0.0, y = 0.0;
+    bool at_rest = false;
+};
+
 struct CamModel {
     explicit CamModel(MotionFamily motions) : design(std::move(motions)) {}
 
@@ -80,6 +86,7 @@ struct CamModel {
     /// Displacements a sensible motion stays within: where rules are expected to be convex. What is proved is
     /// proved with bounds of its own.
     double least_displacement = -0.25, most_displacement = 1.25;
+    std::vector<KnownPoint> known_points;  ///< ascending, both ends among them; fewer than 2: unknown
 
     [[nodiscard]] StretchScale stretch_scale(int stretch) const {
         return stretch_scales.empty() ? StretchScale{} : stretch_scales[static_cast<std::size_t>(stretch)];

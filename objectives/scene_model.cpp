@@ -152,6 +152,26 @@ void add_program_scales(CamModel& model, const Scene& scene) {
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
 }
 
+/// Displacements given by the scene: both ends, the top of RR, joints of a program beside a dwell or a law.
+void add_known_points(CamModel& model, const Scene& scene) {
+    const auto& stretches = model.design.stretches();
+    std::vector<KnownPoint> points;
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        const AffineRow& from = stretches[s].from;
+        const AffineRow& to = stretches[s].to;
+        const bool known = from.columns.empty() && to.columns.empty() && std::isfinite(from.offset) &&
+                           std::isfinite(to.offset);
+        if (!known) return;  // one gap is enough to know nothing
+        const bool spline = stretches[s].kind == StretchRequest::Kind::spline;
+        const bool alone = stretches.size() == 1;
+        const bool dwell = stretches[s].kind == StretchRequest::Kind::dwell;
+        points.push_back({stretches[s].begin, from.offset, alone || dwell || !spline});
+        points.push_back({stretches[s].end, to.offset, alone || dwell || !spline});
+    }
+    if (scene.motion.type == MotionType::rr) points.insert(points.begin() + 1, {1.0, 1.0, true});
+    model.known_points = std::move(points);
+}
+
 /// The two rules that make parameter `index` the peak of |y^{(order)}|: in a program on each spline stretch.
 void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
     const auto add = [&](double reference, int stretch) {
@@ -245,6 +265,7 @@ void add_cam(CamModel& model, const Scene& scene) {
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference) {
     CamModel model(scene_family(scene, kind));
     add_program_scales(model, scene);
+    add_known_points(model, scene);
     add_peaks(model, scene, reference);
     add_cam(model, scene);
     return model;

@@ -208,6 +208,7 @@ Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& soluti
     solution.solver.starts = all.starts;
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
+        if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
         solution.notes.push_back(
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
             "optimum "
