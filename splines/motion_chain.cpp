@@ -70,6 +70,9 @@ MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)
 }
 
 MotionPoint MotionChain::at(double x, Side side) const {
+    // At its ends a chain has one side only, even where a part goes on beyond.
+    if (x <= begin()) side = Side::right;
+    if (x >= end()) side = Side::left;
     std::size_t index = 0;
     while (index + 1 < parts_.size() &&
            (side == Side::right ? x >= parts_[index + 1].begin : x > parts_[index + 1].begin)) {

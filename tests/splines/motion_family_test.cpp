@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Families of motions: rows, motions and energies of dwells, shapes and splines agree with each other.
+#include "splines/motion_family.hpp"
+
+#include "core/errors.hpp"
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace camopt {
+namespace {
+
+using Kind = StretchRequest::Kind;
+
+/// 3-4-5 polynomial: at rest at both ends, with a kink of y''' there.
+class Shape final : public Motion {
+ public:
+    [[nodiscard]] double begin() const override { return 0.0; }
+    [[nodiscard]] double end() const override { return 1.0; }
+    [[nodiscard]] MotionPoint at(double x, Side) const override {
+        return {x,
+                {x * x * x * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) * (1 - x),
+                 60 * x * (1 - x) * (1 - 2 * x), 60 * (1 - 6 * x + 6 * x * x)}};
+    }
+    [[nodiscard]] std::vector<double> breakpoints() const override { return {0.0, 1.0}; }
+};
+
+StretchRequest dwell(double begin, double end) {
+    return {Kind::dwell, begin, end, nullptr, {}, {}};
+}
+StretchRequest shape(double begin, double end, std::optional<double> to) {
+    return {Kind::shape, begin, end, std::make_shared<Shape>(), {}, to};
+}
+StretchRequest spline(double begin, double end, int segments, std::optional<double> to) {
+    std::vector<double> points;
+    for (int i = 0; i <= segments; ++i) points.push_back(begin + (end - begin) * i / segments);
+    return {Kind::spline, begin, end, nullptr, points, to};
+}
+
+/// Entries that meet every equality, else random.
+Eigen::VectorXd admissible(const MotionFamily& family, unsigned seed) {
+    std::mt19937 random(seed);
+    Eigen::VectorXd x(family.size());
+    for (double& value : x) value = static_cast<double>(random()) / 4294967295.0 - 0.5;
+    Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(family.equalities().size()), family.size());
+    Eigen::VectorXd right(rows.rows());
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        const AffineRow& row = family.equalities()[static_cast<std::size_t>(i)].row;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) rows(i, row.columns[k]) = row.weights[k];
+        right[i] = -row.offset;
+    }
+    if (rows.rows() == 0) return x;
+    return x + rows.completeOrthogonalDecomposition().solve(right - rows * x);
+}
+
+std::vector<FamilyRequest> requests() {
+    std::vector<FamilyRequest> all;
+    for (const int degree : {3, 5}) {
+        for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients}) {
+            FamilyRequest request{degree, degree - 1, kind, {}, true, false};
+            // A run across the end, a given displacement inside a run, a shape with a free beginning.
+            request.stretches = {spline(0, 1, 4, 1.0), spline(1, 1.7, 3, {}), shape(1.7, 2.2, 0.4),
+                                 dwell(2.2, 2.5), spline(2.5, 3.1, 4, {})};
+            all.push_back(request);
+            // A dwell at a free displacement.
+            request.stretches = {spline(0, 1, 4, {}), dwell(1, 1.5), spline(1.5, 2.5, 4, 0.0), dwell(2.5, 3)};
+            all.push_back(request);
+            request.stretches = {spline(0, 1, 4, 1.0), spline(1, 2, 4, {})};
+            all.push_back(request);
+            request.closed = false;
+            all.push_back(request);
+        }
+    }
+    return all;
+}
+
+TEST(MotionFamily, RowsAreTheMotion) {
+    for (const FamilyRequest& request : requests()) {
+        const MotionFamily family = MotionFamily::make(request);
+        const Eigen::VectorXd x = admissible(family, 7);
+        const MotionChain motion = family.motion(x);
+        for (int k = 0; k <= 400; ++k) {
+            const double at = family.begin() + (family.end() - family.begin()) * k / 400.0;
+            for (const Side side : {Side::left, Side::right}) {
+                const MotionPoint point = motion.at(at, side);
+                for (int order = 0; order < 4; ++order) {
+                    const double value = family.functional(at, order, side).value(x);
+                    EXPECT_NEAR(value, point.derivative[order], 1e-9 * std::max(1.0, std::abs(value))) << at;
+                }
+            }
+        }
+    }
+}
+
+TEST(MotionFamily, JointsAreSmoothAndGivenDisplacementsAreMet) {
+    for (const FamilyRequest& request : requests()) {
+        const MotionFamily family = MotionFamily::make(request);
+        EXPECT_TRUE(family.contradictions().empty());
+        const MotionChain motion = family.motion(admissible(family, 11));
+        for (std::size_t i = 0; i < request.stretches.size(); ++i) {
+            const StretchRequest& stretch = request.stretches[i];
+            if (stretch.to) {
+                EXPECT_NEAR(motion.at(stretch.end, Side::left).derivative[0], *stretch.to, 1e-9);
+            }
+            const bool last = i + 1 == request.stretches.size();
+            if (last && !request.closed) continue;
+            const double next = last ? family.begin() : stretch.end;
+            const bool both =
+                stretch.kind == Kind::spline && request.stretches[last ? 0 : i + 1].kind == Kind::spline;
+            for (int order = 0; order <= (both ? request.continuity : 2) && order < 4; ++order) {
+                const double left = motion.at(stretch.end, Side::left).derivative[order];
+                const double right = motion.at(next, Side::right).derivative[order];
+                EXPECT_NEAR(left, right, 1e-7 * std::max(1.0, std::abs(left))) << i << " order " << order;
+            }
+        }
+        EXPECT_NEAR(motion.at(family.begin()).derivative[0], 0.0, 1e-12);
+    }
+}
+
+TEST(MotionFamily, MeanSquaresAreIntegrals) {
+    const MotionFamily family = MotionFamily::make(requests().front());
+    const Eigen::VectorXd x = admissible(family, 13);
+    const MotionChain motion = family.motion(x);
+    const std::vector<double> weights = {2.0, 0.5, 1.0, 1.0, 3.0};
+    double integral = 0.0, length = 0.0;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (piece.segment < 0) continue;
+        constexpr int steps = 2000;
+        const double h = (piece.end - piece.begin) / steps;
+        length += piece.end - piece.begin;
+        for (int k = 0; k < steps; ++k) {
+            const double value = motion.at(piece.begin + (k + 0.5) * h).derivative[2];
+            integral += weights[static_cast<std::size_t>(piece.stretch)] * value * value * h;
+        }
+    }
+    EXPECT_NEAR(family.mean_square(2, weights).value(x), integral / length, 1e-5 * integral / length);
+}
+
+TEST(MotionFamily, RefusesDisplacementsThatContradict) {
+    FamilyRequest request;
+    request.stretches = {spline(0, 1, 4, 1.0), dwell(1, 2)};  // closed: the dwell ends at 0
+    EXPECT_THROW((void)MotionFamily::make(request), InputError);
+    request.stretches.clear();
+    EXPECT_THROW((void)MotionFamily::make(request), InputError);
+}
+
+}  // namespace
+}  // namespace camopt
