@@ -55,6 +55,12 @@ Scene variable_base(int segments) {
     return scene;
 }
 
+Scene quintic(int segments) {
+    Scene scene = pressure_angle(40, segments);
+    scene.spline.degree = 5;
+    return scene;
+}
+
 Scene variable_offset(int segments) {
     Scene scene = pressure_angle(35, segments);
     (*scene.cam)[offset] = Dimension(-8 * millimetre, 8 * millimetre);
@@ -83,7 +89,7 @@ Scene roller_radius_limit(int segments) {
     return scene;
 }
 
-/// A swinging roller: centre distance 100, arm 80, prime radius 50 mm, swing 20°.
+/// A swinging roller: centre distance 100, arm 80, prime radius 50 mm, swing 20°; without the limit 28°.
 Scene swinging_roller(int segments) {
     Scene scene = empty_scene(segments);
     scene.motion.type = MotionType::rr;
@@ -95,7 +101,7 @@ Scene swinging_roller(int segments) {
     (*scene.cam)[roller_radius] = 10 * millimetre;
     (*scene.cam)[center_distance] = 100 * millimetre;
     (*scene.cam)[arm_length] = 80 * millimetre;
-    scene.limits.pressure_angle = degrees(36);
+    scene.limits.pressure_angle = degrees(26);
     return scene;
 }
 
@@ -133,14 +139,15 @@ std::vector<CamCase> cam_cases() {
     std::vector<CamCase> cases;
     for (const int prime_radius : {40, 35, 30})
         for (const int segments : {12, 24, 48})
-            cases.push_back({fmt::format("pressure angle, {} mm", prime_radius), segments,
+            cases.push_back({fmt::format("pressure angle {} mm", prime_radius), segments,
                              pressure_angle(prime_radius, segments)});
+    add(cases, "quintic 40 mm", quintic);
     add(cases, "free base radius", variable_base);
     add(cases, "free offset", variable_offset);
-    add(cases, "flat face, free base", flat_face);
-    add(cases, "cam radius, roller", roller_radius_limit);
+    add(cases, "flat face with free base", flat_face);
+    add(cases, "cam radius of a roller", roller_radius_limit);
     add(cases, "swinging roller", swinging_roller);
-    add(cases, "two rises, dwells", two_rises);
+    add(cases, "two rises with dwells", two_rises);
     return cases;
 }
 

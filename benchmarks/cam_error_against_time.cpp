@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // cam_error_against_time FOLDER: solves every scene with a cam (cam_case.hpp) with every backend, writes
-// cam_error_against_time.csv and its picture into the folder.
+// cam_error_against_time.csv, its picture and cam_machine.txt into the folder.
 //
 // Standard output: a line for every run that ended above the best optimum by more than 1e-6, or found no
 // motion. Progress goes to stderr. Takes some minutes.
@@ -10,11 +10,12 @@
 #include "output/result_folder.hpp"
 #include "output/text_file.hpp"
 #include "solvers/registry.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -23,6 +24,7 @@ namespace camopt::benchmarks {
 
 namespace {
 
+constexpr const char* infeasible = "proved infeasible";
 constexpr double agreement = 1e-6;      // relative, of objectives
 constexpr double reference_gap = 1e-8;  // a reference proved less sharply is only the best known
 constexpr double reference_tolerance = 1e-10, reference_seconds = 60.0;
@@ -46,18 +48,27 @@ CamMeasurement row_of(const CamCase& one, const CamBackend& backend) {
 /// What all rows of one scene are compared with: the proved optimum, else the best that anything found.
 struct Reference {
     double objective = infinity;
-    bool proved = false;
+    const char* source = "best known";
 };
 
-Reference reference_of(const CamCase& one, std::span<const CamMeasurement> rows) {
+Certificate reference_certificate(const CamCase& one, const char* backend) {
     Scene scene = one.scene;
-    scene.solver.name = "structured";
+    scene.solver.name = backend;
     scene.solver.tolerance = reference_tolerance;
     scene.solver.max_seconds = reference_seconds;
-    const Certificate certificate = solve(scene).certificate;
-    if (certificate.verdict == Verdict::optimal && *certificate.gap <= reference_gap)
-        return {certificate.objective, true};
-    Reference best{certificate.objective, false};
+    return solve_without_explaining(scene, {}).certificate;
+}
+
+Reference reference_of(const CamCase& one, std::span<const CamMeasurement> rows) {
+    Reference best;
+    for (const char* backend : {"structured", "ipopt"}) {
+        if (!is_available(backend)) continue;
+        const Certificate certificate = reference_certificate(one, backend);
+        if (certificate.verdict == Verdict::infeasible) return {infinity, infeasible};
+        if (certificate.verdict == Verdict::optimal && *certificate.gap <= reference_gap)
+            return {certificate.objective, "proved"};
+        best.objective = std::min(best.objective, certificate.objective);
+    }
     for (const CamMeasurement& row : rows)
         best.objective = std::min(best.objective, row.objective.value_or(infinity));
     return best;
@@ -65,8 +76,9 @@ Reference reference_of(const CamCase& one, std::span<const CamMeasurement> rows)
 
 void compare(std::span<CamMeasurement> rows, const Reference& reference) {
     for (CamMeasurement& row : rows) {
+        row.reference_source = reference.source;
+        if (!std::isfinite(reference.objective)) continue;
         row.reference = reference.objective;
-        row.reference_source = reference.proved ? "proved" : "best known";
         if (row.objective) row.relative_error = (*row.objective - reference.objective) / reference.objective;
     }
 }
@@ -93,7 +105,15 @@ std::vector<CamMeasurement> measured_rows() {
 /// Agrees with the reference, or did not run at all.
 bool is_as_it_should(const CamMeasurement& row) {
     if (row.verdict.empty()) return !row.termination.starts_with("error");
+    if (row.reference_source == infeasible) return row.verdict == name_of(Verdict::infeasible);
     return row.relative_error && *row.relative_error <= agreement;
+}
+
+std::string distance(const CamMeasurement& row) {
+    if (!row.reference) return "the scene is " + row.reference_source;
+    if (!row.relative_error) return "no motion";
+    return fmt::format("{:.2g} above the optimum {:.9g} ({})", *row.relative_error, *row.reference,
+                       row.reference_source);
 }
 
 void print_disagreements(std::span<const CamMeasurement> rows) {
@@ -101,12 +121,9 @@ void print_disagreements(std::span<const CamMeasurement> rows) {
     for (const CamMeasurement& row : rows) {
         if (is_as_it_should(row)) continue;
         ++count;
-        fmt::print(
-            "{} n = {}, {}: {}, {} {}; {} the {} optimum {:.9g}, {} s\n", row.scene, row.segments,
-            row.backend.name(), row.termination, row.verdict, row.reason,
-            row.relative_error ? fmt::format("{:.2g} above", *row.relative_error) : "no motion against",
-            row.reference_source, row.reference.value_or(infinity),
-            row.seconds_median ? fmt::format("{:.3g}", *row.seconds_median) : "-");
+        fmt::print("{} n = {}, {}: {}, {} ({}); {}, {} s\n", row.scene, row.segments, row.backend.name(),
+                   row.termination, row.verdict, row.reason, distance(row),
+                   row.seconds_median ? fmt::format("{:.3g}", *row.seconds_median) : "-");
     }
     fmt::print("{} of {} rows miss the optimum by more than {:g}\n", count, rows.size(), agreement);
 }
@@ -116,6 +133,7 @@ void run(const std::filesystem::path& folder) {
     const std::vector<CamMeasurement> rows = measured_rows();
     write_text_file(folder / "cam_error_against_time.csv", cam_measurements_csv(rows));
     write_text_file(folder / "cam_error_against_time.svg", cam_error_against_time_svg(rows, machine_line()));
+    write_text_file(folder / "cam_machine.txt", machine_text());
     print_disagreements(rows);
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -30,7 +31,8 @@ const char* page_style =
     ".legend{font-size:12px;fill:#222}.mark{stroke-width:1.4;fill-opacity:.6}"
     ".s0{stroke:#7fbde6;fill:#7fbde6}.s1{stroke:#0072b2;fill:#0072b2}.s2{stroke:#003a5c;fill:#003a5c}"
     ".s3{stroke:#d55e00;fill:#d55e00}.s4{stroke:#e69f00;fill:#e69f00}.s5{stroke:#009e73;fill:#009e73}"
-    ".s6{stroke:#cc79a7;fill:#cc79a7}.s7{stroke:#7a5cc4;fill:#7a5cc4}.s8{stroke:#333;fill:#333}"
+    ".s6{stroke:#cc79a7;fill:#cc79a7}.s7{stroke:#7a5cc4;fill:#7a5cc4}.s8{stroke:#333;fill:#333}.s9{stroke:#"
+    "c0a000;fill:#c0a000}"
     ".mark.hollow{fill:none}.target{stroke:#888;stroke-width:1;stroke-dasharray:4 4}";
 
 struct Mark {
@@ -85,9 +87,14 @@ std::string counts_text(const std::vector<const CamMeasurement*>& rows) {
     const auto optimal = count([](const auto* row) { return row->verdict == "optimal"; });
     const auto not_run = count([](const auto* row) { return row->verdict.empty(); });
     const auto no_motion = count([](const auto* row) { return !row->verdict.empty() && !row->objective; });
-    const auto total = static_cast<long>(rows.size());
-    return fmt::format("{} rows: {} optimal, {} not proved, {} no motion, {} not run", total, optimal,
-                       total - optimal - not_run - no_motion, no_motion, not_run);
+    std::string text = fmt::format("{} rows: {} optimal", rows.size(), optimal);
+    const auto add = [&](long number, const char* what) {
+        if (number > 0) text += fmt::format(", {} {}", number, what);
+    };
+    add(static_cast<long>(rows.size()) - optimal - not_run - no_motion, "not proved");
+    add(no_motion, "no motion");
+    add(not_run, "not run");
+    return text;
 }
 
 struct Panel {
@@ -158,10 +165,9 @@ std::string cam_error_against_time_svg(std::span<const CamMeasurement> rows, con
                      "Scenes with a cam: error of the objective against run time");
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(36, 42, "Scenes with a cam: error of the objective against run time", "title");
-    canvas.text(
-        36, 66,
-        "Cubic splines of 12 to 48 segments, against the proved optimum or the best known. " + machine,
-        "subtitle");
+    canvas.text(36, 66,
+                "Splines of 12 to 48 segments, against the proved optimum or the best known. " + machine,
+                "subtitle");
     int place = 0;
     const auto left = [&] { return first_left + column * (place % columns); };
     const auto top = [&] { return first_top + row_height * (place / columns); };

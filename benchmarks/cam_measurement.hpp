@@ -24,7 +24,7 @@ struct CamMeasurement {
     bool convex = true;
     std::optional<double> proved_gap, objective, worst_violation;
     std::optional<double> reference, relative_error;
-    std::string reference_source;  ///< "proved" or "best known"
+    std::string reference_source;  ///< "proved", "best known" or "proved infeasible"
     std::optional<double> seconds_median, seconds_min;
     int repeats = 0, iterations = 0, rounds = 0, starts = 0;
     EvaluationCounts counts;
