@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace camopt {
 
@@ -30,6 +31,7 @@ constexpr double margin = 0.05;  // of the drawing's size, on each side
 constexpr int steps = 1440;      // a quarter of a degree
 constexpr double mark_step = 30 * degree, ghost_step = 60 * degree;
 constexpr double mark_length = 8, mark_distance = 19, mark_room = 9;  // px
+constexpr double label_width = 28, label_height = 12;                 // px
 constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree, arrow_end = 145 * degree;
 
 constexpr double undercut_ring = 14;  // px
@@ -166,14 +168,22 @@ bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
     return found;
 }
 
+/// Where marks crowd, on a sharp nose, the later labels stay away.
 void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
+    std::vector<Vector2d> labels;
     for_each_angle(shape, mark_step, [&](double theta) {
         const ProfilePoint point = shape.at(theta);
         drawing.line(point.contact, point.contact - drawing.px(mark_length) * point.normal, "mark");
         // Beside a mark that lies flat the label needs room for its width, else the mark looks like a minus.
         const double distance = mark_distance + mark_room * std::abs(point.normal.x());
-        drawing.text(point.contact - drawing.px(distance) * point.normal,
-                     fmt::format("{:.0f}°", std::abs(theta / degree)),
+        const Vector2d place = point.contact - drawing.px(distance) * point.normal;
+        const auto covers = [&](const Vector2d& other) {
+            return std::abs(other.x() - place.x()) < drawing.px(label_width) &&
+                   std::abs(other.y() - place.y()) < drawing.px(label_height);
+        };
+        if (std::ranges::any_of(labels, covers)) return;
+        labels.push_back(place);
+        drawing.text(place, fmt::format("{:.0f}°", std::abs(theta / degree)),
                      shape.closed ? "mark-label" : "mark-label bare");
     });
 }
