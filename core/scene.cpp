@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/scene.hpp"
 
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
 namespace camopt {
 
 const char* name_of(MotionType value) {
@@ -25,6 +29,12 @@ const char* name_of(SegmentKind value) {
             break;
     }
     return "spline";
+}
+
+double as_written(double value) {
+    std::array<char, 32> text{};
+    const int length = std::snprintf(text.data(), text.size(), "%.15g", value);
+    return length > 0 ? std::strtod(text.data(), nullptr) : value;
 }
 
 double MotionSpec::unit_angle() const {

@@ -93,13 +93,17 @@ struct PeakLimit {
     [[nodiscard]] bool in_time() const { return !unit.empty(); }
 };
 
+/// A number that went through a change of unit and back, to the 15 digits that survive: 30,
+/// not 29.999999999999996.
+[[nodiscard]] double as_written(double value);
+
 /// Any other hard limit, kept together with the way the user wrote it.
 struct WrittenLimit {
     double value = 0.0;       ///< SI, rad
     std::string key = {};     ///< as written, e.g. "limits.pressure_angle_deg"
     double unit_value = 1.0;  ///< SI value of one unit of the key
     std::string unit = {};    ///< "deg", "mm", "N", …; empty: dimensionless
-    [[nodiscard]] double given() const { return value / unit_value; }
+    [[nodiscard]] double given() const { return as_written(value / unit_value); }
 };
 
 struct LimitSpec {

@@ -116,6 +116,22 @@ bool pressure_is_convex(const CamVariables& cam, const PressureSide& side, doubl
     return low >= right_angle - limit && high <= 3.0 * right_angle - limit;
 }
 
+/// sign · N cos φm <= D sin φm bounds the arm's velocity whatever its angle: σψ' <= a/(l cos φm) − 1 for the
+/// upper side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
+SlopeRange pressure_slopes(const DiskCam& cam, const PressureSide& side) {
+    using enum DimensionIndex;
+    if (!is_oscillating(cam.follower) || side.at_rest) return {};
+    const bool roller = cam.follower == FollowerType::oscillating_roller;
+    const double lever = roller ? cam[arm_length] : std::abs(cam[face_offset]);
+    if (lever == 0.0) return {};
+    const double reach = cam[center_distance] / lever *
+                         (roller ? 1.0 / std::cos(side.limit.value) : std::tan(side.limit.value));
+    // With the face on the other side of the arm the sides change places.
+    const bool upper = (side.sign > 0) == (roller || cam[face_offset] > 0.0);
+    const SlopeRange turned = upper ? SlopeRange{-infinity, reach - 1.0} : SlopeRange{-reach - 1.0, infinity};
+    return direction(cam) > 0.0 ? turned : SlopeRange{-turned.most, -turned.least};
+}
+
 void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side) {
     const double length = length_of(cam->cam);
     const bool linear = pressure_is_linear(*cam);
@@ -131,6 +147,7 @@ void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side
     formula.convex = [cam, side](double least, double most) {
         return pressure_is_convex(*cam, side, least, most);
     };
+    formula.slope = pressure_slopes(cam->cam, side);
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }
 

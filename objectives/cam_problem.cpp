@@ -24,7 +24,7 @@ int degree_along(const PointRule& rule, int spline_degree) {
 
 CamProblem::CamProblem(CamModel model) : CamProblem(std::move(model), {}) {}
 
-CamProblem::CamProblem(CamModel model, std::vector<RuleSample> samples)
+CamProblem::CamProblem(CamModel model, const std::vector<RuleSample>& samples)
     : model_(std::make_shared<const CamModel>(std::move(model))), places_(model_->rules.size()) {
     projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
     start_grid();

@@ -21,7 +21,7 @@ class CamProblem final : public ContinuousProblem {
     /// curved between them, at the middles.
     explicit CamProblem(CamModel model);
     /// The same with a grid already refined for another cost over the same rules (the tie-break).
-    CamProblem(CamModel model, std::vector<RuleSample> samples);
+    CamProblem(CamModel model, const std::vector<RuleSample>& samples);
 
     [[nodiscard]] const Nlp& grid() const override { return *grid_; }
     [[nodiscard]] Eigen::VectorXd start() const override;
@@ -44,7 +44,7 @@ class CamProblem final : public ContinuousProblem {
 
  private:
     void start_grid();
-    void start_rule(int rule);
+    void start_rule(int index);
     bool add_sample(int rule, double at, Side side);
     void rebuild();
     [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const;

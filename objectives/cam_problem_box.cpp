@@ -125,8 +125,16 @@ std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     const std::vector<KnownPoint>& points = model_->known_points;
     if (points.size() < 2) return {-infinity, infinity};
     const SupportedBounds known = supported_bounds(incumbent, 0.0);
-    const auto reach = [&](const KnownPoint& from, double distance) {
-        const double by_velocity = known.sup[1] * distance;
+    SlopeRange slope{-known.sup[1], known.sup[1]};
+    for (const PlacedRule& rule : model_->rules) {
+        // Without an incumbent nothing is known to keep the limits.
+        if (!std::isfinite(incumbent) || rule.stretch >= 0) continue;
+        slope.least = std::max(slope.least, rule->slope_range().least);
+        slope.most = std::min(slope.most, rule->slope_range().most);
+    }
+    /// How far y can move away with a slope of at most `steepest`.
+    const auto reach = [&](const KnownPoint& from, double distance, double steepest) {
+        const double by_velocity = std::max(0.0, steepest) * distance;
         return from.at_rest ? std::min(by_velocity, 0.5 * known.sup[2] * distance * distance) : by_velocity;
     };
     std::array<double, 2> range = {infinity, -infinity};
@@ -136,9 +144,13 @@ std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
         for (int k = 0; k < range_samples; ++k) {
             // Over each small step both reaches are largest at its far ends.
             const double step = (to.x - from.x) / range_samples;
-            const double near = reach(from, step * (k + 1)), far = reach(to, step * (range_samples - k));
-            range[0] = std::min(range[0], std::max(from.y - near, to.y - far));
-            range[1] = std::max(range[1], std::min(from.y + near, to.y + far));
+            const double near = step * (k + 1), far = step * (range_samples - k);
+            const double floor =
+                std::max(from.y - reach(from, near, -slope.least), to.y - reach(to, far, slope.most));
+            const double ceiling =
+                std::min(from.y + reach(from, near, slope.most), to.y + reach(to, far, -slope.least));
+            range[0] = std::min(range[0], floor);
+            range[1] = std::max(range[1], ceiling);
         }
     }
     return range;

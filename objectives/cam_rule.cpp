@@ -29,6 +29,12 @@ Curvature CamRule::curvature(double least, double most) const {
     return formula_.convex && formula_.convex(least, most) ? Curvature::convex : Curvature::general;
 }
 
+SlopeRange CamRule::slope_range() const {
+    if (!parameters_.empty()) return {};
+    const double unit = cam_->scale.lift / cam_->scale.unit_angle;
+    return {formula_.slope.least / unit, formula_.slope.most / unit};
+}
+
 RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*cam_->profile_points;
     const std::size_t variables = cam_->variables.size();

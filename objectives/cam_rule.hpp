@@ -40,6 +40,7 @@ struct CamFormula {
     bool linear = false;
     double scale = 1.0;                                          ///< a value of this is a violation of 100 %
     std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
+    SlopeRange slope = {};  ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
 };
 
 class CamRule final : public PointRule {
@@ -50,6 +51,7 @@ class CamRule final : public PointRule {
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;
+    [[nodiscard]] SlopeRange slope_range() const override;
     [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return formula_.scale; }

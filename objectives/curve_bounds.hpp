@@ -16,8 +16,8 @@
 namespace camopt {
 
 struct KnownBounds {
-    std::array<double, 4> sup;  ///< bounds on |y^{(r)}|, r = 0 … 3; infinity where none
-    std::array<double, 4> rms;  ///< bounds on the root mean square, likewise
+    std::array<double, 4> sup{};  ///< bounds on |y^{(r)}|, r = 0 … 3; infinity where none
+    std::array<double, 4> rms{};  ///< bounds on the root mean square, likewise
     std::array<double, 3> begin_state{}, end_state{};
 };
 

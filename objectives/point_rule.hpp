@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/nlp.hpp"
 
 #include <Eigen/Core>
 
@@ -25,6 +26,11 @@ struct RuleValue {
 /// The shape of g over all motions whose displacements stay in a range, and all parameters in their bounds.
 enum class Curvature { linear, convex, general };
 
+/// Values of y' that a rule allows at all.
+struct SlopeRange {
+    double least = -infinity, most = infinity;
+};
+
 class PointRule {
  public:
     virtual ~PointRule() = default;
@@ -39,6 +45,8 @@ class PointRule {
         static_cast<void>(most);
         return linear() ? Curvature::linear : Curvature::general;
     }
+    /// Whatever y, for the parameters at their numbers; everything where the rule has parameters.
+    [[nodiscard]] virtual SlopeRange slope_range() const { return {}; }
     /// The highest derivative of y in the formula: where it jumps, the rule may jump.
     [[nodiscard]] virtual int highest_order() const { return 3; }
     /// A hard limit of the user's scene, as opposed to a peak variable's definition.

@@ -161,7 +161,7 @@ std::string solver_section(const Solution& solution, const RunOrigin& origin) {
             : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
                           words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
     text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
-    if (!solver.convex)
+    if (!solver.convex && solver.starts > 0)
         text += fmt::format("- The scene is not convex: searches from different starts: {}\n", solver.starts);
     if (!solver.proof_source.empty())
         text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);

@@ -28,6 +28,10 @@ const char* name_of(ProofKind value) {
     return value == ProofKind::duality ? "duality" : "none";
 }
 
+double relative_gap(double objective, double bound) {
+    return std::max(0.0, objective - bound) / std::max(1.0, std::abs(objective));
+}
+
 double recomputed_bound(const DualityProof& proof) {
     const Eigen::Index variables = proof.cost.size();
     const Eigen::Index rows = proof.multipliers.size();

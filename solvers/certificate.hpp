@@ -45,6 +45,10 @@ struct DualityProof {
 /// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
 [[nodiscard]] double recomputed_bound(const DualityProof& proof);
 
+/// (objective − bound) / max(1, |objective|). A point that uses the tolerance of its limits may lie below the
+/// bound by as much: no gap then.
+[[nodiscard]] double relative_gap(double objective, double bound);
+
 struct Certificate {
     Verdict verdict = Verdict::failed;
     std::string reason;                 ///< why it is not better: "no_feasible_point", "time_limit", …

@@ -19,10 +19,6 @@ constexpr double proof_seconds = 30.0;
 // How much further a point is pulled inside than its violation asks for.
 constexpr double pull = 1.0 + 1e-6;
 
-double gap_of(double objective, double bound) {
-    return (objective - bound) / std::max(1.0, std::abs(objective));
-}
-
 /// Keeps the better of the proof at hand and the one these multipliers give.
 void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
                const std::string& source) {
@@ -37,7 +33,7 @@ void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const
     if (!std::isfinite(proof.bound)) return;
     if (certificate.lower_bound && *certificate.lower_bound >= proof.bound) return;
     certificate.lower_bound = proof.bound;
-    certificate.gap = gap_of(certificate.objective, proof.bound);
+    certificate.gap = relative_gap(certificate.objective, proof.bound);
     certificate.proof = std::move(proof);
     certificate.proof_kind = ProofKind::duality;
     result.proof_source = source;

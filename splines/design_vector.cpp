@@ -18,6 +18,8 @@ namespace camopt {
 namespace {
 // A weight smaller than this beside the row's largest is rounding.
 constexpr double negligible = 1e-15;
+// A sum this small beside its terms is the rounding of zero.
+constexpr double cancelled = 1e-13;
 }  // namespace
 
 double AffineRow::value(const Eigen::VectorXd& x) const {
@@ -44,15 +46,23 @@ AffineRow functional_of(const LocalMap& map, double t, int order) {
     AffineRow row;
     row.columns = map.columns;
     row.weights.assign(map.columns.size(), 0.0);
+    std::vector<double> sizes(map.columns.size(), 0.0);
     double power = 1.0;
     for (Eigen::Index m = order; m < map.offset.size(); ++m) {
         double factor = power;
         for (int r = 0; r < order; ++r) factor *= static_cast<double>(m - r);
         row.offset += factor * map.offset[m];
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            row.weights[k] += factor * map.matrix(m, static_cast<Eigen::Index>(k));
+            const double term = factor * map.matrix(m, static_cast<Eigen::Index>(k));
+            row.weights[k] += term;
+            sizes[k] += std::abs(term);
         }
         power *= t;
+    }
+    // At the end of a segment the other end's entries cancel out: what is left of them is rounding, and a row
+    // of nothing else must not pass for one.
+    for (std::size_t k = 0; k < row.weights.size(); ++k) {
+        if (std::abs(row.weights[k]) <= cancelled * sizes[k]) row.weights[k] = 0.0;
     }
     return row;
 }

@@ -119,6 +119,7 @@ SplineCurve MotionFamily::run_curve(int run, const Eigen::VectorXd& x) const {
 
 MotionChain MotionFamily::motion(const Eigen::VectorXd& x) const {
     std::vector<std::shared_ptr<const Motion>> curves;
+    curves.reserve(runs_.size());
     for (int r = 0; r < runs(); ++r) curves.push_back(std::make_shared<SplineCurve>(run_curve(r, x)));
     std::vector<ChainPart> parts;
     for (const Stretch& stretch : stretches_) {

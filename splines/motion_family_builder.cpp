@@ -61,6 +61,7 @@ struct MotionFamily::Builder {
         find_levels();
         const std::vector<RunPlan> plans = plan_runs();
         std::vector<std::pair<EndState, EndState>> ends;
+        ends.reserve(plans.size());
         for (const RunPlan& plan : plans) ends.push_back(ends_of(plan));
         for (std::size_t r = 0; r < plans.size(); ++r) add_run(plans[r], ends[r]);
         family.first_joint_ = family.size_;

@@ -76,7 +76,7 @@ void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
         return;
     }
     const double turn = 360.0;
-    const double given = motion.rise / units::degree;
+    const double given = as_written(motion.rise / units::degree);
     const double rest = motion.return_angle ? *motion.return_angle / units::degree : 0.0;
     const bool doubled = motion.type == MotionType::rr && !motion.return_angle;
     Adjustment adjustment{"motion.rise_deg",
@@ -117,7 +117,7 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
     const double farthest_value = farthest * size / unit;
     if (!dimension.is_variable()) {
         Adjustment adjustment{key,
-                              dimension.low / unit,
+                              as_written(dimension.low / unit),
                               first_change * size / unit,
                               true,
                               !grows_only,
@@ -129,31 +129,25 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
         return;
     }
     Adjustment upper{key + ".max",
-                     dimension.high / unit,
+                     as_written(dimension.high / unit),
                      first_change * size / unit,
                      true,
                      false,
-                     dimension.high / unit,
+                     as_written(dimension.high / unit),
                      farthest_value,
                      {}};
     upper.with = [with](double value) { return with(true, value); };
     all.push_back(std::move(upper));
     if (grows_only) return;
-    Adjustment lower{key + ".min",
-                     dimension.low / unit,
-                     first_change * size / unit,
-                     false,
-                     true,
-                     has_sign ? -farthest_value : 0.0,
-                     dimension.low / unit,
-                     {}};
+    Adjustment lower{key + ".min", as_written(dimension.low / unit), first_change * size / unit,       false,
+                     true,         has_sign ? -farthest_value : 0.0, as_written(dimension.low / unit), {}};
     lower.with = [with](double value) { return with(false, value); };
     all.push_back(std::move(lower));
 }
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
-    const double given = *scene.cam->face_half_width / units::millimetre;
+    const double given = as_written(*scene.cam->face_half_width / units::millimetre);
     Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
                           farthest * given,         {}};
     adjustment.with = [scene](double value) {

@@ -112,8 +112,8 @@ class ValueSearch {
 
     /// The nearest feasible value in one direction, ±1.
     [[nodiscard]] std::optional<double> nearest(int direction) const {
-        double inside = adjustment_.given;  // of the infeasible part
-        double violation = violation_at(inside);
+        double outside = adjustment_.given;  // still infeasible
+        double violation = violation_at(outside);
         double step = adjustment_.step;
         for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
             const double end = direction > 0 ? adjustment_.most : adjustment_.least;
@@ -121,9 +121,9 @@ class ValueSearch {
             const bool last = direction > 0 ? next >= end : next <= end;
             if (last) next = end;
             const double there = violation_at(next);
-            if (there <= 0.0) return between(inside, violation, next, there);
+            if (there <= 0.0) return between(outside, violation, next, there);
             if (last) return {};
-            inside = next;
+            outside = next;
             violation = there;
         }
         return {};

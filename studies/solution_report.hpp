@@ -20,6 +20,6 @@ void report_conflict(Solution& solution);
 [[nodiscard]] CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion);
 
 /// Every limit of the scene on the cam, as written and as kept by that cam.
-[[nodiscard]] std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& cam);
+[[nodiscard]] std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report);
 
 }  // namespace camopt

@@ -84,7 +84,7 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         Certificate& certificate = result.certificate;
         certificate.objective = delivered.objective;
         certificate.worst_violation = delivered.violation;
-        certificate.gap = (delivered.objective - *certificate.lower_bound) / relative_to(delivered.objective);
+        certificate.gap = relative_gap(delivered.objective, *certificate.lower_bound);
         return;
     }
 }
@@ -209,10 +209,9 @@ Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& soluti
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
         if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
-        solution.notes.push_back(
+        solution.notes.emplace_back(
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
-            "optimum "
-            "of the whole");
+            "optimum of the whole");
     }
     return {std::move(all.result), std::move(all.least_violating)};
 }

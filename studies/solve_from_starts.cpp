@@ -24,10 +24,6 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-double gap_of(double objective, double bound) {
-    return (objective - bound) / std::max(1.0, std::abs(objective));
-}
-
 /// One search, and the multipliers of its last grid.
 struct Search {
     Candidate found;
@@ -195,7 +191,7 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
     Certificate& bound = relaxed.result.certificate;
     if (bound.lower_bound) {
         result.certificate.lower_bound = bound.lower_bound;
-        result.certificate.gap = gap_of(result.certificate.objective, *bound.lower_bound);
+        result.certificate.gap = relative_gap(result.certificate.objective, *bound.lower_bound);
         result.certificate.proof = std::move(bound.proof);
         result.certificate.proof_kind = bound.proof_kind;
         result.proof_source = "structured, convex relaxation";

@@ -44,6 +44,23 @@ TEST(PressureAngle, TheOptimaOfTheTableAreProved) {
     }
 }
 
+TEST(PressureAngle, QuinticSplinesAreProvedToo) {
+    for (const auto& [segments, expected] : {std::pair{12, 1.057339917}, {24, 1.028360085}}) {
+        Scene scene = pressure_angle_scene(40, segments);
+        scene.spline.degree = 5;
+        const Solution solution = solve(scene);
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << segments;
+        EXPECT_NEAR(solution.certificate.objective, expected, 1e-7) << segments;
+        // A limit far away changes nothing.
+        scene = pressure_angle_scene(1000, segments);
+        scene.spline.degree = 5;
+        const double far = solve(scene).certificate.objective;
+        scene.cam.reset();
+        scene.limits = {};
+        EXPECT_NEAR(far, solve(scene).certificate.objective, 1e-8) << segments;
+    }
+}
+
 TEST(PressureAngle, AntisymmetryCanMakeItInfeasible) {
     Scene scene = pressure_angle_scene(30);
     scene.motion.symmetric = true;
