@@ -225,8 +225,8 @@ BackendChoice choose_backend(const Scene& scene) {
         choice.solver = general ? general_solver() : "structured";
         choice.reason =
             general
-                ? "a limit of this scene is not convex: a convex relaxation gives a bound, and several "
-                  "starts search for the best motion"
+                ? "a limit of this scene is not convex: a convex relaxation settles it or gives a bound, and "
+                  "then several starts search for the best motion"
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
     }

@@ -18,6 +18,9 @@ struct Case {
     Rotation rotation;
     bool variable;  ///< every dimension is a variable
 };
+void PrintTo(const Case& which, std::ostream* stream) {
+    *stream << name_of(which.follower) << ' ' << name_of(which.rotation);
+}
 
 double uniform(std::mt19937& random, double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967295.0;

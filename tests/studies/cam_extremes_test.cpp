@@ -18,6 +18,9 @@ struct Extreme {
     const char* name;
     std::function<Scene()> scene;
 };
+void PrintTo(const Extreme& extreme, std::ostream* stream) {
+    *stream << extreme.name;
+}
 
 Scene scaled_scene(double factor) {
     Scene scene = pressure_angle_scene(40, 12);

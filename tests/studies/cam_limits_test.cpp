@@ -59,6 +59,9 @@ struct Beat {
     int sign;     ///< +1: at most, −1: at least
     double part;  ///< the limit as a part of the free figure
 };
+void PrintTo(const Beat& beat, std::ostream* stream) {
+    *stream << beat.name;
+}
 
 std::optional<WrittenLimit> written(double value, const char* key) {
     return WrittenLimit{value, key, 1.0, ""};
