@@ -76,6 +76,17 @@ struct ForceSpec {
     std::optional<double> contact_width;                   ///< m; with the moduli it gives the Hertz pressure
     double cam_modulus = 210e9, follower_modulus = 210e9;  ///< Pa
     double cam_poisson = 0.3, follower_poisson = 0.3;
+
+    /// F (or M) at cam speed ω, for s and s'' by the cam angle.
+    [[nodiscard]] double force(double speed, double s, double acceleration) const {
+        return mass * speed * speed * acceleration + spring_rate * s + preload;
+    }
+    /// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/Pa: with the width b and 1/R = 1/ρ_cam + 1/r the Hertz pressure
+    /// of the normal force N is √(N E* / (π b R)).
+    [[nodiscard]] double compliance() const {
+        return (1.0 - cam_poisson * cam_poisson) / cam_modulus +
+               (1.0 - follower_poisson * follower_poisson) / follower_modulus;
+    }
 };
 
 }  // namespace camopt

@@ -116,4 +116,22 @@ ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState
     return point;
 }
 
+double rest_position(const DiskCam& cam) {
+    using enum DimensionIndex;
+    switch (cam.follower) {
+        case FollowerType::translating_flat:
+            return cam[base_radius];
+        case FollowerType::oscillating_roller:
+            return formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
+                                                      cam[center_distance], cam[arm_length]);
+        case FollowerType::oscillating_flat:
+            return formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            break;
+    }
+    const double roller = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
+    return formulas::translating_roller_start(cam[base_radius] + roller, cam[offset]);
+}
+
 }  // namespace camopt

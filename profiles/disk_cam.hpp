@@ -53,6 +53,11 @@ struct DiskCam {
 /// The cam of a scene with each variable dimension in the middle of its range.
 [[nodiscard]] DiskCam middle_cam(const CamSpec& spec);
 
+/// What s is added to: the follower's height s0 over the cam centre (m; of the roller centre, of a flat
+/// face), or the arm's angle ψ0 (rad), where it rests on the base circle. NaN where the dimensions do not
+/// reach.
+[[nodiscard]] double rest_position(const DiskCam& cam);
+
 /// Why this cam cannot be built at all (|offset| >= prime radius, arm that cannot reach, …); empty: it can.
 /// `least`, `most`: the extremes of s.
 [[nodiscard]] std::string geometry_fault(const DiskCam& cam, double least, double most);

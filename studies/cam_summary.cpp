@@ -96,12 +96,10 @@ class Turn {
     }
 };
 
-double force_of(const ForceSpec& forces, double speed, const FollowerState& state) {
-    return forces.mass * speed * speed * state.acceleration + forces.spring_rate * state.s + forces.preload;
-}
-
 ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForceSpec& forces, double speed) {
-    const auto force = [&](const Place& place) { return force_of(forces, speed, place.state); };
+    const auto force = [&](const Place& place) {
+        return forces.force(speed, place.state.s, place.state.acceleration);
+    };
     const auto lever = [&](const Place& place) {
         return quantity(cam, place.state, Quantity::normal_lever).value;
     };
@@ -112,15 +110,12 @@ ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForceSpec
         turn.largest([&](const Place& place) { return std::abs(force(place) * place.state.velocity); });
     summary.normal_force = turn.largest([&](const Place& place) { return force(place) / lever(place); });
     if (!forces.contact_width || cam.follower == FollowerType::translating_knife) return summary;
-    const double compliance =
-        (1.0 - forces.cam_poisson * forces.cam_poisson) / forces.cam_modulus +
-        (1.0 - forces.follower_poisson * forces.follower_poisson) / forces.follower_modulus;
     summary.hertz_pressure = turn.largest([&](const Place& place) {
         const double curvature = has_roller(cam.follower)
                                      ? 1.0 / (cam[DimensionIndex::roller_radius] * place.point.regularity)
                                      : 1.0 / place.point.cam_radius;
-        const double squared =
-            force(place) / lever(place) * curvature / (compliance * std::numbers::pi * *forces.contact_width);
+        const double squared = force(place) / lever(place) * curvature /
+                               (forces.compliance() * std::numbers::pi * *forces.contact_width);
         return squared > 0.0 ? std::sqrt(squared) : 0.0;
     });
     return summary;

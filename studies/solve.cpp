@@ -8,19 +8,15 @@
 #include "solvers/continuous_solve.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/structured/structured_solver.hpp"
-#include "splines/extrema.hpp"
+#include "studies/contradiction.hpp"
 #include "studies/relaxation.hpp"
 #include "studies/solution_report.hpp"
 #include "studies/solve_from_starts.hpp"
 #include "studies/solve_without_explaining.hpp"
-
-#include <fmt/format.h>
+#include "studies/tie_break.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 
 namespace camopt {
 
@@ -30,69 +26,9 @@ using Clock = std::chrono::steady_clock;
 
 // Searches where the problem is not convex and the scene does not say how many.
 constexpr int default_starts = 8;
-// Weights of the tie-break, tried until the objective stays within the tolerance of its optimum.
-constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
-// In lifts: a control point of a motion lies within a few.
-constexpr double farthest_control_point = 1e3;
-// The tie-break must be solved more exactly than the tolerance it may spend.
-constexpr double tie_break_accuracy = 0.1;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-double relative_to(double objective) {
-    return std::max(1.0, std::abs(objective));
-}
-
-double mean_square_jerk(const CamProblem& problem, const Candidate& candidate) {
-    const CamModel& model = problem.model();
-    const QuadraticForm form = model.design.mean_square(3, model.mean_square_weights(3));
-    return form.value(problem.design_values(candidate.x));
-}
-
-ExchangeOptions exchange_options(const Scene& scene) {
-    ExchangeOptions options;
-    options.tolerance = scene.solver.tolerance;
-    options.backend.tolerance = scene.solver.tolerance;
-    options.backend.max_seconds = scene.solver.max_seconds;
-    options.backend.native = scene.solver.options;
-    return options;
-}
-
-/// Among the optima within the tolerance, the one of least mean square jerk. On a linear program a small
-/// enough weight on the energy picks exactly that one; how small is found by trying. (To demand "objective <=
-/// optimum" as a row instead leaves a feasible set without an inside, on which an interior point loses its
-/// digits.)
-void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
-               const SolveControl& control) {
-    const double objective = result.certificate.objective;
-    const double allowance = scene.solver.tolerance * relative_to(objective);
-    const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
-    ExchangeOptions options = exchange_options(scene);
-    options.backend.native.clear();
-    options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
-    for (const double weight : tie_break_weights) {
-        CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
-        const ExchangeResult smoother =
-            minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
-        if (smoother.best.x.size() == 0 || control.stopped()) return;
-        const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
-        if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
-        if (mean_square_jerk(problem, delivered) > mean_square_jerk(problem, {result.x})) return;
-        result.x = delivered.x;
-        Certificate& certificate = result.certificate;
-        certificate.objective = delivered.objective;
-        certificate.worst_violation = delivered.violation;
-        certificate.gap = relative_gap(delivered.objective, *certificate.lower_bound);
-        return;
-    }
-}
-
-bool wants_tie_break(const Scene& scene, const Certificate& certificate) {
-    // A root-mean-square term makes the optimum unique by itself.
-    return certificate.verdict == Verdict::optimal && scene.objective.tie_break == TieBreak::rms_jerk &&
-           scene.objective.rms_acceleration == 0.0 && scene.objective.rms_jerk == 0.0;
 }
 
 std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
@@ -114,64 +50,6 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
         return {};
     return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
-}
-
-std::string list_of(const ConditionConflict& conflict) {
-    return fmt::format("{}", fmt::join(conflict.others, "; "));
-}
-
-/// Weak duality for a cost of zero: the rows of a contradiction add up to 0 >= bound > 0. The box only
-/// absorbs the rounding of that sum; it leaves out no curve a cam could follow.
-DualityProof contradiction_proof(const ConditionConflict& conflict, int control_points) {
-    DualityProof proof;
-    proof.statement = "conditions";
-    proof.cost = Eigen::VectorXd::Zero(control_points);
-    proof.box = {Eigen::VectorXd::Constant(control_points, -farthest_control_point),
-                 Eigen::VectorXd::Constant(control_points, farthest_control_point)};
-    for (int j = 0; j < control_points; ++j)
-        proof.variables.push_back(fmt::format("free control point {}", j));
-    const auto rows = static_cast<Eigen::Index>(conflict.rows.size());
-    proof.matrix.resize(rows, control_points);
-    proof.lower.resize(rows);
-    proof.multipliers.resize(rows);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const ConflictRow& row = conflict.rows[static_cast<std::size_t>(i)];
-        proof.rows.push_back(row.name);
-        proof.lower[i] = -row.row.offset;
-        proof.multipliers[i] = row.multiplier;
-        for (std::size_t k = 0; k < row.row.columns.size(); ++k) {
-            entries.emplace_back(i, row.row.columns[k], row.row.weights[k]);
-        }
-    }
-    proof.upper = proof.lower;
-    proof.matrix.setFromTriplets(entries.begin(), entries.end());
-    proof.bound = recomputed_bound(proof);
-    return proof;
-}
-
-/// Conditions that no curve of this spline space can meet together: infeasible before anything is solved.
-void report_contradictions(Solution& solution, const MotionFamily& family) {
-    int run = 0;
-    while (family.run(run).contradictions().empty()) ++run;
-    const DesignVector& design = family.run(run);
-    solution.certificate.verdict = Verdict::infeasible;
-    solution.certificate.reason = "conditions_contradict";
-    solution.certificate.proof =
-        contradiction_proof(design.contradictions().front(), design.space().dimension());
-    solution.certificate.proof_kind = ProofKind::duality;
-    for (const ConditionConflict& conflict : design.contradictions()) {
-        solution.notes.push_back(
-            conflict.others.empty()
-                ? fmt::format(
-                      "degree {} with {} segments leaves too little freedom to meet the conditions at both "
-                      "ends: give the spline more segments",
-                      design.space().degree(), design.space().segments())
-                : fmt::format(
-                      "{} contradicts {}; the spline has too little freedom to meet all of them: change "
-                      "one, or give it more segments",
-                      conflict.condition, list_of(conflict)));
-    }
 }
 
 /// Who solves a problem that is not convex: Ipopt where this build has it.
