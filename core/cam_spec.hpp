@@ -19,6 +19,10 @@ enum class Rotation { counterclockwise, clockwise };
 
 [[nodiscard]] const char* name_of(FollowerType value);
 [[nodiscard]] const char* name_of(Rotation value);
+/// σ: +1 counterclockwise, −1 clockwise.
+[[nodiscard]] constexpr double sense_of(Rotation rotation) {
+    return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
+}
 /// An oscillating follower swings: its lift is an angle.
 [[nodiscard]] constexpr bool is_oscillating(FollowerType value) {
     return value == FollowerType::oscillating_roller || value == FollowerType::oscillating_flat;

@@ -2,7 +2,7 @@
 // Contact force, camshaft torque and Hertz pressure.
 #include "core/errors.hpp"
 #include "objectives/cam_limit_parts.hpp"
-#include "objectives/quantity_algebra.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ void add_forces(Rules& rules, const Scene& scene, const Shared& cam) {
                          if (roller) {
                              radius =
                                  product(radius, variable_quantity(own[DimensionIndex::roller_radius],
-                                                                   column(DimensionIndex::roller_radius)));
+                                                                   column_of(DimensionIndex::roller_radius)));
                          }
                          const QuantityValue lever = quantity(own, state, Quantity::normal_lever);
                          return shifted(

@@ -16,16 +16,6 @@ using Shared = std::shared_ptr<const CamVariables>;
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 inline constexpr double least_scale = 1e-3;
 
-/// Where a dimension stands among the variables of a QuantityValue.
-[[nodiscard]] inline int column(DimensionIndex dimension) {
-    return 3 + static_cast<int>(dimension);
-}
-
-/// σ: +1 counterclockwise, −1 clockwise.
-[[nodiscard]] inline double direction(const DiskCam& cam) {
-    return cam.rotation == Rotation::counterclockwise ? 1.0 : -1.0;
-}
-
 void add_pressure(Rules& rules, const Scene& scene, const Shared& cam);
 void add_forces(Rules& rules, const Scene& scene, const Shared& cam);
 

@@ -2,7 +2,7 @@
 #include "objectives/cam_limits.hpp"
 
 #include "objectives/cam_limit_parts.hpp"
-#include "objectives/quantity_algebra.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam) {
     const bool roller = has_roller(cam->cam.follower);
     const auto radius_of = [roller](const DiskCam& own) {
         const double radius = roller ? own[DimensionIndex::roller_radius] : 0.0;
-        return roller ? variable_quantity(radius, column(DimensionIndex::roller_radius))
+        return roller ? variable_quantity(radius, column_of(DimensionIndex::roller_radius))
                       : constant_quantity(0.0);
     };
     const double nominal = roller ? cam->cam[DimensionIndex::roller_radius] : 0.0;
@@ -80,7 +80,7 @@ void add_flat_radius(Rules& rules, const Scene& scene, const Shared& cam) {
     rules.push_back(std::make_shared<CamRule>(
         cam, CamFormula{limit->key + " (face turns back)",
                         [](const DiskCam& own, const FollowerState& state) {
-                            const double sign = direction(own);
+                            const double sign = sense_of(own.rotation);
                             return shifted(scaled(variable_quantity(state.velocity, 1), -sign),
                                            least_face_turn - 1.0);
                         },
@@ -100,7 +100,7 @@ void add_margin(Rules& rules, const Scene& scene, const Shared& cam) {
             cam, CamFormula{limit->key,
                             [base, margin = limit->value](const DiskCam& own, const FollowerState& state) {
                                 const QuantityValue own_base = variable_quantity(
-                                    own[DimensionIndex::base_radius], column(DimensionIndex::base_radius));
+                                    own[DimensionIndex::base_radius], column_of(DimensionIndex::base_radius));
                                 return sum(margin / base, own_base, -1.0 / base,
                                            quantity(own, state, Quantity::cam_radius));
                             },

@@ -3,7 +3,7 @@
 #include "core/nlp.hpp"
 #include "objectives/cam_limit_parts.hpp"
 #include "objectives/cam_limits.hpp"
-#include "objectives/quantity_algebra.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -43,12 +43,12 @@ QuantityValue linear_pressure(const DiskCam& cam, const FollowerState& state, co
     const double height = std::sin(side.limit.value) / length;
     const double velocity = side.at_rest ? 0.0 : state.velocity;
     const double start = cam[offset] == 0.0 ? cam[base_radius] + cam[roller_radius] : rest_position(cam);
-    QuantityValue value =
-        constant_quantity(slope * (velocity - direction(cam) * cam[offset]) - height * (start + state.s));
+    QuantityValue value = constant_quantity(slope * (velocity - sense_of(cam.rotation) * cam[offset]) -
+                                            height * (start + state.s));
     value.gradient[0] = -height;
     if (!side.at_rest) value.gradient[1] = slope;
-    value.gradient[column(base_radius)] = -height;
-    if (has_roller(cam.follower)) value.gradient[column(roller_radius)] = -height;
+    value.gradient[column_of(base_radius)] = -height;
+    if (has_roller(cam.follower)) value.gradient[column_of(roller_radius)] = -height;
     return value;
 }
 
@@ -96,7 +96,7 @@ SlopeRange pressure_slopes(const DiskCam& cam, const PressureSide& side) {
     // With the face on the other side of the arm the sides change places.
     const bool upper = (side.sign > 0) == (roller || cam[face_offset] > 0.0);
     const SlopeRange turned = upper ? SlopeRange{-infinity, reach - 1.0} : SlopeRange{-reach - 1.0, infinity};
-    return direction(cam) > 0.0 ? turned : SlopeRange{-turned.most, -turned.least};
+    return sense_of(cam.rotation) > 0.0 ? turned : SlopeRange{-turned.most, -turned.least};
 }
 
 void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side) {
@@ -124,7 +124,7 @@ void add_pressure(Rules& rules, const Scene& scene, const Shared& cam) {
     const PressureLimits limits = pressure_limits(scene.limits);
     if (!limits.stricter() || cam->cam.follower == FollowerType::translating_flat) return;
     // The upper side of tan φ = N/D belongs to the rise; an arm's rise turns the cam's way clockwise.
-    const bool turned = is_oscillating(cam->cam.follower) && direction(cam->cam) < 0.0;
+    const bool turned = is_oscillating(cam->cam.follower) && sense_of(cam->cam.rotation) < 0.0;
     const auto& upper = turned ? limits.back : limits.rise;
     const auto& lower = turned ? limits.rise : limits.back;
     if (upper) add_pressure_side(rules, cam, {1, *upper, false});

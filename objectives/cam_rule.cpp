@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/cam_rule.hpp"
 
+#include "profiles/quantity_algebra.hpp"
+
 #include <algorithm>
 
 namespace camopt {
@@ -21,7 +23,14 @@ DiskCam CamVariables::cam_at(const Eigen::VectorXd& parameters) const {
 
 CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
     : cam_(std::move(cam)), formula_(std::move(formula)) {
-    for (const CamVariables::Variable& variable : cam_->variables) parameters_.push_back(variable.parameter);
+    const MotionScale& scale = cam_->scale;
+    const double slope = scale.lift / scale.unit_angle;
+    slots_ = {{0, 0, scale.lift}, {1, 1, slope}, {2, 2, slope / scale.unit_angle}};
+    for (const CamVariables::Variable& variable : cam_->variables) {
+        slots_.push_back({column_of(variable.dimension), static_cast<Eigen::Index>(slots_.size()) + 1,
+                          variable.reference});
+        parameters_.push_back(variable.parameter);
+    }
 }
 
 Curvature CamRule::curvature(double least, double most) const {
@@ -45,24 +54,12 @@ RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) 
     }
     const QuantityValue physical = formula_.value(cam, state_of(point, cam_->scale));
 
-    // Position of each physical variable in (y, y', y'', y''', q), and its unit.
     const Eigen::Index size = 4 + static_cast<Eigen::Index>(variables);
-    std::vector<int> from = {0, 1, 2};
-    std::vector<Eigen::Index> place = {0, 1, 2};
-    const MotionScale& scale = cam_->scale;
-    std::vector<double> unit = {scale.lift, scale.lift / scale.unit_angle,
-                                scale.lift / (scale.unit_angle * scale.unit_angle)};
-    for (std::size_t k = 0; k < variables; ++k) {
-        from.push_back(3 + static_cast<int>(cam_->variables[k].dimension));
-        place.push_back(4 + static_cast<Eigen::Index>(k));
-        unit.push_back(cam_->variables[k].reference);
-    }
     RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    for (std::size_t a = 0; a < from.size(); ++a) {
-        rule.gradient[place[a]] = unit[a] * physical.gradient[from[a]];
-        for (std::size_t b = 0; b < from.size(); ++b) {
-            rule.hessian(place[a], place[b]) = unit[a] * unit[b] * physical.hessian(from[a], from[b]);
-        }
+    for (const Slot& a : slots_) {
+        rule.gradient[a.to] = a.unit * physical.gradient[a.from];
+        for (const Slot& b : slots_)
+            rule.hessian(a.to, b.to) = a.unit * b.unit * physical.hessian(a.from, b.from);
     }
     return rule;
 }

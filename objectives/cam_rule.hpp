@@ -61,6 +61,14 @@ class CamRule final : public PointRule {
     std::shared_ptr<const CamVariables> cam_;
     CamFormula formula_;
     std::vector<int> parameters_;
+    /// Each variable of a quantity that moves: where its partial stands there, where in the rule's variables,
+    /// and its unit.
+    struct Slot {
+        int from = 0;
+        Eigen::Index to = 0;
+        double unit = 1.0;
+    };
+    std::vector<Slot> slots_;
 };
 
 }  // namespace camopt

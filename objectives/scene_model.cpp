@@ -136,15 +136,14 @@ void add_program_scales(CamModel& model, const Scene& scene) {
     if (scene.motion.type != MotionType::program) return;
     double least = 0.0, most = 0.0;
     for (const MotionFamily::Stretch& stretch : model.design.stretches()) {
-        const auto known = [](const AffineRow& row) {
-            return row.columns.empty() && std::isfinite(row.offset);
-        };
+        const std::optional<double> from = known_displacement(stretch.from);
+        const std::optional<double> to = known_displacement(stretch.to);
         StretchScale scale{stretch.end - stretch.begin, 1.0};
-        if (known(stretch.from) && known(stretch.to)) {
-            const double displacement = std::abs(stretch.to.offset - stretch.from.offset);
+        if (from && to) {
+            const double displacement = std::abs(*to - *from);
             if (displacement > 0.0) scale.displacement = displacement;
-            least = std::min(least, stretch.to.offset);
-            most = std::max(most, stretch.to.offset);
+            least = std::min(least, *to);
+            most = std::max(most, *to);
         }
         model.stretch_scales.push_back(scale);
     }
@@ -157,16 +156,13 @@ void add_known_points(CamModel& model, const Scene& scene) {
     const auto& stretches = model.design.stretches();
     std::vector<KnownPoint> points;
     for (std::size_t s = 0; s < stretches.size(); ++s) {
-        const AffineRow& from = stretches[s].from;
-        const AffineRow& to = stretches[s].to;
-        const bool known = from.columns.empty() && to.columns.empty() && std::isfinite(from.offset) &&
-                           std::isfinite(to.offset);
-        if (!known) return;  // one gap is enough to know nothing
-        const bool spline = stretches[s].kind == StretchRequest::Kind::spline;
-        const bool alone = stretches.size() == 1;
-        const bool dwell = stretches[s].kind == StretchRequest::Kind::dwell;
-        points.push_back({stretches[s].begin, from.offset, alone || dwell || !spline});
-        points.push_back({stretches[s].end, to.offset, alone || dwell || !spline});
+        const std::optional<double> from = known_displacement(stretches[s].from);
+        const std::optional<double> to = known_displacement(stretches[s].to);
+        if (!from || !to) return;  // one gap is enough to know nothing
+        // A spline among others may pass its ends at speed; dwells and laws, DRD and RR rest there.
+        const bool rests = stretches.size() == 1 || stretches[s].kind != StretchRequest::Kind::spline;
+        points.push_back({stretches[s].begin, *from, rests});
+        points.push_back({stretches[s].end, *to, rests});
     }
     if (scene.motion.type == MotionType::rr) points.insert(points.begin() + 1, {1.0, 1.0, true});
     model.known_points = std::move(points);

@@ -5,31 +5,12 @@
 #include "output/comparison_words.hpp"
 #include "output/display_scale.hpp"
 #include "output/json_text.hpp"
+#include "output/segment_json.hpp"
 #include "output/version.hpp"
 
 namespace camopt {
 
 namespace {
-
-Json words_json(const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json extremum_json(const Extremum& extremum) {
-    return {{"value", number_json(extremum.value)}, {"at", number_json(extremum.at)}};
-}
-
-Json peaks_json(const ComparisonRow& row) {
-    if (!row.misfit.empty()) return nullptr;
-    const Peaks& peaks = row.peaks;
-    return {{"velocity", extremum_json(peaks.velocity)},
-            {"acceleration", extremum_json(peaks.acceleration)},
-            {"jerk", extremum_json(peaks.jerk)},
-            {"torque", extremum_json(peaks.torque)},
-            {"rms_velocity", number_json(peaks.rms_velocity)},
-            {"rms_acceleration", number_json(peaks.rms_acceleration)},
-            {"rms_jerk", number_json(peaks.rms_jerk)}};
-}
 
 Json limits_json(const ComparisonRow& row, double degrees_per_x) {
     Json list = Json::array();
@@ -63,7 +44,7 @@ Json row_json(const ComparisonRow& row, double degrees_per_x) {
     json["feasible"] = row.feasible;
     json["objective"] = row.misfit.empty() ? number_json(row.objective) : Json(nullptr);
     json["loss_percent"] = number_json(row.loss_percent);
-    json["peaks"] = peaks_json(row);
+    json["peaks"] = peaks_json(row.misfit.empty() ? std::optional(row.peaks) : std::nullopt);
     json["limits"] = limits_json(row, degrees_per_x);
     json["base_radius"] = base_json(row);
     return json;

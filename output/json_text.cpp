@@ -67,6 +67,14 @@ Json number_json(const std::optional<double>& value) {
     return value ? number_json(*value) : Json(nullptr);
 }
 
+Json words_json(std::string_view text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json extremum_json(const Extremum& extremum) {
+    return {{"value", number_json(extremum.value)}, {"at", number_json(extremum.at)}};
+}
+
 Json numbers_json(std::span<const double> values) {
     Json list = Json::array();
     for (const double value : values) list.push_back(number_json(value));

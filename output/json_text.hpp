@@ -3,12 +3,15 @@
 // number that is not finite. Private to output/: the JSON library stays out of the public headers.
 #pragma once
 
+#include "core/extremum.hpp"
+
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace camopt {
 
@@ -16,6 +19,9 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json number_json(double value);
 [[nodiscard]] Json number_json(const std::optional<double>& value);
+/// null for text that says nothing.
+[[nodiscard]] Json words_json(std::string_view text);
+[[nodiscard]] Json extremum_json(const Extremum& extremum);
 [[nodiscard]] Json numbers_json(std::span<const double> values);
 [[nodiscard]] Json numbers_json(const Eigen::VectorXd& values);
 

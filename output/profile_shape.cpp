@@ -30,7 +30,7 @@ double crossing(const ProfileShape& shape, double left, double right) {
 }
 
 Vector2d in_cam_frame(const DiskCam& cam, const Vector2d& fixed, double theta) {
-    const double turn = cam.rotation == Rotation::counterclockwise ? theta : -theta;
+    const double turn = sense_of(cam.rotation) * theta;
     const double c = std::cos(turn), s = std::sin(turn);
     return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
 }

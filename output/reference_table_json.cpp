@@ -9,14 +9,6 @@ namespace camopt {
 
 namespace {
 
-Json words_json(const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json extremum_json(const Extremum& extremum) {
-    return {{"value", number_json(extremum.value)}, {"at", number_json(extremum.at)}};
-}
-
 Json figures_json(const std::optional<PeakFigures>& figures, bool with_objective = true) {
     if (!figures) return nullptr;
     Json json = {{"velocity", number_json(figures->velocity)},

@@ -14,11 +14,6 @@ namespace camopt {
 
 namespace {
 
-/// null for text that says nothing.
-Json text_json(std::string_view text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
 Json bound_json(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     return {{"lower", number_json(certificate.lower_bound)},
@@ -26,7 +21,7 @@ Json bound_json(const Solution& solution) {
             {"proof", name_of(certificate.proof_kind)},
             {"any_curve_limit",
              solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr)},
-            {"source", text_json(solution.solver.proof_source)}};
+            {"source", words_json(solution.solver.proof_source)}};
 }
 
 /// The peaks in the units of the drawing, named like the columns of motion.csv.
@@ -85,8 +80,8 @@ Json solver_json(const SolverReport& solver) {
             {"termination", name_of(solver.termination)},
             {"iterations", solver.iterations},
             {"exchange_rounds", solver.exchange_rounds},
-            {"native_status", text_json(solver.native_status)},
-            {"choice", text_json(solver.choice)},
+            {"native_status", words_json(solver.native_status)},
+            {"choice", words_json(solver.choice)},
             {"convex", solver.convex},
             {"starts", solver.starts}};
 }
@@ -121,11 +116,11 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     const Certificate& certificate = solution.certificate;
     Json json;
     json["camopt"] = version();
-    json["scene"] = text_json(origin.scene_file);
-    json["title"] = text_json(solution.scene.title);
-    json["command"] = text_json(origin.command);
+    json["scene"] = words_json(origin.scene_file);
+    json["title"] = words_json(solution.scene.title);
+    json["command"] = words_json(origin.command);
     json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = text_json(certificate.reason);
+    json["reason"] = words_json(certificate.reason);
     json["objective"] = number_json(certificate.objective);
     json["bound"] = bound_json(solution);
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);

@@ -6,13 +6,7 @@
 
 namespace camopt {
 
-namespace {
-
-Json peak_json(const Extremum& peak) {
-    return {{"value", number_json(peak.value)}, {"at", number_json(peak.at)}};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Json spline_json(const std::optional<SplineCurve>& curve) {
     if (!curve) return nullptr;
@@ -25,10 +19,10 @@ Json spline_json(const std::optional<SplineCurve>& curve) {
 
 Json peaks_json(const std::optional<Peaks>& peaks) {
     if (!peaks) return nullptr;
-    return {{"velocity", peak_json(peaks->velocity)},
-            {"acceleration", peak_json(peaks->acceleration)},
-            {"jerk", peak_json(peaks->jerk)},
-            {"torque", peak_json(peaks->torque)},
+    return {{"velocity", extremum_json(peaks->velocity)},
+            {"acceleration", extremum_json(peaks->acceleration)},
+            {"jerk", extremum_json(peaks->jerk)},
+            {"torque", extremum_json(peaks->torque)},
             {"rms_velocity", number_json(peaks->rms_velocity)},
             {"rms_acceleration", number_json(peaks->rms_acceleration)},
             {"rms_jerk", number_json(peaks->rms_jerk)}};

@@ -33,7 +33,7 @@ void set_flat_values(const DiskCam& cam, double turned_radius, double turning, P
 }
 
 void set_translating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
-    const double sense = formulas::sense_of(cam.rotation);
+    const double sense = sense_of(cam.rotation);
     const double radius = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
     const double start = formulas::translating_roller_start(cam[base_radius] + radius, cam[offset]);
     const formulas::TranslatingRoller<double> roller{start + state.s, state.velocity, state.acceleration,
@@ -46,7 +46,7 @@ void set_translating_roller(const DiskCam& cam, const FollowerState& state, Prof
 
 void set_translating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
     const double height = cam[base_radius] + state.s;
-    point.contact_offset = formulas::sense_of(cam.rotation) * state.velocity;
+    point.contact_offset = sense_of(cam.rotation) * state.velocity;
     point.center = {point.contact_offset, height};
     point.normal = Vector2d::UnitY();
     set_flat_values(cam, height + state.acceleration, 1.0, point);
@@ -55,9 +55,9 @@ void set_translating_flat(const DiskCam& cam, const FollowerState& state, Profil
 void set_oscillating_roller(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
     const double start = formulas::oscillating_roller_start(cam[base_radius] + cam[roller_radius],
                                                             cam[center_distance], cam[arm_length]);
-    const formulas::OscillatingRoller<double> roller{
-        start + state.s, formulas::sense_of(cam.rotation) * state.velocity, state.acceleration,
-        cam[center_distance], cam[arm_length]};
+    const formulas::OscillatingRoller<double> roller{start + state.s, sense_of(cam.rotation) * state.velocity,
+                                                     state.acceleration, cam[center_distance],
+                                                     cam[arm_length]};
     const auto pitch = roller.pitch();
     const double c = std::cos(roller.position), s = std::sin(roller.position);
     const Vector2d arm(-c, s), swing(s, c);
@@ -69,8 +69,7 @@ void set_oscillating_roller(const DiskCam& cam, const FollowerState& state, Prof
 void set_oscillating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
     const double start =
         formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
-    const formulas::OscillatingFlat<double> flat{start + state.s,
-                                                 formulas::sense_of(cam.rotation) * state.velocity,
+    const formulas::OscillatingFlat<double> flat{start + state.s, sense_of(cam.rotation) * state.velocity,
                                                  state.acceleration, cam[center_distance], cam[face_offset]};
     const double c = std::cos(flat.position), s = std::sin(flat.position);
     const Vector2d arm(-c, s), swing(s, c);
@@ -108,7 +107,7 @@ ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState
     ProfilePoint point;
     point.theta = theta;
     set_in_fixed_frame(cam, state, point);
-    const double turn = formulas::sense_of(cam.rotation) * theta;
+    const double turn = sense_of(cam.rotation) * theta;
     point.pitch = turned_back(point.center, turn);
     point.normal = turned_back(point.normal, turn);
     point.contact = point.pitch;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "profiles/disk_cam.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
@@ -61,9 +62,6 @@ struct Expansion {
 
 /// Columns of the partials.
 inline constexpr int velocity_column = 1, acceleration_column = 2;
-[[nodiscard]] constexpr int column_of(DimensionIndex index) {
-    return 3 + static_cast<int>(index);
-}
 
 /// A variable of a formula that is a global variable or its negative.
 struct Local {

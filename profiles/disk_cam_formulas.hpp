@@ -14,11 +14,6 @@
 
 namespace camopt::formulas {
 
-/// +1 counterclockwise, -1 clockwise.
-[[nodiscard]] constexpr double sense_of(Rotation rotation) {
-    return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
-}
-
 /// The position of the follower on the base circle.
 template <class T>
 [[nodiscard]] T translating_roller_start(const T& prime_radius, const T& offset) {

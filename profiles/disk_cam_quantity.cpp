@@ -3,6 +3,7 @@
 #include "profiles/disk_cam.hpp"
 #include "profiles/disk_cam_expansion.hpp"
 #include "profiles/disk_cam_formulas.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <array>
 #include <string>
@@ -11,7 +12,7 @@ namespace camopt {
 namespace {
 
 using enum DimensionIndex;
-using expansion::acceleration_column, expansion::column_of, expansion::velocity_column;
+using expansion::acceleration_column, expansion::velocity_column;
 using expansion::Expander, expansion::Local;
 
 [[noreturn]] void refuse(FollowerType follower) {
@@ -26,48 +27,26 @@ struct Term {
 
 template <std::size_t count>
 QuantityValue linear(double value, const std::array<Term, count>& terms) {
-    QuantityValue result;
-    result.value = value;
-    result.gradient.setZero();
-    result.hessian.setZero();
+    QuantityValue result = constant_quantity(value);
     for (const Term& term : terms) result.gradient(term.column) = term.slope;
     return result;
 }
 
-QuantityValue constant(double value) {
-    return linear(value, std::array<Term, 0>{});
-}
-
 /// 1 - roller radius times curvature.
 QuantityValue roller_regularity(const QuantityValue& pitch_curvature, double radius) {
-    constexpr int column = column_of(roller_radius);
-    QuantityValue result;
-    result.value = 1.0 - radius * pitch_curvature.value;
-    result.gradient = -radius * pitch_curvature.gradient;
-    result.gradient(column) -= pitch_curvature.value;
-    result.hessian = -radius * pitch_curvature.hessian;
-    result.hessian.col(column) -= pitch_curvature.gradient;
-    result.hessian.row(column) -= pitch_curvature.gradient;
-    return result;
+    const QuantityValue roller = variable_quantity(radius, column_of(roller_radius));
+    return shifted(scaled(product(roller, pitch_curvature), -1.0), 1.0);
 }
 
-/// A radius as a share of the base radius; the partials are those of share * base = radius.
+/// A radius as a share of the base radius.
 QuantityValue flat_regularity(const QuantityValue& radius, double base) {
-    constexpr int column = column_of(base_radius);
-    QuantityValue share;
-    share.value = radius.value / base;
-    share.gradient = radius.gradient / base;
-    share.gradient(column) -= share.value / base;
-    share.hessian = radius.hessian / base;
-    share.hessian.col(column) -= share.gradient / base;
-    share.hessian.row(column) -= share.gradient / base;
-    return share;
+    return quotient(radius, variable_quantity(base, column_of(base_radius)));
 }
 
 constexpr auto curvature = [](const auto& roller) { return roller.pitch().curvature(); };
 
 QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const double sense = formulas::sense_of(cam.rotation);
+    const double sense = sense_of(cam.rotation);
     const auto expand = [&](const auto& formula) {
         const std::array<Local, 3> locals = {
             {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
@@ -82,7 +61,7 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
         case Quantity::pitch_curvature:
             return expand(curvature);
         case Quantity::regularity:
-            if (cam.follower == FollowerType::translating_knife) return constant(1.0);
+            if (cam.follower == FollowerType::translating_knife) return constant_quantity(1.0);
             return roller_regularity(expand(curvature), cam[roller_radius]);
         case Quantity::normal_lever:
             return expand([](const auto& roller) { return roller.normal_lever(); });
@@ -95,7 +74,7 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
 
 QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const auto expand = [&](const auto& formula) {
-        const std::array<Local, 4> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
+        const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
                                               {acceleration_column},
                                               {column_of(center_distance)},
                                               {column_of(arm_length)}}};
@@ -125,10 +104,10 @@ QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& s
 }
 
 QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const double sense = formulas::sense_of(cam.rotation);
+    const double sense = sense_of(cam.rotation);
     switch (which) {
         case Quantity::pressure_numerator:
-            return constant(0.0);
+            return constant_quantity(0.0);
         case Quantity::pressure_denominator:
             return linear(cam[base_radius] + state.s,
                           std::array<Term, 2>{{{0, 1.0}, {column_of(base_radius), 1.0}}});
@@ -139,7 +118,7 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
         case Quantity::contact_offset:
             return linear(sense * state.velocity, std::array<Term, 1>{{{velocity_column, sense}}});
         case Quantity::normal_lever:
-            return constant(1.0);
+            return constant_quantity(1.0);
         case Quantity::pitch_curvature:
             break;
     }
@@ -148,7 +127,7 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
 
 QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const auto expand = [&](const auto& formula) {
-        const std::array<Local, 4> locals = {{{velocity_column, formulas::sense_of(cam.rotation)},
+        const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
                                               {acceleration_column},
                                               {column_of(center_distance)},
                                               {column_of(face_offset)}}};

@@ -2,6 +2,7 @@
 // Where the follower stands on the base circle, by the dimensions.
 #include "profiles/disk_cam_expansion.hpp"
 #include "profiles/disk_cam_formulas.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 #include <array>
 #include <cstddef>
@@ -21,15 +22,6 @@ QuantityValue by_dimensions(const DiskCam& cam, const SecondOrder<count + 1>& st
     int row = 0;
     for (const DimensionIndex dimension : further) jacobian(++row, column_of(dimension)) = 1.0;
     return Expansion<count + 1>(start).substituted(jacobian);
-}
-
-QuantityValue base_itself(const DiskCam& cam) {
-    QuantityValue result;
-    result.value = cam[base_radius];
-    result.gradient.setZero();
-    result.gradient(column_of(base_radius)) = 1.0;
-    result.hessian.setZero();
-    return result;
 }
 
 QuantityValue translating_roller_start(const DiskCam& cam, double prime_radius) {
@@ -60,7 +52,7 @@ QuantityValue start_of(const DiskCam& cam) {
         case FollowerType::translating_knife:
             return translating_roller_start(cam, cam[base_radius]);
         case FollowerType::translating_flat:
-            return base_itself(cam);
+            return variable_quantity(cam[base_radius], column_of(base_radius));
         case FollowerType::oscillating_roller:
             return oscillating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
         case FollowerType::oscillating_flat:

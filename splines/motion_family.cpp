@@ -8,6 +8,11 @@
 
 namespace camopt {
 
+std::optional<double> known_displacement(const AffineRow& row) {
+    if (!row.columns.empty() || !std::isfinite(row.offset)) return {};
+    return row.offset;
+}
+
 MotionFamily::MotionFamily(DesignVector single) {
     const SplineSpace& space = single.space();
     stretches_.push_back({StretchRequest::Kind::spline,

@@ -3,11 +3,11 @@
 
 #include "motions/law_catalogue.hpp"
 #include "motions/law_peaks.hpp"
+#include "studies/peak_arithmetic.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -82,37 +82,15 @@ double placed_at(const Stroke& stroke, double own) {
     return stroke.mirrored ? stroke.end - width_of(stroke) * own : stroke.begin + width_of(stroke) * own;
 }
 
-/// All peaks by size / width^order.
-Peaks scaled(Peaks peaks, double size, double width) {
-    peaks.velocity.value *= size / width;
-    peaks.acceleration.value *= size / std::pow(width, 2);
-    peaks.jerk.value *= size / std::pow(width, 3);
-    peaks.torque.value *= size * size / std::pow(width, 3);
-    peaks.rms_velocity *= size / width;
-    peaks.rms_acceleration *= size / std::pow(width, 2);
-    peaks.rms_jerk *= size / std::pow(width, 3);
-    return peaks;
-}
-
-Peaks normalised(const Peaks& peaks, const StretchScale& scale) {
-    return scaled(peaks, 1.0 / scale.displacement, 1.0 / scale.angle);
-}
-
 /// Peaks of a law placed on its stroke.
 Peaks stretched(const Peaks& law, const Stroke& stroke, double rise, double width) {
-    Peaks peaks = scaled(law, rise, width);
+    Peaks peaks = scaled_peaks(law, rise, width);
     for (const auto member : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
         Extremum& peak = peaks.*member;
         peak.at = placed_at(stroke, peak.at);
         if (stroke.mirrored) peak.side = peak.side == Side::left ? Side::right : Side::left;
     }
     return peaks;
-}
-
-void raise(Peaks& peaks, const Peaks& other) {
-    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
-        if ((other.*peak).value > (peaks.*peak).value) peaks.*peak = other.*peak;
-    }
 }
 
 /// y'' beyond one end of a stroke: of its neighbour, at rest 0.
@@ -157,33 +135,23 @@ std::vector<Peaks> inner_peaks(std::span<const Stroke> strokes,
 void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
                const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
     std::vector<Peaks> inner = inner_peaks(strokes, laws);
-    for (const Peaks& peaks : inner) raise(result.motion_peaks, peaks);
+    for (const Peaks& peaks : inner) raise_peaks(result.motion_peaks, peaks);
     const double least = smallest_jump * result.motion_peaks.acceleration.value;
-    double length = 0.0;
-    std::array<double, 3> squares{};
+    JoinedMeans means;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!laws[i]) continue;
         const Stroke& stroke = strokes[i];
         if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
             inner[i].jerk = {infinity, *x, Side::right};
             inner[i].rms_jerk = infinity;
-            raise(result.motion_peaks, inner[i]);
+            raise_peaks(result.motion_peaks, inner[i]);
         }
         if (stroke.kind != SegmentKind::spline) continue;
-        const Peaks own = normalised(inner[i], stroke.scale);
-        raise(result.peaks, own);
-        length += width_of(stroke);
-        const std::array<double, 3> rms = {own.rms_velocity, own.rms_acceleration, own.rms_jerk};
-        for (std::size_t k = 0; k < 3; ++k) squares[k] += width_of(stroke) * rms[k] * rms[k];
+        const Peaks own = normalised_peaks(inner[i], stroke.scale);
+        raise_peaks(result.peaks, own);
+        means.add(own, width_of(stroke));
     }
-    result.peaks.rms_velocity = std::sqrt(squares[0] / length);
-    result.peaks.rms_acceleration = std::sqrt(squares[1] / length);
-    result.peaks.rms_jerk = std::sqrt(squares[2] / length);
-}
-
-std::optional<double> known(const AffineRow& row) {
-    if (!row.columns.empty() || !std::isfinite(row.offset)) return {};
-    return row.offset;
+    means.set(result.peaks);
 }
 
 }  // namespace
@@ -212,8 +180,8 @@ std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model, const 
                       written.law,
                       stretch.begin,
                       stretch.end,
-                      known(stretch.from),
-                      known(stretch.to),
+                      known_displacement(stretch.from),
+                      known_displacement(stretch.to),
                       model.stretch_scale(static_cast<int>(i)),
                       false};
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];

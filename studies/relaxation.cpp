@@ -107,13 +107,14 @@ double least_violation(const Scene& scene, const Budget& budget) {
 
 class ValueSearch {
  public:
-    ValueSearch(const Adjustment& adjustment, const Budget& budget)
-        : adjustment_(adjustment), budget_(budget) {}
+    /// given: the least violation of the scene as it is.
+    ValueSearch(const Adjustment& adjustment, double given, const Budget& budget)
+        : adjustment_(adjustment), given_(given), budget_(budget) {}
 
     /// The nearest feasible value in one direction, ±1.
     [[nodiscard]] std::optional<double> nearest(int direction) const {
         double outside = adjustment_.given;  // still infeasible
-        double violation = violation_at(outside);
+        double violation = given_;
         double step = adjustment_.step;
         for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
             const double end = direction > 0 ? adjustment_.most : adjustment_.least;
@@ -131,6 +132,7 @@ class ValueSearch {
 
  private:
     const Adjustment& adjustment_;
+    double given_;
     const Budget& budget_;
 
     [[nodiscard]] double violation_at(double value) const {
@@ -161,8 +163,8 @@ class ValueSearch {
     }
 };
 
-std::optional<double> needed_value(const Adjustment& adjustment, const Budget& budget) {
-    const ValueSearch search(adjustment, budget);
+std::optional<double> needed_value(const Adjustment& adjustment, double given, const Budget& budget) {
+    const ValueSearch search(adjustment, given, budget);
     std::optional<double> nearest;
     for (const int direction : {1, -1}) {
         if (!(direction > 0 ? adjustment.may_grow : adjustment.may_shrink)) continue;
@@ -190,8 +192,9 @@ std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& cont
     }
     if (!scene.cam) return found;
     const Budget budget(scene.solver.max_seconds, control);
+    const double given = least_violation(scene, budget);
     for (const Adjustment& adjustment : adjustments(scene)) {
-        const std::optional<double> needed = needed_value(adjustment, budget);
+        const std::optional<double> needed = needed_value(adjustment, given, budget);
         if (budget.spent()) break;  // what was not searched to its end must not pass for "nothing helps"
         found.push_back({adjustment.key, adjustment.given, needed});
     }

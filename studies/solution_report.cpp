@@ -6,10 +6,10 @@
 #include "motions/smallest_cam.hpp"
 #include "objectives/cam_limits.hpp"
 #include "splines/extrema.hpp"
+#include "studies/peak_arithmetic.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace camopt {
 
@@ -57,23 +57,10 @@ int continuity_at(const Motion& motion, double left_x, double right_x) {
     return order;
 }
 
-void raise(Peaks& peaks, const Peaks& other) {
-    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
-        if ((other.*peak).value > (peaks.*peak).value) peaks.*peak = other.*peak;
-    }
-}
-
 /// Peaks of a law that takes `width` of x and `rise` lifts, in units of the whole motion.
 Peaks peaks_of_law(const std::string& key, double begin, double width, double rise) {
-    Peaks peaks = make_law(key)->peaks();
-    const double size = std::abs(rise);
-    const std::array<std::pair<Extremum Peaks::*, double>, 4> factors = {
-        {{&Peaks::velocity, size / width},
-         {&Peaks::acceleration, size / (width * width)},
-         {&Peaks::jerk, size / (width * width * width)},
-         {&Peaks::torque, size * size / (width * width * width)}}};
-    for (const auto& [peak, factor] : factors) {
-        (peaks.*peak).value *= factor;
+    Peaks peaks = scaled_peaks(make_law(key)->peaks(), std::abs(rise), width);
+    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
         (peaks.*peak).at = begin + width * (peaks.*peak).at;
     }
     return peaks;
@@ -83,8 +70,7 @@ void report_segments(Solution& solution, const CamProblem& problem, const Eigen:
     const CamModel& model = problem.model();
     const MotionFamily& family = model.design;
     const MotionChain& motion = *solution.motion;
-    double spline_length = 0.0;
-    std::array<double, 3> squares{};
+    JoinedMeans means;
     for (int s = 0; s < static_cast<int>(family.stretches().size()); ++s) {
         const MotionFamily::Stretch& stretch = family.stretches()[s];
         const ProgramSegment& written = solution.scene.motion.segments[s];
@@ -103,24 +89,20 @@ void report_segments(Solution& solution, const CamProblem& problem, const Eigen:
                                 : continuity_at(motion, first ? motion.end() : stretch.begin, stretch.begin);
         if (written.kind == SegmentKind::spline) {
             report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
-            report.peaks = normalised_peaks(*report.curve, model.stretch_scale(s));
-            raise(solution.peaks, *report.peaks);
-            raise(solution.motion_peaks, peaks_of(*report.curve));
-            const double length = stretch.end - stretch.begin;
-            spline_length += length;
-            const std::array<double, 3> rms = {report.peaks->rms_velocity, report.peaks->rms_acceleration,
-                                               report.peaks->rms_jerk};
-            for (int k = 0; k < 3; ++k) squares[k] += length * rms[k] * rms[k];
+            const Peaks own = peaks_of(*report.curve);
+            report.peaks = normalised_peaks(own, model.stretch_scale(s));
+            raise_peaks(solution.peaks, *report.peaks);
+            raise_peaks(solution.motion_peaks, own);
+            means.add(*report.peaks, stretch.end - stretch.begin);
         }
         if (written.kind == SegmentKind::law) {
-            raise(solution.motion_peaks, peaks_of_law(written.law, report.begin, report.end - report.begin,
-                                                      report.to - report.from));
+            raise_peaks(
+                solution.motion_peaks,
+                peaks_of_law(written.law, report.begin, report.end - report.begin, report.to - report.from));
         }
         solution.segments.push_back(std::move(report));
     }
-    solution.peaks.rms_velocity = std::sqrt(squares[0] / spline_length);
-    solution.peaks.rms_acceleration = std::sqrt(squares[1] / spline_length);
-    solution.peaks.rms_jerk = std::sqrt(squares[2] / spline_length);
+    means.set(solution.peaks);
 }
 
 void report_peak_limits(Solution& solution) {
@@ -167,8 +149,8 @@ std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& 
     const bool translating =
         cam.follower == FollowerType::translating_roller || cam.follower == FollowerType::translating_knife;
     if (!limit || !translating || scene.motion.type == MotionType::program) return {};
-    const double direction = cam.rotation == Rotation::counterclockwise ? 1.0 : -1.0;
-    const CamStroke stroke{scene.motion.lift, direction * cam[DimensionIndex::offset], Stroke::rise};
+    const CamStroke stroke{scene.motion.lift, sense_of(cam.rotation) * cam[DimensionIndex::offset],
+                           Stroke::rise};
     const SmallestCam smallest = smallest_cam(stroke, scene.motion.rise, limit->value);
     return SmallestCamReport{smallest.prime_radius,
                              cam[DimensionIndex::base_radius] + cam[DimensionIndex::roller_radius],
@@ -176,19 +158,6 @@ std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& 
 }
 
 }  // namespace
-
-Peaks normalised_peaks(const SplineCurve& curve, const StretchScale& scale) {
-    Peaks peaks = peaks_of(curve);
-    const auto factor = [&](int order) { return std::pow(scale.angle, order) / scale.displacement; };
-    peaks.velocity.value *= factor(1);
-    peaks.acceleration.value *= factor(2);
-    peaks.jerk.value *= factor(3);
-    peaks.torque.value *= factor(1) * factor(2);
-    peaks.rms_velocity *= factor(1);
-    peaks.rms_acceleration *= factor(2);
-    peaks.rms_jerk *= factor(3);
-    return peaks;
-}
 
 CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
     return {cam, cam_summary(cam, motion, scene), smallest_of(scene, cam), {}};

@@ -13,9 +13,6 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
 
-/// Peaks of one stretch of a program, normalised by its own angle and displacement.
-[[nodiscard]] Peaks normalised_peaks(const SplineCurve& curve, const StretchScale& scale);
-
 /// The cam of a motion with the figures of it, and the smallest any motion would allow where that is known.
 [[nodiscard]] CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion);
 

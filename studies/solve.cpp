@@ -64,20 +64,14 @@ bool is_general(const Scene& scene) {
     return scene.cam && needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
 }
 
-struct Solved {
-    ContinuousResult result;
-    Eigen::VectorXd least_violating;
-};
-
-Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
-                     const SolveControl& control) {
+ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
+                               const SolveControl& control) {
     const Scene& scene = solution.scene;
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
     if (!needs_starts(problem.model())) {
-        Solved solved{solve_continuous(problem, solver, exchange_options(scene), judge, control), {}};
-        if (wants_tie_break(scene, solved.result.certificate))
-            break_tie(problem, scene, solved.result, control);
-        return solved;
+        ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+        if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
+        return result;
     }
     StartsResult all =
         solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
@@ -91,7 +85,7 @@ Solved solve_problem(CamProblem& problem, const Solver& solver, Solution& soluti
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
             "optimum of the whole");
     }
-    return {std::move(all.result), std::move(all.least_violating)};
+    return std::move(all.result);
 }
 
 }  // namespace
@@ -142,10 +136,9 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
         return solution;
     }
     const Clock::time_point solve_begin = Clock::now();
-    Solved solved = solve_problem(problem, solver, solution, control);
+    ContinuousResult result = solve_problem(problem, solver, solution, control);
     solution.seconds_solve = seconds_since(solve_begin);
 
-    ContinuousResult& result = solved.result;
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
     solution.solver.native_status = result.exchange.last.native_status;

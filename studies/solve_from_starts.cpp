@@ -42,13 +42,12 @@ class StartSearch {
             if (k > 0 && (control_.stopped() || left <= 0.0)) break;
             ExchangeOptions options = exchange_;
             options.backend.max_seconds = left;
-            keep(search(start_of(k, seed, relaxed), options), k);
+            keep(search(start_of(k, seed, relaxed), options));
             ++ran_;
         }
     }
 
     [[nodiscard]] const Search& best() const { return best_; }
-    [[nodiscard]] int best_start() const { return best_start_; }
     [[nodiscard]] int ran() const { return ran_; }
     [[nodiscard]] const ExchangeResult& totals() const { return totals_; }
     [[nodiscard]] const CamProblem& problem() const { return problem_; }
@@ -62,7 +61,7 @@ class StartSearch {
     Clock::time_point begin_ = Clock::now();
     Search best_;
     ExchangeResult totals_;
-    int best_start_ = 0, ran_ = 0;
+    int ran_ = 0;
 
     [[nodiscard]] Eigen::VectorXd start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const {
         if (index == 0 && relaxed.size() > 0) return relaxed;
@@ -82,13 +81,10 @@ class StartSearch {
         return search;
     }
 
-    void keep(Search search, int start) {
+    void keep(Search search) {
         if (search.found.x.size() == 0) return;
-        const bool better =
-            best_.found.x.size() == 0 || is_better(search.found, best_.found, judge_.tolerance);
-        if (!better) return;
-        best_ = std::move(search);
-        best_start_ = start;
+        const bool first = best_.found.x.size() == 0;
+        if (first || is_better(search.found, best_.found, judge_.tolerance)) best_ = std::move(search);
     }
 };
 
@@ -114,17 +110,7 @@ void judge_search(ContinuousResult& result, const StartSearch& search) {
     certificate.stationarity = std::isfinite(own) ? std::min(own, fitted) : fitted;
 }
 
-}  // namespace
-
-bool needs_starts(const CamModel& model) {
-    return std::ranges::any_of(model.rules, [](const PlacedRule& rule) {
-        return rule->curvature(-infinity, infinity) == Curvature::general;
-    });
-}
-
-namespace {
-
-/// The two relaxations in turn. `settled`: the answer of the whole already.
+/// What a relaxation gives. `settled`: the answer of the whole already.
 struct Relaxed {
     ContinuousResult result;
     bool settled = false;
@@ -140,12 +126,11 @@ void drop_idle_bound(Certificate& certificate) {
     }
 }
 
-Relaxed solve_relaxed(const CamModel& model, const CamProblem& whole, ConvexOver range,
-                      const ExchangeOptions& exchange, const JudgeOptions& judge,
-                      const SolveControl& control) {
+Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOptions& exchange,
+                      const JudgeOptions& judge, const SolveControl& control) {
     ExchangeOptions options = exchange;
     options.backend.native.clear();  // they belong to the backend the user chose
-    CamProblem problem(convex_part(model, range));
+    CamProblem problem(std::move(part));
     Relaxed relaxed{solve_continuous(problem, *make_structured_solver(), options, judge, control)};
     Certificate& certificate = relaxed.result.certificate;
     drop_idle_bound(certificate);
@@ -160,16 +145,23 @@ Relaxed solve_relaxed(const CamModel& model, const CamProblem& whole, ConvexOver
 
 }  // namespace
 
+bool needs_starts(const CamModel& model) {
+    return std::ranges::any_of(model.rules, [](const PlacedRule& rule) {
+        return rule->curvature(-infinity, infinity) == Curvature::general;
+    });
+}
+
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
                                const SolveControl& control) {
     StartsResult all;
     const CamProblem whole(model);
-    Relaxed relaxed = solve_relaxed(model, whole, ConvexOver::every_motion, exchange, judge, control);
-    const bool more_rules = convex_part(model, ConvexOver::sensible_motion).rules.size() >
-                            convex_part(model, ConvexOver::every_motion).rules.size();
+    CamModel always_convex = convex_part(model, ConvexOver::every_motion);
+    CamModel usually_convex = convex_part(model, ConvexOver::sensible_motion);
+    const bool more_rules = usually_convex.rules.size() > always_convex.rules.size();
+    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, control);
     if (!relaxed.settled && more_rules) {
-        Relaxed tighter = solve_relaxed(model, whole, ConvexOver::sensible_motion, exchange, judge, control);
+        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, control);
         const bool unproved = !tighter.result.certificate.lower_bound;
         if (unproved && !tighter.settled) {  // keep the bound at hand, start from the better motion
             if (tighter.result.x.size() > 0) relaxed.result.x = tighter.result.x;
@@ -184,7 +176,6 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
     StartSearch search(model, solver, exchange, judge, control);
     search.run(starts, seed, relaxed.result.x);
     all.starts = search.ran();
-    all.best_start = search.best_start();
     ContinuousResult& result = all.result;
     result.exchange = search.totals();
     judge_search(result, search);
@@ -197,10 +188,7 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
         result.proof_source = "structured, convex relaxation";
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);
-    if (result.certificate.verdict == Verdict::failed) {
-        all.least_violating = result.x;
-        result.x.resize(0);
-    }
+    if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
     return all;
 }
 

@@ -16,8 +16,6 @@ namespace camopt {
 struct StartsResult {
     ContinuousResult result;
     int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
-    int best_start = 0;
-    Eigen::VectorXd least_violating;  ///< where nothing feasible was found: the best of what was
 };
 
 [[nodiscard]] StartsResult solve_from_starts(const CamModel& model, const Solver& solver,

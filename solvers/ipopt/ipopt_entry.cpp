@@ -24,6 +24,9 @@ SolverEntry ipopt_entry() {
                     {"make_parameter", "make_constraint", "relax_bounds"}, "variables with equal bounds"),
         flag_option("mehrotra_algorithm", "true for convex problems with linear rows",
                     "predictor-corrector steps without a line search"),
+        text_option("chain_dense_columns", "auto", {"auto", "yes", "no"},
+                    "peaks that many rows see as chained copies, one for each stretch of rows; auto: where "
+                    "the problem is large"),
         number_option("mu_init", "0.1", positive, "first barrier parameter"),
         number_option("mu_target", "0", not_negative, "barrier parameter at which to stop"),
         number_option("bound_push", "0.01", positive, "least distance of the start from its bounds"),

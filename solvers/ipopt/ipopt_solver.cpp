@@ -2,6 +2,7 @@
 #include "solvers/ipopt/ipopt_solver.hpp"
 
 #include "solvers/backend_support.hpp"
+#include "solvers/chained_columns.hpp"
 #include "solvers/ipopt/ipopt_adapter.hpp"
 #include "solvers/ipopt/ipopt_options.hpp"
 
@@ -11,6 +12,7 @@
 #include <IpoptConfig.h>
 #include <algorithm>
 #include <mutex>
+#include <optional>
 
 namespace camopt {
 
@@ -87,10 +89,28 @@ class IpoptSolver final : public Solver {
         if (auto result = result_of_crossed_bounds(problem)) return *std::move(result);
         SolveGuard guard(options, control);
         const std::lock_guard lock(ipopt_mutex());
-        return solve(problem, start, options, guard);
+        const std::vector<int> columns = columns_to_chain(problem.shape(), options);
+        if (columns.empty()) return solve(problem, start, options, guard);
+        return solve_chained(problem, columns, start, options, guard);
     }
 
  private:
+    static BackendResult solve_chained(const Nlp& problem, const std::vector<int>& columns,
+                                       const Eigen::VectorXd& start, const BackendOptions& options,
+                                       SolveGuard& guard) {
+        std::optional<ChainedColumns> chained;
+        BackendResult result;
+        const bool built = guard.call([&] { chained.emplace(problem, columns, start); });
+        guard.rethrow();
+        if (!built) return result;
+        result = solve(*chained, chained->chained(start), options, guard);
+        if (result.x.size() > 0) result.x = chained->unchained(result.x);
+        if (result.row_multipliers)
+            result.row_multipliers = chained->unchained_rows(*result.row_multipliers);
+        if (result.bound_multipliers) result.bound_multipliers = chained->unchained(*result.bound_multipliers);
+        return result;
+    }
+
     /// A predictor-corrector run that has not ended after `predictor_corrector_iterations` is given up for
     /// the filter method, which also recognises infeasible problems.
     static BackendResult solve(const Nlp& problem, const Eigen::VectorXd& start,

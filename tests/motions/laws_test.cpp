@@ -2,6 +2,7 @@
 // The laws of the catalogue against the table of golden peaks, dense samples and central differences.
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using std::numbers::pi;
@@ -204,15 +207,6 @@ TEST(LawParameters, LimitsAreTheNeighbouringLaws) {
         }
     }
     EXPECT_TRUE(std::isfinite(make_modified_sine(kNarrowestPiece)->peaks().jerk.value));
-}
-
-std::string refusal(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no refusal";
 }
 
 TEST(LawParameters, RefusalsNameFoundAndAllowed) {

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using std::numbers::pi;
 using std::numbers::sqrt2;
@@ -125,15 +128,6 @@ TEST(OneDwellLaws, LimitsAreTheNeighbouringLaws) {
                     1e3 * below + 1e-6);
     EXPECT_TRUE(std::isfinite(make_one_dwell_modified_sine(kNarrowestPiece)->peaks().jerk.value));
     EXPECT_TRUE(std::isfinite(make_one_dwell_modified_trapezoid(kNarrowestPiece)->peaks().jerk.value));
-}
-
-std::string refusal(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no refusal";
 }
 
 TEST(OneDwellLaws, RefusalsNameFoundAndAllowed) {

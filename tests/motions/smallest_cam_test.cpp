@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using std::numbers::pi;
 constexpr double degree = pi / 180.0;
@@ -154,15 +157,6 @@ TEST(SmallestCam, LeastAngleIsInfiniteWhereNoMotionIs) {
     EXPECT_TRUE(std::isinf(least_stroke_angle({20.0, 10.0, Stroke::return_stroke}, 9.9, 45 * degree)));
     // A long stroke: only the rest asks for a pressure angle.
     EXPECT_NEAR(least_pressure_angle({20.0, 10.0}, 20.0, 6.0), std::atan(0.5), 1e-14);
-}
-
-std::string refusal(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no refusal";
 }
 
 TEST(SmallestCam, RefusalsNameFoundAndAllowed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/quantity_algebra.hpp"
+#include "profiles/quantity_algebra.hpp"
 
 namespace camopt {
 

@@ -6,8 +6,13 @@
 
 namespace camopt {
 
+/// Where a dimension stands among the variables of a quantity; s, s', s'' stand at 0, 1, 2.
+[[nodiscard]] constexpr int column_of(DimensionIndex dimension) {
+    return 3 + static_cast<int>(dimension);
+}
+
 [[nodiscard]] QuantityValue constant_quantity(double value);
-/// value with one partial 1: a variable. `index`: 0 s, 1 s', 2 s'', 3 + DimensionIndex.
+/// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
 [[nodiscard]] QuantityValue variable_quantity(double value, int index);
 
 [[nodiscard]] QuantityValue sum(double factor_a, const QuantityValue& a, double factor_b,
