@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// final_lp export|solve|judge DEGREE SEGMENTS FOLDER: the linear program on which the exchange of a DRD scene
+// ended, for solvers of linear programs to be compared on.
+//
+// export: writes FOLDER/lp_DEGREE_SEGMENTS_DESIGN.txt (linear_program_text.hpp) over states and coefficients.
+// solve:  CSV rows of the structured solver, Ipopt and Clp on the standard output.
+// judge:  for every FOLDER/x_DEGREE_SEGMENTS_DESIGN_*.txt (one number a line) one line: file, true objective
+//         of its curve. linear_programs.py calls all three.
+// Timed is the call of the solver on numbers made beforehand.
+#include "benchmarks/clp_rival.hpp"
+#include "benchmarks/final_grid.hpp"
+#include "benchmarks/linear_program_text.hpp"
+#include "benchmarks/measurement.hpp"
+#include "benchmarks/solver_variants.hpp"
+#include "core/errors.hpp"
+#include "output/csv_line.hpp"
+#include "output/text_file.hpp"
+#include "solvers/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+namespace camopt::benchmarks {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double exchange_tolerance = 1e-10;
+constexpr double most_seconds = 10.0, slow_seconds = 2.0;
+constexpr int repeats = 5;
+constexpr std::array designs = {DesignKind::states, DesignKind::coefficients};
+
+struct Task {
+    int degree = 3, segments = 0;
+    std::filesystem::path folder;
+};
+
+struct Row {
+    std::string program, method;
+    DesignKind design = DesignKind::states;
+};
+
+/// Repeats a run and prints its row; a slow one is timed once.
+void print_row(const Task& task, const Row& row, const CamProblem& problem,
+               const std::function<RivalRun()>& once) {
+    const NlpShape& shape = problem.grid().shape();
+    std::vector<double> seconds;
+    RivalRun run;
+    do {
+        run = once();
+        seconds.push_back(run.seconds);
+    } while (seconds.front() < slow_seconds && static_cast<int>(seconds.size()) < repeats);
+    const bool useful = run.x.size() > 0 && run.x.allFinite();
+    CsvLine line;
+    line.words(row.program).words(row.method).words(name_of(row.design)).count(task.degree);
+    line.count(task.segments).words(run.status);
+    line.number(useful ? problem.objective(run.x) : std::nan(""));
+    line.number(median(seconds)).number(*std::ranges::min_element(seconds));
+    line.count(static_cast<long>(seconds.size())).count(run.iterations);
+    line.count(shape.variables()).count(shape.constraints()).count(shape.jacobian.size());
+    std::fputs(line.finish().c_str(), stdout);
+    std::fflush(stdout);
+}
+
+RivalRun run_backend(const CamProblem& problem, const SolverVariant& variant, double tolerance) {
+    const auto solver = make_solver(variant.solver);
+    BackendOptions options;
+    options.tolerance = tolerance;
+    options.max_seconds = most_seconds;
+    options.native = variant.options;
+    const Eigen::VectorXd start = problem.start();
+    const Clock::time_point begin = Clock::now();
+    const BackendResult result = solver->minimize(problem.grid(), start, options, {});
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return {name_of(result.termination), result.x, seconds, result.iterations};
+}
+
+void solve_all(const Task& task) {
+    const Scene scene = drd_scene(task.degree, task.segments);
+    const FinalGrid grid = final_grid(scene, exchange_tolerance);
+    for (const SolverVariant& variant : solver_variants())
+        print_row(task, {variant.solver, variant.words}, grid.problem,
+                  [&] { return run_backend(grid.problem, variant, 1e-9); });
+    for (const DesignKind design : designs) {
+        const CamProblem problem = rewritten(grid, scene, design);
+        const LinearProgram program = linear_program(problem.grid());
+        for (const std::string& method : clp_methods())
+            print_row(task, {"clp", method, design}, problem,
+                      [&] { return run_clp(program, method, most_seconds); });
+    }
+}
+
+std::string stem(const Task& task, const char* letter, DesignKind design) {
+    return fmt::format("{}_{}_{}_{}", letter, task.degree, task.segments, name_of(design));
+}
+
+void export_all(const Task& task) {
+    const Scene scene = drd_scene(task.degree, task.segments);
+    const FinalGrid grid = final_grid(scene, exchange_tolerance);
+    for (const DesignKind design : designs) {
+        const CamProblem problem = rewritten(grid, scene, design);
+        write_text_file(task.folder / (stem(task, "lp", design) + ".txt"),
+                        linear_program_text(linear_program(problem.grid())));
+    }
+    fmt::print("{:.17g}\n", grid.objective);
+}
+
+Eigen::VectorXd numbers_of(const std::filesystem::path& file, Eigen::Index size) {
+    std::istringstream text(read_text_file(file));
+    Eigen::VectorXd x(size);
+    for (double& entry : x)
+        if (!(text >> entry)) return {};
+    return x;
+}
+
+void judge_all(const Task& task) {
+    const Scene scene = drd_scene(task.degree, task.segments);
+    const FinalGrid grid = final_grid(scene, exchange_tolerance);
+    for (const DesignKind design : designs) {
+        const CamProblem problem = rewritten(grid, scene, design);
+        for (const auto& entry : std::filesystem::directory_iterator(task.folder)) {
+            const std::string name = entry.path().filename();
+            if (!name.starts_with(stem(task, "x", design) + "_")) continue;
+            const Eigen::VectorXd x = numbers_of(entry.path(), problem.grid().shape().variables());
+            const double objective = x.size() > 0 ? problem.objective(x) : std::nan("");
+            fmt::print("{} {:.17g}\n", name, objective);
+        }
+    }
+}
+
+void run(const std::string& action, const Task& task) {
+    if (action == "export") return export_all(task);
+    if (action == "solve") return solve_all(task);
+    if (action == "judge") return judge_all(task);
+    throw InputError("final_lp: allowed are export, solve and judge, found " + action);
+}
+
+}  // namespace
+
+}  // namespace camopt::benchmarks
+
+int main(int count, char** words) {
+    if (count != 5) {
+        std::fputs("usage: final_lp export|solve|judge DEGREE SEGMENTS FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        camopt::benchmarks::run(words[1], {std::atoi(words[2]), std::atoi(words[3]), words[4]});
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "final_lp: %s\n", error.what());
+        return 1;
+    }
+}
