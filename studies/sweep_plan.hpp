@@ -32,8 +32,14 @@ struct SweepPlan {
 /// Throws InputError where a key stands in two axes, there is no axis, or there are too many rows.
 [[nodiscard]] SweepPlan sweep_grid(std::span<const SweepAxis> axes);
 
+/// 16 hexadecimal digits that change with any key, value or their order.
+[[nodiscard]] std::string fingerprint(const SweepPlan& plan);
+
 /// "objective.velocity=0.3": integers without a point, everything else as it reads back.
 [[nodiscard]] std::string setting_text(const std::string& key, double value);
+
+/// "row 17 (objective.velocity=0.3, objective.jerk=0.7)"
+[[nodiscard]] std::string row_text(const SweepPlan& plan, int row);
 
 /// Reads the scene of the sweep with some settings "KEY=VALUE" on top; throws InputError.
 using SceneReading = std::function<Scene(std::span<const std::string> settings)>;
@@ -47,6 +53,7 @@ class SweepScenes {
 
     /// Throws InputError "row 17 (objective.velocity=0.3, …): " with the reader's message.
     [[nodiscard]] const Scene& scene(int row);
+    [[nodiscard]] const SweepPlan& plan() const { return *plan_; }
 
  private:
     [[nodiscard]] bool only_weights_differ(int row) const;
