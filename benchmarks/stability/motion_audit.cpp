@@ -84,8 +84,7 @@ class Audit {
                 long double factor = 1 / stretch.displacement;
                 for (int order = 1; order <= 3; ++order) {
                     factor *= stretch.angle;
-                    const long double peak =
-                        largest_magnitude(derivative_on(*stretch.curve, segment, order));
+                    const long double peak = largest_magnitude(derivative_on(*stretch.curve, segment, order));
                     peaks_[order] = std::max(peaks_[order], factor * peak);
                 }
             }

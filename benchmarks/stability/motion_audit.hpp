@@ -3,10 +3,10 @@
 // condition.
 //
 // Long double throughout, and none of the library's extrema, rules or cams: y on segment i is
-// Σ_m a_{i,m} (x − x_i)^m, peaks come from the roots of the next derivative by bisection, the pressure angle and
-// the curvature of a cam from the path of the roller's centre as complex numbers, at 64 places a segment
-// refined by golden section. Known here: DRD, RR and programs; caps, exact points, symmetry; pressure angle of
-// rollers and knife edges, convex radius of rollers and of sliding flat faces, least contact force.
+// Σ_m a_{i,m} (x − x_i)^m, peaks come from the roots of the next derivative by bisection, the pressure angle
+// and the curvature of a cam from the path of the roller's centre as complex numbers, at 64 places a segment
+// refined by golden section. Known here: DRD, RR and programs; caps, exact points, symmetry; pressure angle
+// of rollers and knife edges, convex radius of rollers and of sliding flat faces, least contact force.
 #pragma once
 
 #include "studies/solution.hpp"

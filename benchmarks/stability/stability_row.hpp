@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One row of the stability table: what must come out and from where that is known, what came out, the verdict on
-// the verdict.
+// One row of the stability table: what must come out and from where that is known, what came out, the verdict
+// on the verdict.
 #pragma once
 
 #include "core/scene.hpp"
@@ -13,8 +13,8 @@
 
 namespace camopt::stability {
 
-/// What a row promises. The objective lies in [least, most], each known to `digits`; the delivered one may lie
-/// beyond by `accuracy` (both relative).
+/// What a row promises. The objective lies in [least, most], each known to `digits`; the delivered one may
+/// lie beyond by `accuracy` (both relative).
 struct Expectation {
     std::vector<Verdict> verdicts = {Verdict::optimal};
     std::optional<double> least, most;

@@ -24,8 +24,8 @@ namespace camopt::stability {
 /// HiGHS); else the structured solver's own at tolerance 1e-11, whose digits are its proved gap.
 [[nodiscard]] Expectation known_optimum(MotionType type, int degree, int segments);
 
-/// The objective of a scene solved by the structured solver at tolerance 1e-11 and proved to gap 1e-8 or better, as
-/// the interval that the proof leaves. Throws ModelError where it is not proved.
+/// The objective of a scene solved by the structured solver at tolerance 1e-11 and proved to gap 1e-8 or
+/// better, as the interval that the proof leaves. Throws ModelError where it is not proved.
 [[nodiscard]] Expectation proved_optimum(Scene scene, std::string source);
 
 /// A case whose run sets group and name.

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/stability/stability_cases.hpp"
+#include "benchmarks/stability/stability_scenes.hpp"
+#include "studies/solve_without_explaining.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace camopt::stability {
+
+namespace {
+
+constexpr MotionType drd = MotionType::drd;
+
+Expectation twelve(double accuracy) {
+    return exactly(study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7),
+                   "the optimum without these points: fraction", accuracy);
+}
+
+/// Where condition and contradiction cannot be told apart any answer that keeps its word will do.
+const std::vector<Verdict> either = {Verdict::optimal, Verdict::local, Verdict::feasible, Verdict::infeasible,
+                                     Verdict::failed};
+
+/// The antisymmetric optimum passes (1/2, 1/2); the point says so again, wrong by `error`.
+StabilityRow follows_from_symmetry(double error, const std::string& backend) {
+    Scene scene = study_scene(drd, 3, 12);
+    scene.motion.symmetric = true;
+    scene.motion.via = {{0.5, 0.5 + error, {}, {}}};
+    scene.solver.name = backend;
+    Expectation expected = twelve(1e-9);
+    expected.source = "follows from symmetry; " + expected.source;
+    if (error > 2e-9) {
+        expected = {};
+        expected.verdicts = {Verdict::infeasible};
+        expected.source = "contradicts symmetry";
+    } else if (error > 5e-10) {
+        expected.verdicts = either;
+        expected.violation = 1.1e-9;
+    }
+    return solved_row(scene, expected);
+}
+
+/// Two points of the optimum itself, a little apart.
+StabilityRow twin_points(double distance, int degree, const std::string& backend) {
+    Scene scene = study_scene(drd, degree, 12);
+    const Solution free = solve_without_explaining(scene, {});
+    for (const double x : {0.37, 0.37 + distance})
+        scene.motion.via.push_back({x, free.curve->at(x).derivative[0], {}, {}});
+    scene.solver.name = backend;
+    Expectation expected = known_optimum(drd, degree, 12);
+    // The pair fixes y' to rounding / distance.
+    expected.accuracy = 1e-9 + 1e-15 / distance;
+    expected.honest_gap = true;
+    expected.source = "two points of the optimum itself: " + expected.source;
+    return solved_row(scene, expected);
+}
+
+/// y(x) and y(x + d) = y + v d say y' = v, up to y'' d / 2 and rounding / d.
+StabilityRow points_that_say_a_slope(double distance, const std::string& backend) {
+    Scene slope = study_scene(drd, 3, 12);
+    slope.motion.via = {{0.5, 0.5, 1.5, {}}};
+    Expectation expected =
+        proved_optimum(slope, "an exact velocity in the place of the second point, proved");
+    expected.accuracy = 1e-9 + 10.0 * distance + 1e-15 / distance;
+    Scene scene = study_scene(drd, 3, 12);
+    scene.motion.via = {{0.5, 0.5, {}, {}}, {0.5 + distance, 0.5 + 1.5 * distance, {}, {}}};
+    scene.solver.name = backend;
+    return solved_row(scene, expected);
+}
+
+double polynomial_345(double x) {
+    return x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+}
+
+/// Three points leave a quintic of four segments no freedom; five more lie on the same polynomial, the last
+/// one wrong by `error`.
+StabilityRow more_points_than_freedom(double error, const std::string& backend) {
+    Scene scene = study_scene(drd, 5, 4);
+    for (const double x : {0.25, 0.5, 0.75, 0.1, 0.33, 0.6, 0.9, 0.95})
+        scene.motion.via.push_back({x, polynomial_345(x), {}, {}});
+    scene.motion.via.back().displacement = polynomial_345(0.95) + error;
+    scene.solver.name = backend;
+    if (error > 1e-7) {
+        Expectation contradiction;
+        contradiction.verdicts = {Verdict::infeasible};
+        contradiction.source = "eight points, three freedoms, one point off";
+        return solved_row(scene, contradiction);
+    }
+    return solved_row(scene, exactly(study_objective(1.875, 10.0 / std::sqrt(3.0), 60.0),
+                                     "the polynomial 3-4-5 is the only motion"));
+}
+
+}  // namespace
+
+std::vector<StabilityCase> exact_point_cases() {
+    std::vector<StabilityCase> cases;
+    for (const char* backend : {"structured", "ipopt", "nlopt.slsqp"}) {
+        const auto add = [&](const std::string& name, std::function<StabilityRow()> run) {
+            cases.push_back(make_case("exact points", name, true, std::move(run)));
+        };
+        for (const double error : {0.0, 1e-15, 1e-12, 1e-9, 1e-6})
+            add(fmt::format("y(1/2) = 1/2 + {} beside symmetry", error),
+                [=] { return follows_from_symmetry(error, backend); });
+        for (const int degree : {3, 5})
+            for (const double distance : {1e-4, 1e-7, 1e-10})
+                add(fmt::format("{}, two points of the optimum {} apart", degree == 3 ? "cubic" : "quintic",
+                                distance),
+                    [=] { return twin_points(distance, degree, backend); });
+        for (const double distance : {1e-7, 1e-10})
+            add(fmt::format("two points {} apart that say y' = 1.5", distance),
+                [=] { return points_that_say_a_slope(distance, backend); });
+        for (const double error : {0.0, 1e-12, 1e-6})
+            add(fmt::format("quintic, eight points for three freedoms, one off by {}", error),
+                [=] { return more_points_than_freedom(error, backend); });
+    }
+    return cases;
+}
+
+}  // namespace camopt::stability
