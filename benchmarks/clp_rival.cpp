@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/clp_rival.hpp"
 
-#include <chrono>
 #include <Clp_C_Interface.h>
+#include <chrono>
 #include <memory>
 
 namespace camopt::benchmarks {

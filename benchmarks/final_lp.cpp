@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
-// final_lp export|solve|judge DEGREE SEGMENTS FOLDER: the linear program on which the exchange of a DRD scene
-// ended, for solvers of linear programs to be compared on.
+// final_lp ACTION DEGREE SEGMENTS FOLDER: the linear program on which the exchange of a DRD scene ended, for
+// solvers of linear programs to be compared on.
 //
 // export: writes FOLDER/lp_DEGREE_SEGMENTS_DESIGN.txt (linear_program_text.hpp) over states and coefficients.
-// solve:  CSV rows of the structured solver, Ipopt and Clp on the standard output.
+// structured, rivals: CSV rows of the structured solver; of Ipopt and Clp, on the standard output.
 // judge:  for every FOLDER/x_DEGREE_SEGMENTS_DESIGN_*.txt (one number a line) one line: file, true objective
-//         of its curve. linear_programs.py calls all three.
+//         of its curve. linear_programs.py calls them all.
+// versions: the version of Clp, nothing where this build has none.
 // Timed is the call of the solver on numbers made beforehand.
+#include "benchmarks/backend_runs.hpp"
 #include "benchmarks/clp_rival.hpp"
-#include "benchmarks/final_grid.hpp"
 #include "benchmarks/linear_program_text.hpp"
 #include "benchmarks/measurement.hpp"
-#include "benchmarks/solver_variants.hpp"
 #include "core/errors.hpp"
 #include "output/csv_line.hpp"
 #include "output/text_file.hpp"
-#include "solvers/registry.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -34,11 +32,11 @@ namespace camopt::benchmarks {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double exchange_tolerance = 1e-10;
 constexpr double most_seconds = 10.0, slow_seconds = 2.0;
 constexpr int repeats = 5;
+// Beyond, its Cholesky factor fills up: 8 s for 256 segments, and it does not mind its time limit.
+constexpr int most_barrier_segments = 64;
 constexpr std::array designs = {DesignKind::states, DesignKind::coefficients};
 
 struct Task {
@@ -52,52 +50,48 @@ struct Row {
 };
 
 /// Repeats a run and prints its row; a slow one is timed once.
-void print_row(const Task& task, const Row& row, const CamProblem& problem,
-               const std::function<RivalRun()>& once) {
-    const NlpShape& shape = problem.grid().shape();
+void print_row(const Task& task, const Row& row, const NlpShape& shape,
+               const std::function<RunOutcome()>& once) {
     std::vector<double> seconds;
-    RivalRun run;
+    RunOutcome last;
     do {
-        run = once();
-        seconds.push_back(run.seconds);
+        last = once();
+        seconds.push_back(last.seconds);
     } while (seconds.front() < slow_seconds && static_cast<int>(seconds.size()) < repeats);
-    const bool useful = run.x.size() > 0 && run.x.allFinite();
     CsvLine line;
     line.words(row.program).words(row.method).words(name_of(row.design)).count(task.degree);
-    line.count(task.segments).words(run.status);
-    line.number(useful ? problem.objective(run.x) : std::nan(""));
+    line.count(task.segments).words(last.status).number(last.objective);
     line.number(median(seconds)).number(*std::ranges::min_element(seconds));
-    line.count(static_cast<long>(seconds.size())).count(run.iterations);
+    line.count(static_cast<long>(seconds.size())).count(last.iterations);
     line.count(shape.variables()).count(shape.constraints()).count(shape.jacobian.size());
     std::fputs(line.finish().c_str(), stdout);
     std::fflush(stdout);
 }
 
-RivalRun run_backend(const CamProblem& problem, const SolverVariant& variant, double tolerance) {
-    const auto solver = make_solver(variant.solver);
-    BackendOptions options;
-    options.tolerance = tolerance;
-    options.max_seconds = most_seconds;
-    options.native = variant.options;
-    const Eigen::VectorXd start = problem.start();
-    const Clock::time_point begin = Clock::now();
-    const BackendResult result = solver->minimize(problem.grid(), start, options, {});
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    return {name_of(result.termination), result.x, seconds, result.iterations};
+RunOutcome clp_outcome(const CamProblem& problem, const LinearProgram& program, const std::string& method) {
+    const RivalRun run = run_clp(program, method, most_seconds);
+    const bool useful = run.x.size() > 0 && run.x.allFinite();
+    return {run.status, run.seconds, useful ? problem.objective(run.x) : infinity, run.iterations};
 }
 
-void solve_all(const Task& task) {
+void time_backends(const Task& task, bool structured) {
     const Scene scene = drd_scene(task.degree, task.segments);
     const FinalGrid grid = final_grid(scene, exchange_tolerance);
-    for (const SolverVariant& variant : solver_variants())
-        print_row(task, {variant.solver, variant.words}, grid.problem,
-                  [&] { return run_backend(grid.problem, variant, 1e-9); });
+    for (const SolverVariant& variant : solver_variants()) {
+        if ((variant.solver == "structured") != structured) continue;
+        print_row(task, {variant.solver, variant.words}, grid.problem.grid().shape(), [&] {
+            return steadied([&] { return run_call(grid.problem, {variant, 1e-9, most_seconds}); });
+        });
+    }
+    if (structured) return;
     for (const DesignKind design : designs) {
         const CamProblem problem = rewritten(grid, scene, design);
         const LinearProgram program = linear_program(problem.grid());
-        for (const std::string& method : clp_methods())
-            print_row(task, {"clp", method, design}, problem,
-                      [&] { return run_clp(program, method, most_seconds); });
+        for (const std::string& method : clp_methods()) {
+            if (method.starts_with("barrier") && task.segments > most_barrier_segments) continue;
+            print_row(task, {"Clp", method, design}, problem.grid().shape(),
+                      [&] { return steadied([&] { return clp_outcome(problem, program, method); }); });
+        }
     }
 }
 
@@ -141,9 +135,11 @@ void judge_all(const Task& task) {
 
 void run(const std::string& action, const Task& task) {
     if (action == "export") return export_all(task);
-    if (action == "solve") return solve_all(task);
+    if (action == "structured") return time_backends(task, true);
+    if (action == "rivals") return time_backends(task, false);
     if (action == "judge") return judge_all(task);
-    throw InputError("final_lp: allowed are export, solve and judge, found " + action);
+    if (action == "versions") return fmt::print("{}\n", clp_version());
+    throw InputError("allowed are export, structured, rivals, judge and versions, found " + action);
 }
 
 }  // namespace
@@ -152,7 +148,8 @@ void run(const std::string& action, const Task& task) {
 
 int main(int count, char** words) {
     if (count != 5) {
-        std::fputs("usage: final_lp export|solve|judge DEGREE SEGMENTS FOLDER\n", stderr);
+        std::fputs("usage: final_lp export|structured|rivals|judge|versions DEGREE SEGMENTS FOLDER\n",
+                   stderr);
         return 2;
     }
     try {
