@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// stability FOLDER [quick | GROUP]: runs every row of the stability table (all; the quick ones; one group)
-// and writes stability.csv, stability.md and stability.svg into the folder. Ends with code 1 where a row is
-// wrong.
+// stability_table FOLDER [quick | GROUP]: runs every row of the stability table (all; the quick ones; one
+// group) and writes stability.csv, stability.md and stability.svg into the folder. Ends with code 1 where a
+// row is wrong.
 #include "benchmarks/machine.hpp"
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability_report.hpp"
@@ -53,13 +53,13 @@ int run(const std::filesystem::path& folder, const std::string& choice) {
 
 int main(int count, char** words) {
     if (count != 2 && count != 3) {
-        std::fputs("usage: stability FOLDER [quick | GROUP]\n", stderr);
+        std::fputs("usage: stability_table FOLDER [quick | GROUP]\n", stderr);
         return 2;
     }
     try {
         return camopt::stability::run(words[1], count == 3 ? words[2] : "");
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "stability: %s\n", error.what());
+        std::fprintf(stderr, "stability_table: %s\n", error.what());
         return 1;
     }
 }
