@@ -105,9 +105,9 @@ class IpoptSolver final : public Solver {
         if (!built) return result;
         result = solve(*chained, chained->chained(start), options, guard);
         if (result.x.size() > 0) result.x = chained->unchained(result.x);
-        if (result.row_multipliers)
-            result.row_multipliers = chained->unchained_rows(*result.row_multipliers);
-        if (result.bound_multipliers) result.bound_multipliers = chained->unchained(*result.bound_multipliers);
+        if (result.row_multipliers) result.row_multipliers = chained->unchained_rows(*result.row_multipliers);
+        if (result.bound_multipliers)
+            result.bound_multipliers = chained->unchained(*result.bound_multipliers);
         return result;
     }
 
