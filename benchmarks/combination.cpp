@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/combination.hpp"
 
+#include "solvers/registry.hpp"
 #include "studies/paper_tables.hpp"
 #include "studies/reference_table.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace camopt::benchmarks {
 
@@ -14,6 +18,25 @@ struct MotionKind {
     MotionType motion;
     int degree;
 };
+
+// Local methods, each of a kind of its own; those that search at random have no place here.
+constexpr std::string_view backends[] = {"structured",   "ipopt",     "nlopt.slsqp",
+                                         "nlopt.cobyla", "nlopt.mma", "nlopt.ccsaq"};
+
+/// Where a backend or a design vector is dense, larger problems take minutes and gigabytes.
+int most_segments(const std::string& backend, DesignKind design) {
+    if (backend.starts_with("nlopt.")) return 128;
+    return design == DesignKind::states ? 16384 : 256;
+}
+
+/// The looser tolerance gets fewer n: it is there to compare, not to be looked up.
+std::vector<int> segments_of(const std::string& backend, DesignKind design, double tolerance) {
+    std::vector<int> segments = {4,  6,  8,   10,  12,  16,   24,   32,   48,
+                                 64, 96, 128, 256, 512, 1024, 2048, 4096, 16384};
+    if (tolerance > 1e-9) segments = {8, 12, 16, 32, 64, 128, 256, 1024, 4096, 16384};
+    std::erase_if(segments, [&](int n) { return n > most_segments(backend, design); });
+    return segments;
+}
 
 double weighted(double velocity, double acceleration, double jerk) {
     return paper::weights[0] * velocity / paper::velocity_reference +
@@ -28,7 +51,7 @@ const char* motion_name(MotionType motion) {
 }
 
 std::string Combination::series() const {
-    return fmt::format("{} {} {} {}", backend, degree, motion_name(motion), name_of(design));
+    return fmt::format("{} {} {} {} {:g}", backend, degree, motion_name(motion), name_of(design), tolerance);
 }
 
 std::string Combination::optimum() const {
@@ -37,13 +60,16 @@ std::string Combination::optimum() const {
 
 std::vector<Combination> combinations() {
     std::vector<Combination> all;
-    for (const char* backend : {"structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"})
-        for (const MotionKind kind :
-             {MotionKind{MotionType::drd, 3}, {MotionType::drd, 5}, {MotionType::rr, 3}})
-            for (const DesignKind design :
-                 {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states})
-                for (const int segments : {4, 6, 8, 10, 12, 16, 24, 32, 48, 64})
-                    all.push_back({backend, kind.degree, kind.motion, design, segments});
+    for (const SolverEntry& entry : solver_entries()) {
+        if (std::ranges::find(backends, entry.name) == std::end(backends)) continue;
+        for (const double tolerance : {1e-9, 1e-6})
+            for (const MotionKind kind :
+                 {MotionKind{MotionType::drd, 3}, {MotionType::drd, 5}, {MotionType::rr, 3}})
+                for (const DesignKind design :
+                     {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates})
+                    for (const int segments : segments_of(entry.name, design, tolerance))
+                        all.push_back({entry.name, kind.degree, kind.motion, design, segments, tolerance});
+    }
     return all;
 }
 
@@ -56,6 +82,7 @@ Scene scene_of(const Combination& combination, double max_seconds) {
     scene.spline.design = combination.design;
     scene.objective.tie_break = TieBreak::none;
     scene.solver.name = combination.backend;
+    scene.solver.tolerance = combination.tolerance;
     scene.solver.max_seconds = max_seconds;
     return scene;
 }

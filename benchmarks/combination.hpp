@@ -17,14 +17,15 @@ struct Combination {
     MotionType motion = MotionType::drd;
     DesignKind design = DesignKind::states;
     int segments = 0;
+    double tolerance = 1e-9;
 
-    /// The same backend, degree, motion and design: n runs along a series.
+    /// The same backend, degree, motion, design and tolerance: n runs along a series.
     [[nodiscard]] std::string series() const;
     /// The same optimum: degree, motion and n, whatever finds it.
     [[nodiscard]] std::string optimum() const;
 };
 
-/// Every combination of the study, n ascending within a series.
+/// Every combination of the study, n ascending within a series; backends that camopt knows.
 [[nodiscard]] std::vector<Combination> combinations();
 
 /// Weights 0.4, 0.4, 0.2 over 1.76, 5.53, 69 (MotionType::rr: return as long as the rise), no tie-break.

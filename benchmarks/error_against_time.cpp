@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// error_against_time FOLDER: measures every combination (combination.hpp) and writes error_against_time.csv,
-// its picture and machine.txt into the folder. Takes some minutes; progress goes to stderr.
+// error_against_time FOLDER [SECONDS]: measures every combination (combination.hpp) and writes
+// error_against_time.csv and machine.txt into the folder. Progress goes to stderr.
+//
+// A series ends where a solve reaches the time limit (2 s, NLopt 0.6 s) or the next one would be likely to.
+// After SECONDS (600) no solve begins: the rows that are left are "skipped: out of time".
 #include "benchmarks/error_against_time_csv.hpp"
-#include "benchmarks/error_against_time_svg.hpp"
 #include "benchmarks/machine.hpp"
 #include "benchmarks/measurement.hpp"
+#include "benchmarks/solver_variants.hpp"
 #include "output/result_folder.hpp"
 #include "output/text_file.hpp"
-#include "solvers/registry.hpp"
 #include "studies/solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -21,17 +27,25 @@ namespace camopt::benchmarks {
 
 namespace {
 
-constexpr double reference_gap = 1e-9;  // a reference proved less sharply is none
+using Clock = std::chrono::steady_clock;
+
+constexpr double reference_gap = 1e-8;  // a reference proved less sharply is none
+constexpr double reference_seconds = 30.0;
+constexpr int most_dense_segments = 64;  // references of more come from `states` alone
+
+/// How long one solve of a backend may take; then its series ends.
+TimingPlan plan_of(const Combination& combination) {
+    TimingPlan plan;
+    plan.slow = 0.1;
+    if (combination.backend == "structured") plan.most_seconds = 6.0;
+    if (combination.backend.starts_with("nlopt.")) plan.most_seconds = 0.6;
+    return plan;
+}
 
 struct Reference {
     double objective;
     std::string source;
 };
-
-bool is_available(const std::string& backend) {
-    return std::ranges::any_of(solver_entries(),
-                               [&](const auto& entry) { return entry.name == backend && entry.available; });
-}
 
 /// The proved optimum of each spline space and motion, independent of the row that is measured.
 class References {
@@ -48,13 +62,15 @@ class References {
         combination.backend = "structured";
         for (const DesignKind design :
              {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
+            if (design != DesignKind::states && combination.segments > most_dense_segments) break;
             combination.design = design;
-            Scene scene = scene_of(combination, 60.0);
+            Scene scene = scene_of(combination, reference_seconds);
             scene.solver.tolerance = 1e-10;
             const Certificate certificate = solve(scene).certificate;
             if (certificate.verdict == Verdict::optimal && *certificate.gap <= reference_gap)
                 return Reference{certificate.objective,
-                                 std::string("structured ") + name_of(design) + " proved"};
+                                 fmt::format("structured {}, proved to {:.1g}", name_of(design),
+                                             std::max(*certificate.gap, 0.0))};
         }
         return {};
     }
@@ -69,37 +85,48 @@ void compare(Measurement& row, const std::optional<Reference>& reference) {
     if (row.objective) row.relative_error = (*row.objective - reference->objective) / reference->objective;
 }
 
-Measurement row_of(const Combination& combination, std::set<std::string>& timed_out) {
-    if (!is_available(combination.backend)) return not_measured(combination, "not in this build");
-    if (timed_out.contains(combination.series()))
-        return not_measured(combination, "skipped: fewer segments reached the time limit");
-    try {
-        Measurement row = measure(combination, {});
-        if (row.timed_out()) timed_out.insert(combination.series());
-        return row;
-    } catch (const std::exception& error) {
-        return not_measured(combination, std::string("error: ") + error.what());
-    }
-}
+/// Runs combination after combination as long as there is time.
+class Study {
+ public:
+    explicit Study(double seconds) : seconds_(seconds) {}
 
-std::vector<Measurement> measured_rows() {
-    References references;
-    std::set<std::string> timed_out;
-    std::vector<Measurement> rows;
-    for (const Combination& combination : combinations()) {
-        rows.push_back(row_of(combination, timed_out));
-        compare(rows.back(), references.of(combination));
-        std::fprintf(stderr, "%s n = %d: %s %s\n", combination.series().c_str(), combination.segments,
-                     rows.back().status.c_str(), rows.back().verdict.c_str());
+    std::vector<Measurement> rows() {
+        std::vector<Measurement> rows;
+        for (const Combination& combination : combinations()) {
+            rows.push_back(row_of(combination));
+            if (rows.back().objective) compare(rows.back(), references_.of(combination));
+            std::fprintf(stderr, "%s n = %d: %s %s\n", combination.series().c_str(), combination.segments,
+                         rows.back().status.c_str(), rows.back().verdict.c_str());
+        }
+        return rows;
     }
-    return rows;
-}
 
-void run(const std::filesystem::path& folder) {
+ private:
+    Measurement row_of(const Combination& combination) {
+        if (!is_available(combination.backend)) return not_measured(combination, "not in this build");
+        if (timed_out_.contains(combination.series()))
+            return not_measured(combination, "skipped: fewer segments reached the time limit");
+        if (std::chrono::duration<double>(Clock::now() - begin_).count() > seconds_)
+            return not_measured(combination, "skipped: out of time");
+        try {
+            Measurement row = measure(combination, plan_of(combination));
+            if (row.timed_out()) timed_out_.insert(combination.series());
+            return row;
+        } catch (const std::exception& error) {
+            return not_measured(combination, std::string("error: ") + error.what());
+        }
+    }
+
+    double seconds_;
+    Clock::time_point begin_ = Clock::now();
+    References references_;
+    std::set<std::string> timed_out_;
+};
+
+void run(const std::filesystem::path& folder, double seconds) {
     prepare_folder(folder);
-    const std::vector<Measurement> rows = measured_rows();
+    const std::vector<Measurement> rows = Study(seconds).rows();
     write_text_file(folder / "error_against_time.csv", measurements_csv(rows));
-    write_text_file(folder / "error_against_time.svg", error_against_time_svg(rows, machine_line()));
     write_text_file(folder / "machine.txt", machine_text());
 }
 
@@ -108,12 +135,12 @@ void run(const std::filesystem::path& folder) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
-    if (count != 2) {
-        std::fputs("usage: error_against_time FOLDER\n", stderr);
+    if (count != 2 && count != 3) {
+        std::fputs("usage: error_against_time FOLDER [SECONDS]\n", stderr);
         return 2;
     }
     try {
-        camopt::benchmarks::run(words[1]);
+        camopt::benchmarks::run(words[1], count == 3 ? std::atof(words[2]) : 600.0);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error_against_time: %s\n", error.what());

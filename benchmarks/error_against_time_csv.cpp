@@ -21,7 +21,8 @@ void add_counts(CsvLine& line, const Measurement& row) {
 
 std::string measurements_csv(std::span<const Measurement> rows) {
     std::string text =
-        "backend,degree,design,motion,n,status,verdict,reason,proved_gap,objective,reference,reference_"
+        "backend,degree,design,motion,n,tolerance,status,verdict,reason,proved_gap,objective,reference,"
+        "reference_"
         "source,"
         "relative_error,seconds_median,seconds_min,repeats,iterations,exchange_rounds,cost,gradient,"
         "constraints,"
@@ -31,6 +32,7 @@ std::string measurements_csv(std::span<const Measurement> rows) {
         const Combination& combination = row.combination;
         line.words(combination.backend).count(combination.degree).words(name_of(combination.design));
         line.words(motion_name(combination.motion)).count(combination.segments);
+        line.number(combination.tolerance);
         line.words(row.status).words(row.verdict).words(row.reason).number(row.proved_gap);
         line.number(row.objective).number(row.reference).words(row.reference_source);
         line.number(row.relative_error).number(row.seconds_median).number(row.seconds_min);

@@ -84,6 +84,11 @@ Measurement measure(const Combination& combination, const TimingPlan& plan) {
     row.counts = solution.evaluations;
     if (certificate.verdict == Verdict::infeasible)
         return row;  // nothing to time: no curve fits the conditions
+    if (row.timed_out()) {
+        row.repeats = 1;
+        row.seconds_median = row.seconds_min = solution.seconds_solve;
+        return row;
+    }
     take_times(row, scene, plan);
     return row;
 }
