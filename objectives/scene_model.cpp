@@ -110,6 +110,11 @@ Peaks reference_peaks(const Scene& scene) {
     return peaks;
 }
 
+double dimension_unit(const Scene& scene) {
+    const double lift = scene.motion.lift;
+    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
+}
+
 MotionFamily scene_family(const Scene& scene, DesignKind kind) {
     const MotionSpec& motion = scene.motion;
     if (motion.type == MotionType::program) return program_family(scene, kind);
@@ -209,13 +214,6 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
             model.parameter_rows.push_back({limit->key, {index}, {1.0}, upper, true, upper});
         }
     }
-}
-
-/// What the objective divides the cam's dimensions by: the lift; of an oscillating follower the lift at the
-/// centre distance.
-double dimension_unit(const Scene& scene) {
-    const double lift = scene.motion.lift;
-    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
 }
 
 /// |q| of parameter `of` as a parameter of its own: q − t <= 0, −q − t <= 0.

@@ -13,6 +13,10 @@ namespace camopt {
 /// numbers. Throws InputError where a positive weight meets an infinite or a missing one.
 [[nodiscard]] Peaks reference_peaks(const Scene& scene);
 
+/// What the objective divides the cam's dimensions by: the lift; of an oscillating follower the lift at the
+/// centre distance. m; the scene must have a cam.
+[[nodiscard]] double dimension_unit(const Scene& scene);
+
 /// The motions of the scene, written with the given form of design vector (not automatic).
 ///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
 ///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.

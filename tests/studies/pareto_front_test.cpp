@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "studies/pareto_front.hpp"
+
+#include "core/errors.hpp"
+#include "studies/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+using testing_support::normalised_limit;
+using testing_support::paper_objective;
+
+constexpr FrontFigure V = FrontFigure::velocity, A = FrontFigure::acceleration, J = FrontFigure::jerk;
+
+std::vector<FrontPoint> spaced(const ParetoFront& front) {
+    std::vector<FrontPoint> points;
+    std::ranges::copy_if(front.points, std::back_inserter(points),
+                         [](const FrontPoint& point) { return point.place >= 0; });
+    return points;
+}
+
+FrontRequest request_of(const FrontGoal& first, const FrontGoal& second) {
+    FrontRequest request;
+    request.goals = {first, second};
+    return request;
+}
+
+ParetoFront front_of(const FrontRequest& request, const Scene& scene) {
+    ParetoFront front = pareto_front(scene, request);
+    EXPECT_TRUE(front.complete);
+    return front;
+}
+
+Scene cubic_12() {
+    return paper_objective(MotionType::drd, 3, 12);
+}
+
+void expect_ends(const ParetoFront& front, const std::array<double, 2>& first,
+                 const std::array<double, 2>& second) {
+    const std::vector<FrontPoint> points = spaced(front);
+    for (const auto& [point, value] : {std::pair{points.front(), first}, {points.back(), second}}) {
+        EXPECT_EQ(point.end, FrontEnd::attained);
+        for (std::size_t goal : {0U, 1U}) EXPECT_NEAR(point.value[goal], value[goal], 1e-6 * value[goal]);
+    }
+}
+
+// n uniform segments h = 1/n of a cubic with n + 2 coefficients of y', of which 4 are zero: the least V has
+// all others equal, V = n/(n − 2), and then y'' rises to A = V n in one segment, J = V n². The least A keeps
+// y'' at ±A but for the ends and the middle: A = 4n/(n − 2), V = 2, J = A n. The least J of n divisible by 4
+// is 32, with A = 8, V = 2.
+TEST(ParetoFront, EndsAreTheLeastOfEitherGoal) {
+    expect_ends(front_of(request_of(V, A), cubic_12()), {1.2, 14.4}, {2.0, 4.8});
+    expect_ends(front_of(request_of(A, J), cubic_12()), {4.8, 57.6}, {8.0, 32.0});
+    expect_ends(front_of(request_of(V, J), cubic_12()), {1.2, 172.8}, {2.0, 32.0});
+    expect_ends(front_of(request_of(J, A), cubic_12()), {32.0, 8.0}, {57.6, 4.8});
+}
+
+TEST(ParetoFront, EveryPointIsProvedAndNoneIsWorseThanAnother) {
+    for (const FrontRequest& request : {request_of(V, A), request_of(A, J), request_of(V, J)}) {
+        const ParetoFront front = front_of(request, cubic_12());
+        for (std::size_t i = 0; i < front.points.size(); ++i) {
+            const FrontPoint& point = front.points[i];
+            EXPECT_EQ(point.solution.certificate.verdict, Verdict::optimal);
+            EXPECT_LE(point.solution.certificate.gap.value(), 1e-7);
+            EXPECT_FALSE(point.dominated);
+            if (i == 0) continue;
+            EXPECT_GT(point.value[0], front.points[i - 1].value[0]);
+            EXPECT_LT(point.value[1], front.points[i - 1].value[1]);
+        }
+    }
+}
+
+TEST(ParetoFront, PointsAreEvenlySpaced) {
+    FrontRequest request = request_of(V, A);
+    for (const int count : {2, 3, 7, 21, 40}) {
+        request.points = count;
+        const ParetoFront front = front_of(request, cubic_12());
+        const std::vector<FrontPoint> points = spaced(front);
+        ASSERT_EQ(static_cast<int>(points.size()), count);
+        EXPECT_TRUE(front.even);
+        EXPECT_EQ(front.spacing.jumps, 0);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double gap = points[i].arc - points[i - 1].arc;
+            EXPECT_NEAR(gap, front.spacing.mean, request.evenness * front.spacing.mean);
+            EXPECT_EQ(points[i].place, static_cast<int>(i));
+        }
+        EXPECT_NEAR(points.back().arc, front.spacing.length, 1e-12);
+    }
+}
+
+TEST(ParetoFront, NeighboursKeepAGivenSpacing) {
+    FrontRequest request = request_of(A, J);
+    request.spacing = 0.07;
+    const ParetoFront front = front_of(request, cubic_12());
+    const std::vector<FrontPoint> points = spaced(front);
+    EXPECT_TRUE(front.even);
+    EXPECT_LE(front.spacing.most, 0.07);
+    const double range_a = points.back().value[0] - points.front().value[0];
+    const double range_j = points.front().value[1] - points.back().value[1];
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double chord = std::hypot((points[i].value[0] - points[i - 1].value[0]) / range_a,
+                                        (points[i].value[1] - points[i - 1].value[1]) / range_j);
+        EXPECT_LE(chord, 0.07);
+        EXPECT_GE(chord, 0.5 * 0.07);
+    }
+}
+
+// The front of a linear program is made of straight pieces. On one of them every point has the same weighted
+// objective, that of the weights at right angles to it; a solve by weights finds its corners only.
+TEST(ParetoFront, PointsInsideAPieceAgreeWithTheWeightedOptimum) {
+    const Scene scene = cubic_12();
+    const std::array<double, 2> reference{1.76, 5.53};
+    const std::vector<FrontPoint> points = spaced(front_of(request_of(V, A), scene));
+    const auto fall = [&](std::size_t i) {  // in units of the references
+        return -(points[i + 1].value[1] - points[i].value[1]) / reference[1] /
+               ((points[i + 1].value[0] - points[i].value[0]) / reference[0]);
+    };
+    int inside = 0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        if (std::abs(fall(i) / fall(i - 1) - 1.0) > 1e-6) continue;
+        ++inside;
+        Scene weighted = scene;
+        weighted.objective.velocity = fall(i) / (1.0 + fall(i));
+        weighted.objective.acceleration = 1.0 / (1.0 + fall(i));
+        weighted.objective.jerk = 0.0;
+        const Solution optimum = solve(weighted);
+        const double here = weighted.objective.velocity * points[i].value[0] / reference[0] +
+                            weighted.objective.acceleration * points[i].value[1] / reference[1];
+        EXPECT_NEAR(here, optimum.certificate.objective, 1e-8);
+    }
+    EXPECT_GE(inside, 5);
+}
+
+TEST(ParetoFront, StaysAboveEveryWeightedOptimum) {
+    const Scene scene = cubic_12();
+    const ParetoFront front = front_of(request_of(V, A), scene);
+    for (const double share : {0.05, 0.2, 0.5, 0.8, 0.95}) {
+        Scene weighted = scene;
+        weighted.objective.velocity = share;
+        weighted.objective.acceleration = 1.0 - share;
+        weighted.objective.jerk = 0.0;
+        const double optimum = solve(weighted).certificate.objective;
+        double least = infinity;
+        for (const FrontPoint& point : front.points)
+            least = std::min(least, share * point.value[0] / 1.76 + (1.0 - share) * point.value[1] / 5.53);
+        EXPECT_GE(least, optimum - 1e-8);
+        EXPECT_LE(least, optimum + 2e-3);  // a point of the front is near
+    }
+}
+
+TEST(ParetoFront, CutsOffWhatTheOtherGoalWouldPayTooMuchFor) {
+    FrontRequest request = request_of(V, A);
+    request.cut_off = 2.0;
+    const ParetoFront front = front_of(request, cubic_12());
+    const std::vector<FrontPoint> points = spaced(front);
+    EXPECT_EQ(points.front().end, FrontEnd::cut_off);
+    EXPECT_NEAR(points.front().value[0], 1.3, 1e-8);
+    EXPECT_NEAR(points.front().value[1], 9.6, 1e-7);
+    EXPECT_EQ(points.back().end, FrontEnd::attained);
+    const auto beyond = std::ranges::find(front.points, FrontEnd::beyond, &FrontPoint::end);
+    ASSERT_NE(beyond, front.points.end());
+    EXPECT_EQ(beyond->place, -1);
+    EXPECT_NEAR(beyond->value[0], 1.2, 1e-6);
+}
+
+TEST(ParetoFront, KeepsTheScenesOwnLimits) {
+    Scene scene = cubic_12();
+    scene.limits.jerk = normalised_limit("limits.jerk", 70.0);
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.9);
+    const std::vector<FrontPoint> points = spaced(front_of(request_of(V, A), scene));
+    for (const FrontPoint& point : points) {
+        EXPECT_LE(point.solution.peaks.jerk.value, 70.0 * (1.0 + 1e-8));
+        EXPECT_LE(point.value[0], 1.9 * (1.0 + 1e-8));
+    }
+    EXPECT_NEAR(points.back().value[0], 1.9, 1e-6);
+}
+
+TEST(ParetoFront, KeepsTheScenesOtherWeightsWhereAsked) {
+    const Scene scene = cubic_12();
+    FrontRequest request = request_of(V, A);
+    request.points = 9;
+    request.keep_weights = true;
+    const std::vector<FrontPoint> points = spaced(front_of(request, scene));
+    for (const FrontPoint& point : points) {
+        const Peaks& peaks = point.solution.peaks;
+        EXPECT_NEAR(point.value[0], 0.4 * peaks.velocity.value / 1.76 + 0.2 * peaks.jerk.value / 69.0, 1e-9);
+        // The scene's own optimum is one of this family.
+        EXPECT_GE(point.value[0] + 0.4 * point.value[1] / 5.53, 0.940489277 - 1e-8);
+    }
+    EXPECT_LT(points.front().solution.peaks.jerk.value, 60.0);
+}
+
+// One solve knows the least base circle but for what the peaks weigh in: see lexicographic_weight.
+TEST(ParetoFront, TradesTheBaseCircleForJerk) {
+    Scene scene = paper_objective(MotionType::drd, 3, 24);
+    scene.motion.lift = 0.02;
+    scene.motion.rise = std::numbers::pi / 3.0;
+    CamSpec cam;
+    cam[DimensionIndex::base_radius] = Dimension(0.005, 0.06);
+    cam[DimensionIndex::roller_radius] = 0.01;
+    scene.cam = cam;
+    const double degree = std::numbers::pi / 180.0;
+    scene.limits.pressure_angle = WrittenLimit{30.0 * degree, "limits.pressure_angle_deg", degree, "deg"};
+    FrontRequest request = request_of(DimensionIndex::base_radius, J);
+    request.points = 6;
+    const ParetoFront front = front_of(request, scene);
+    const std::vector<FrontPoint> points = spaced(front);
+    const double least_base = 0.02700587 - 0.01;  // the least prime radius of a cubic of 24 segments
+    const auto smallest =
+        std::ranges::min_element(front.points, {}, [](const FrontPoint& point) { return point.value[0]; });
+    EXPECT_GE(smallest->value[0], least_base - 1e-8);
+    EXPECT_LE(smallest->value[0], least_base * 1.01);
+    EXPECT_NEAR(points.back().value[1], 32.0, 1e-5);
+    EXPECT_TRUE(front.even);
+}
+
+TEST(ParetoFront, TracesARootMeanSquareByCapsOnThePeak) {
+    Scene scene = cubic_12();
+    scene.objective.reference = {};
+    for (const FrontRequest& request :
+         {request_of(V, FrontFigure::rms_jerk), request_of(FrontFigure::rms_jerk, V)}) {
+        const ParetoFront front = front_of(request, scene);
+        EXPECT_TRUE(front.even);
+        const std::vector<FrontPoint> points = spaced(front);
+        EXPECT_EQ(points.size(), 21U);
+        for (const FrontPoint& point : points) {
+            if (point.end != FrontEnd::none) continue;
+            EXPECT_EQ(request.goals[point.minimized], FrontGoal(FrontFigure::rms_jerk));
+        }
+    }
+}
+
+TEST(ParetoFront, IsTheSameEveryTime) {
+    const ParetoFront one = front_of(request_of(V, J), cubic_12());
+    const ParetoFront other = front_of(request_of(V, J), cubic_12());
+    ASSERT_EQ(one.points.size(), other.points.size());
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+        EXPECT_EQ(one.points[i].number, other.points[i].number);
+        EXPECT_EQ(one.points[i].value, other.points[i].value);
+        EXPECT_EQ(one.points[i].place, other.points[i].place);
+    }
+}
+
+TEST(ParetoFront, GoalsThatDoNotConflictGiveOnePoint) {
+    // y''' is one constant for four segments: nothing is free.
+    const ParetoFront front = front_of(request_of(V, A), paper_objective(MotionType::drd, 3, 4));
+    ASSERT_EQ(spaced(front).size(), 1U);
+    EXPECT_NEAR(spaced(front).front().value[1], 8.0, 1e-7);
+}
+
+TEST(ParetoFront, AnInfeasibleSceneHasNone) {
+    Scene scene = cubic_12();
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    const ParetoFront front = pareto_front(scene, request_of(A, J));
+    EXPECT_FALSE(front.complete);
+    ASSERT_EQ(front.points.size(), 1U);
+    EXPECT_EQ(front.points.front().solution.certificate.verdict, Verdict::infeasible);
+}
+
+TEST(ParetoFront, StoppedItKeepsWhatIsFinished) {
+    int solves = 0;
+    const SolveControl control{[&] { return solves >= 6; }, {}};
+    const ParetoFront front =
+        pareto_front(cubic_12(), request_of(V, A), control, [&](const FrontPoint&) { ++solves; });
+    EXPECT_FALSE(front.complete);
+    EXPECT_EQ(front.points.size(), 6U);
+    EXPECT_GE(spaced(front).size(), 3U);
+}
+
+TEST(ParetoFront, RefusesWhatIsNoFront) {
+    const Scene scene = cubic_12();
+    const auto refused = [&](const FrontRequest& request) {
+        EXPECT_THROW((void)pareto_front(scene, request), InputError);
+    };
+    refused(request_of(V, V));
+    refused(request_of(FrontFigure::rms_jerk, FrontFigure::rms_acceleration));
+    FrontRequest request = request_of(V, A);
+    request.points = 1;
+    refused(request);
+    request = request_of(V, A);
+    request.spacing = 0.0;
+    refused(request);
+    request = request_of(V, A);
+    request.cut_off = 1.0;
+    refused(request);
+    request = request_of(V, FrontFigure::rms_jerk);
+    request.keep_weights = true;
+    refused(request);
+    EXPECT_THROW((void)front_goal("base_radius", scene), InputError);
+    EXPECT_THROW((void)front_goal("speed", scene), InputError);
+}
+
+}  // namespace
+}  // namespace camopt
