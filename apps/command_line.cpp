@@ -4,6 +4,7 @@
 #include "apps/commands.hpp"
 #include "core/errors.hpp"
 #include "output/version.hpp"
+#include "studies/sweep_run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,10 +30,14 @@ const char* examples =
     "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
     "  camopt check scene.toml                      is the scene right? No solve\n"
     "  camopt compare scene.toml                    every classical law beside the optimum\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
+    "jerk\n"
+    "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "\n"
-    "Exit codes: 0 optimal, local or feasible; 1 failed; 2 wrong input; 3 proved infeasible.\n";
+    "Exit codes: 0 optimal, local or feasible; 1 failed; 2 wrong input; 3 proved infeasible; 130 a sweep was "
+    "interrupted.\n";
 
 // Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
 constexpr int least_points = 16, most_points = 1'000'000;
@@ -43,6 +48,8 @@ struct Words {
     CheckRequest check;
     ListRequest list;
     TableRequest table;
+    SweepRequest sweep;
+    SweepMergeRequest sweep_merge;
 };
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
@@ -116,6 +123,71 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
     return command;
 }
 
+constexpr const char* sweep_examples =
+    "Examples:\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out map\n"
+    "  camopt sweep scene.toml --weights weights.csv --vary spline.segments=8,16,32 --out map\n"
+    "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --vary limits.pressure_angle_deg=25:35:3 "
+    "--out "
+    "map\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out map --resume        go on after Ctrl-C\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out part1 --shard 1/2   on one machine\n"
+    "  camopt sweep scene.toml --weights simplex:20 --out part2 --shard 2/2   on another\n"
+    "  camopt sweep merge part1 part2 --out map                               and joined\n"
+    "\n"
+    "Exit codes: 0 every row solved or infeasible; 1 a row failed; 2 wrong input; 130 interrupted.\n";
+
+void add_sweep_work(CLI::App& command, SweepRequest& request) {
+    constexpr int most_workers = 1024;
+    command
+        .add_option("--workers", request.workers,
+                    "Processes that solve at the same time; default: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_workers));
+    command
+        .add_option(
+            "--chunk", request.chunk,
+            "Rows that are solved in one go, each from what the one before found; the unit of --resume")
+        ->type_name("N")
+        ->default_val(default_chunk_size)
+        ->check(CLI::Range(1, most_sweep_rows));
+    command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
+    command.add_flag("--resume", request.resume,
+                     "Go on with the sweep in the folder; start where there is none");
+}
+
+CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "sweep",
+        "Many solves of one scene: weights, or any keys of it; into sweep.csv, with the Pareto front");
+    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    command
+        .add_option("--weights", request.weights,
+                    "simplex:N, all weights i/N, j/N, k/N of velocity, acceleration and jerk; or a CSV file "
+                    "whose first line names the weights")
+        ->type_name("WEIGHTS");
+    command
+        .add_option("--vary", request.vary,
+                    "Vary a key of the scene: KEY=a:b:count, KEY=a:b:count:log or KEY=v1,v2,…; several give "
+                    "the full grid")
+        ->type_name("KEY=VALUES")
+        ->allow_extra_args(false);
+    command.add_option("--out", request.out, "The folder of the sweep")->type_name("DIR");
+    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
+        ->type_name("NAME");
+    add_settings(command, request.settings);
+    add_sweep_work(command, request);
+    command.footer(sweep_examples);
+    return command;
+}
+
+CLI::App& add_sweep_merge(CLI::App& sweep, SweepMergeRequest& request) {
+    CLI::App& command = *sweep.add_subcommand("merge", "Join the folders of all shards of a sweep");
+    command.add_option("DIRS", request.parts, "Folders of the shards")->type_name("")->required();
+    command.add_option("--out", request.out, "The folder of the whole sweep")->type_name("DIR");
+    return command;
+}
+
 /// `--set a=1 b=2 scene.toml` is understood too: what has no '=' is the scene.
 void find_scene(std::string& scene, std::vector<std::string>& settings) {
     const auto plain = std::find_if(settings.begin(), settings.end(), [](const std::string& setting) {
@@ -161,6 +233,8 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& check = add_check(program, parsed.check);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
+    CLI::App& sweep = add_sweep(program, parsed.sweep);
+    const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
     try {
         program.parse(count, words);
     } catch (const CLI::Success& asked_for_help) {
@@ -183,6 +257,11 @@ ExitCode parse_and_run(int count, const char* const* words) {
         return check_command(parsed.check);
     }
     if (table.parsed()) return table_command(parsed.table);
+    if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
+    if (sweep.parsed()) {
+        find_scene(parsed.sweep.scene, parsed.sweep.settings);
+        return sweep_command(parsed.sweep);
+    }
     return list_command(parsed.list);
 }
 

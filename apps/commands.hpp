@@ -45,6 +45,26 @@ struct ListRequest {
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
 
+struct SweepRequest {
+    std::string scene;                  ///< file
+    std::vector<std::string> vary;      ///< KEY=a:b:count, …
+    std::string weights;                ///< "simplex:N" or a CSV file; empty: those of the scene
+    std::string out;                    ///< folder
+    std::string solver;                 ///< replaces solver.name; empty: the scene's
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    std::optional<int> workers;         ///< none: one a core
+    int chunk = 0;                      ///< rows a chunk
+    std::string shard;                  ///< "i/N"; empty: the whole
+    bool resume = false;
+};
+[[nodiscard]] ExitCode sweep_command(const SweepRequest& request);
+
+struct SweepMergeRequest {
+    std::vector<std::string> parts;  ///< folders of shards
+    std::string out;                 ///< folder
+};
+[[nodiscard]] ExitCode sweep_merge_command(const SweepMergeRequest& request);
+
 struct TableRequest {
     std::string what;  ///< "spline-vs-modified-sine"
     std::string out;   ///< folder; empty: nothing is written

@@ -4,6 +4,7 @@
 
 #include "core/scene.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,5 +12,13 @@ namespace camopt::apps {
 
 /// Throws InputError for whatever is wrong with the file or the settings (KEY=VALUE).
 [[nodiscard]] Scene load_scene(const std::string& file, const std::vector<std::string>& settings);
+
+/// A scene file that is read once and made into scenes many times.
+struct SceneText {
+    std::string name;  ///< of the file, for messages
+    std::string text;
+};
+[[nodiscard]] SceneText read_scene_text(const std::string& file);
+[[nodiscard]] Scene load_scene(const SceneText& scene, std::span<const std::string> settings);
 
 }  // namespace camopt::apps

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -20,9 +21,20 @@ namespace {
     throw InputError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
 }
 
-}  // namespace
+/// Waits until the bytes are on the disk. False: they may not be; errno says why.
+bool is_on_disk(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool done = ::fsync(file) == 0;
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    return done;
+}
 
-void write_text_file(const std::filesystem::path& path, std::string_view text) {
+enum class Durability { program, power };  ///< whose failure the file survives
+
+void write_in_one_step(const std::filesystem::path& path, std::string_view text, Durability durability) {
     std::filesystem::path temporary = path;
     temporary += fmt::format(".{}.tmp", ::getpid());  // two camopt runs may write into the same folder
     std::error_code ignored;
@@ -31,7 +43,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
         std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
         file.write(text.data(), static_cast<std::streamsize>(text.size()));
         file.flush();
-        if (!file) {
+        if (!file || (durability == Durability::power && !is_on_disk(temporary))) {
             const std::string reason = std::strerror(errno);
             std::filesystem::remove(temporary, ignored);
             refuse("write", path, reason);
@@ -43,6 +55,16 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
         std::filesystem::remove(temporary, ignored);
         refuse("write", path, error.message());
     }
+}
+
+}  // namespace
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+    write_in_one_step(path, text, Durability::program);
+}
+
+void write_durable_text_file(const std::filesystem::path& path, std::string_view text) {
+    write_in_one_step(path, text, Durability::power);
 }
 
 std::string read_text_file(const std::filesystem::path& path) {

@@ -12,6 +12,10 @@ namespace camopt {
 /// Throws InputError, naming the file and the system's reason, where it cannot be written.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// The same, and the bytes are on the disk before the file takes its name: it survives a power failure too.
+/// Some milliseconds slower.
+void write_durable_text_file(const std::filesystem::path& path, std::string_view text);
+
 /// Throws InputError where the file cannot be read.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
 

@@ -155,15 +155,18 @@ class Values {
         return found;
     }
 
-    static double by_step(double first, double last, double part) { return first + (last - first) * part; }
+    static double by_step(double first, double last, double part) {
+        return as_written(first + (last - first) * part);
+    }
+    /// To 12 digits: the power of a long way errs in the last ones, and not alike on every machine.
     static double by_factor(double first, double last, double part) {
-        return first * std::pow(last / first, part);
+        return std::stod(fmt::format("{:.12g}", first * std::pow(last / first, part)));
     }
     static std::vector<double> between(double first, double last, int count,
                                        double (*at)(double, double, double)) {
         std::vector<double> values = {first};
         for (int i = 1; i < count - 1; ++i)
-            values.push_back(as_written(at(first, last, static_cast<double>(i) / (count - 1))));
+            values.push_back(at(first, last, static_cast<double>(i) / (count - 1)));
         values.push_back(last);
         return values;
     }

@@ -38,7 +38,7 @@ struct SweepAxis {
 [[nodiscard]] SweepAxis weights_of_csv(std::string_view text, std::string_view name);
 
 /// "KEY=a:b:count" (evenly, both ends included), "KEY=a:b:count:log" (by equal factors), "KEY=v1,v2,…".
-/// Values are rounded to 15 digits, so that 0.1:0.3:3 gives 0.3.
+/// Values in between are rounded to 15 digits (by factors to 12), so that 0.1:0.5:5 has 0.3 in it.
 [[nodiscard]] SweepAxis varied_key(std::string_view text);
 
 /// Whether the key is a weight of the objective: "objective.velocity", not "objective.tie_break".

@@ -9,10 +9,30 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <set>
+#include <utility>
 
 namespace camopt {
 
 namespace {
+
+/// Laws and the weights that are > 0 with them: whether a law's peaks will do depends on nothing else.
+using CheckedLaws = std::set<std::pair<std::string, std::array<bool, sweep_figure_count>>>;
+
+std::array<bool, sweep_figure_count> weighed_figures(const ObjectiveSpec& objective) {
+    return {objective.velocity > 0.0,         objective.acceleration > 0.0, objective.jerk > 0.0, false,
+            objective.rms_acceleration > 0.0, objective.rms_jerk > 0.0};
+}
+
+void check_solve(const Scene& scene, CheckedLaws& checked) {
+    const Reference& reference = scene.objective.reference;
+    if (reference.numeric || checked.emplace(reference.law, weighed_figures(scene.objective)).second)
+        (void)reference_peaks(scene);
+    if (scene.solver.name == "auto" && scene.solver.options.empty()) return;  // there is always one
+    const std::string solver = choose_backend(scene).solver;
+    (void)make_solver(solver);
+    check_native_options(solver, scene.solver.options);
+}
 
 /// What has been seen in any row.
 struct Seen {
@@ -21,10 +41,8 @@ struct Seen {
 
     void add(const Scene& scene) {
         const ObjectiveSpec& objective = scene.objective;
-        const std::array weights = {objective.velocity,         objective.acceleration, objective.jerk, 0.0,
-                                    objective.rms_acceleration, objective.rms_jerk};
-        static_assert(weights.size() == sweep_figure_count);
-        for (std::size_t i = 0; i < weights.size(); ++i) figures[i] = figures[i] || weights[i] > 0.0;
+        const auto weighs = weighed_figures(objective);
+        for (std::size_t i = 0; i < weighs.size(); ++i) figures[i] = figures[i] || weighs[i];
         for (std::size_t i = 0; i < variable.size(); ++i) {
             if (!scene.cam || !scene.cam->dimensions[i].is_variable()) continue;
             variable[i] = true;
@@ -33,23 +51,16 @@ struct Seen {
     }
 };
 
-void check_solve(const Scene& scene) {
-    (void)reference_peaks(scene);
-    if (scene.solver.name == "auto" && scene.solver.options.empty()) return;  // there is always one
-    const std::string solver = choose_backend(scene).solver;
-    (void)make_solver(solver);
-    check_native_options(solver, scene.solver.options);
-}
-
 }  // namespace
 
 SweepColumns check_rows(SweepScenes& scenes) {
     const SweepPlan& plan = scenes.plan();
     Seen seen;
+    CheckedLaws checked;
     for (int row = 0; row < plan.rows(); ++row) {
         const Scene& scene = scenes.scene(row);
         try {
-            check_solve(scene);
+            check_solve(scene, checked);
         } catch (const UnavailableError& error) {
             throw UnavailableError(fmt::format("{}: {}", row_text(plan, row), error.what()));
         } catch (const InputError& error) {

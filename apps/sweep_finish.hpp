@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The end of a sweep whose chunks all stand in its folder.
+#pragma once
+
+#include "apps/exit_code.hpp"
+#include "output/sweep_folder.hpp"
+
+namespace camopt::apps {
+
+/// Writes sweep.csv (of a whole sweep, not of a shard), prints the summary. failure where a row failed: an
+/// infeasible row is a result, a failed one is none.
+[[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder);
+
+}  // namespace camopt::apps

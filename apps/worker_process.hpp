@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// One worker process and the line to it. Used by worker_pool.cpp alone.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace camopt::apps {
+
+/// What a worker says.
+struct WorkerMessage {
+    enum class Kind { told, done, wrong_input, error };
+    Kind kind = Kind::told;
+    int number = 0;    ///< told, done
+    std::string text;  ///< wrong_input, error
+};
+
+/// What runs in the worker.
+struct WorkerDuty {
+    std::function<void()> begin;
+    std::function<void(int unit, const std::function<void(int)>& tell)> work;
+};
+
+class WorkerProcess {
+ public:
+    /// Forks. `not_mine`: ends of other workers' lines, which the child closes. Throws std::system_error
+    /// where the system gives no process.
+    WorkerProcess(const WorkerDuty& duty, const std::vector<int>& not_mine);
+    WorkerProcess(WorkerProcess&& other) noexcept;
+    WorkerProcess& operator=(WorkerProcess&& other) noexcept;
+    ~WorkerProcess();  ///< kills it where it still works
+
+    [[nodiscard]] int line() const { return line_; }  ///< a file descriptor to poll
+    [[nodiscard]] const std::optional<int>& unit() const { return unit_; }
+    void give(int unit);  ///< a worker that is dead already is noticed by listen()
+    void set_idle() { unit_.reset(); }
+
+    /// The next message; none: it died. Blocks until there is one.
+    [[nodiscard]] std::optional<WorkerMessage> listen() const;
+
+    /// Of a dead worker: "worker died: signal 11".
+    [[nodiscard]] std::string cause_of_death();
+
+ private:
+    void end() noexcept;
+
+    pid_t process_ = -1;
+    int line_ = -1;
+    std::optional<int> unit_;
+};
+
+}  // namespace camopt::apps

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+// camopt sweep from outside: what is solved, refused, interrupted, continued and joined.
+#include "output/sweep_csv.hpp"
+#include "output/text_file.hpp"
+#include "program.hpp"
+#include "sweep_run_of_program.hpp"
+#include "tests/output/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using test::chunk_count;
+using test::ProgramRun;
+using test::run_camopt;
+using test::RunningProgram;
+using test::TemporaryFolder;
+using test::timeless_rows;
+
+using Words = std::vector<std::string>;
+
+std::string scene_file(const char* name) {
+    return std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+}
+
+Words operator+(Words one, const Words& other) {
+    one.insert(one.end(), other.begin(), other.end());
+    return one;
+}
+
+/// 66 rows in 11 chunks, some milliseconds a row.
+Words small_sweep(const std::string& out) {
+    return {"sweep", scene_file("drd_cubic_12"), "--weights", "simplex:10", "--chunk", "6", "--out", out};
+}
+
+int run_sweep(const Words& words, const std::string& log) {
+    return RunningProgram(words, log).wait();
+}
+
+/// Waits until it holds, or half a minute. False: it never did.
+bool wait_for(const std::function<bool()>& condition) {
+    for (int i = 0; i < 30'000; ++i) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return condition();
+}
+
+class SweepCommand : public testing::Test {
+ protected:
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
+    [[nodiscard]] std::string errors(const std::string& name) const {
+        return read_text_file(path(name) + ".err");
+    }
+    [[nodiscard]] std::string output(const std::string& name) const {
+        return read_text_file(path(name) + ".out");
+    }
+
+ private:
+    TemporaryFolder folder_;
+};
+
+TEST_F(SweepCommand, SolvesEveryWeightAndTellsWhatItFound) {
+    ASSERT_EQ(run_sweep(small_sweep(path("map")), path("map")), 0) << errors("map");
+    EXPECT_EQ(errors("map"), "");
+    const SweepTable table = read_sweep_csv(read_text_file(path("map") + "/sweep.csv"), "sweep.csv");
+    ASSERT_EQ(table.rows.size(), 66U);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const SweepRow& row = table.rows[i];
+        EXPECT_EQ(row.number, static_cast<int>(i));
+        EXPECT_EQ(row.verdict, Verdict::optimal) << i << " " << row.reason;
+        EXPECT_NEAR(row.settings[0] + row.settings[1] + row.settings[2], 1.0, 1e-12);
+        ASSERT_TRUE(row.objective && row.lower_bound && row.any_curve_limit);
+        EXPECT_LE(*row.lower_bound, *row.objective + 1e-9);
+        EXPECT_GE(*row.objective, *row.any_curve_limit - 1e-7);
+    }
+    const std::string text = output("map");
+    for (const char* words :
+         {"66 (66 optimal)", "Pareto front: ", "velocity, acceleration, jerk", "least objective: ", "wrote "})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+TEST_F(SweepCommand, AGridOfKeysWithInfeasibleRowsIsASuccess) {
+    ASSERT_EQ(run_sweep({"sweep", scene_file("drd_cubic_12"), "--vary", "limits.velocity=0.9,1.6,2", "--vary",
+                         "spline.segments=8:16:2", "--set", "objective.jerk=0.3", "--out", path("grid")},
+                        path("grid")),
+              0)
+        << errors("grid");
+    const SweepTable table = read_sweep_csv(read_text_file(path("grid") + "/sweep.csv"), "sweep.csv");
+    ASSERT_EQ(table.rows.size(), 6U);
+    EXPECT_EQ(table.columns.keys, (Words{"limits.velocity", "spline.segments"}));
+    for (const SweepRow& row : table.rows)
+        EXPECT_EQ(row.verdict, row.settings[0] < 1.0 ? Verdict::infeasible : Verdict::optimal) << row.number;
+    EXPECT_EQ(table.rows[2].active_limits, Words{"limits.velocity"});
+    // The same as `camopt solve` with these keys.
+    const ProgramRun run =
+        run_camopt("solve '" + scene_file("drd_cubic_12") +
+                   "' --set limits.velocity=1.6 spline.segments=16 objective.jerk=0.3 --json");
+    const std::size_t at = run.output.find("\"objective\": ");
+    ASSERT_NE(at, std::string::npos) << run.output;
+    EXPECT_EQ(table.rows[2].settings, (std::vector{1.6, 16.0}));
+    EXPECT_NEAR(*table.rows[2].objective, std::stod(run.output.substr(at + 13)), 1e-8);
+}
+
+TEST_F(SweepCommand, WrongInputIsToldBeforeAnythingStarts) {
+    write_text_file(path("w.csv"), "velocity,jerk\n1,0\n1,x\n");
+    const std::string scene = scene_file("drd_cubic_12");
+    struct Case {
+        Words words;
+        std::string said;
+    };
+    const std::string out = path("none");
+    const std::vector<Case> cases = {
+        {{"sweep", scene, "--out", out}, "found nothing that varies"},
+        {{"sweep", scene, "--weights", "simplex:4"}, "--out is missing"},
+        {{"sweep", "--weights", "simplex:4", "--out", out}, "the scene file is missing"},
+        {{"sweep", scene, "--weights", "simplex:0", "--out", out}, "allowed: at least 1"},
+        {{"sweep", scene, "--weights", "simplex:many", "--out", out}, "allowed: simplex:N"},
+        {{"sweep", scene, "--weights", path("no.csv"), "--out", out}, "cannot read"},
+        {{"sweep", scene, "--weights", path("w.csv"), "--out", out}, "w.csv:3: found \"x\""},
+        {{"sweep", scene, "--vary", "spline.segments=4:9:3", "--out", out},
+         "row 1 (spline.segments=6.5): --set spline.segments=6.5: spline.segments: found 6.5; allowed: an "
+         "integer"},
+        {{"sweep", scene, "--vary", "spline.sections=4,5", "--out", out}, "row 0 (spline.sections=4)"},
+        {{"sweep", scene, "--vary", "a.b=1:2", "--out", out}, "--vary a.b=1:2: "},
+        {{"sweep", scene, "--weights", "simplex:4", "--solver", "none", "--out", out}, "solver.name"},
+        {{"sweep", scene, "--weights", "simplex:4", "--shard", "3/2", "--out", out}, "--shard 3/2"},
+        {{"sweep", scene, "--weights", "simplex:4", "--workers", "0", "--out", out}, "--workers"},
+        {{"sweep", scene, "--weights", "simplex:4", "--chunk", "0", "--out", out}, "--chunk"},
+        {{"sweep", path("no.toml"), "--weights", "simplex:4", "--out", out}, "no.toml"},
+    };
+    for (const Case& one : cases) {
+        EXPECT_EQ(run_sweep(one.words, path("log")), 2) << one.said;
+        EXPECT_NE(errors("log").find(one.said), std::string::npos) << one.said << "\n" << errors("log");
+        EXPECT_EQ(output("log"), "");
+        EXPECT_FALSE(std::filesystem::exists(out)) << one.said;
+    }
+}
+
+TEST_F(SweepCommand, RefusesAnotherSweepsFolder) {
+    ASSERT_EQ(run_sweep(small_sweep(path("map")), path("log")), 0) << errors("log");
+    const std::string before = read_text_file(path("map") + "/sweep.csv");
+    EXPECT_EQ(run_sweep(small_sweep(path("map")), path("log")), 2);
+    EXPECT_NE(errors("log").find("holds a sweep already; allowed: --resume"), std::string::npos);
+    const Words again = small_sweep(path("map")) + Words{"--resume"};
+    const auto refusal = [&](const Words& words) {
+        EXPECT_EQ(run_sweep(words, path("log")), 2);
+        return errors("log");
+    };
+    EXPECT_NE(refusal(again + Words{"--set", "spline.segments=8"}).find("other settings"), std::string::npos);
+    EXPECT_NE(refusal(again + Words{"--vary", "spline.segments=8,9"}).find("other keys"), std::string::npos);
+    EXPECT_NE(refusal(again + Words{"--shard", "1/2"}).find("holds shard 1/1, not 1/2"), std::string::npos);
+    Words other = again;
+    other[1] = scene_file("drd_cubic_8");
+    EXPECT_NE(refusal(other).find("another scene"), std::string::npos);
+    other = again;
+    other[3] = "simplex:9";
+    EXPECT_NE(refusal(other).find("66 rows, not 55"), std::string::npos);
+    other = again;
+    other[5] = "7";
+    EXPECT_NE(refusal(other).find("chunks of 6 rows, not 7"), std::string::npos);
+    EXPECT_EQ(read_text_file(path("map") + "/sweep.csv"), before);
+    EXPECT_EQ(run_sweep(again, path("log")), 0);  // nothing is left to do, and it says the same
+    EXPECT_EQ(read_text_file(path("map") + "/sweep.csv"), before);
+}
+
+TEST_F(SweepCommand, WorkersAndShardsMakeNoDifference) {
+    const auto sweep = [&](const std::string& name, const Words& more) {
+        EXPECT_EQ(run_sweep(small_sweep(path(name)) + more, path(name)), 0) << errors(name);
+    };
+    sweep("one", {"--workers", "1"});
+    sweep("two", {"--workers", "2"});
+    sweep("part1", {"--shard", "1/2", "--workers", "2"});
+    sweep("part2", {"--shard", "2/2", "--workers", "1"});
+    const std::vector<std::string> expected = timeless_rows(path("one"));
+    EXPECT_EQ(expected.size(), 67U);
+    EXPECT_EQ(timeless_rows(path("two")), expected);
+    EXPECT_FALSE(std::filesystem::exists(path("part1") + "/sweep.csv"));  // a part knows no front
+    ASSERT_EQ(
+        run_sweep({"sweep", "merge", path("part2"), path("part1"), "--out", path("whole")}, path("log")), 0)
+        << errors("log");
+    EXPECT_EQ(timeless_rows(path("whole")), expected);
+    EXPECT_EQ(run_sweep(small_sweep(path("whole")) + Words{"--resume"}, path("log")), 0) << errors("log");
+    EXPECT_EQ(timeless_rows(path("whole")), expected);
+}
+
+TEST_F(SweepCommand, MergeRefusesHolesDoublesAndStrangers) {
+    const auto shard = [&](const std::string& name, const std::string& part) {
+        EXPECT_EQ(run_sweep(small_sweep(path(name)) + Words{"--shard", part}, path(name)), 0) << errors(name);
+    };
+    shard("1", "1/3");
+    shard("2", "2/3");
+    shard("3", "3/3");
+    shard("other", "1/2");
+    const auto refusal = [&](const Words& parts) {
+        EXPECT_EQ(run_sweep(Words{"sweep", "merge"} + parts + Words{"--out", path("whole")}, path("log")), 2);
+        EXPECT_FALSE(std::filesystem::exists(path("whole")));
+        return errors("log");
+    };
+    EXPECT_NE(
+        refusal({path("1"), path("3")}).find("rows 6 to 11 are missing: no given folder holds their shard"),
+        std::string::npos);
+    EXPECT_NE(refusal({path("1"), path("2"), path("1"), path("3")}).find("rows 0 to 5 stand in "),
+              std::string::npos);
+    EXPECT_NE(refusal({path("1"), path("2"), path("3"), path("other")}).find("rows 0 to 5 stand in "),
+              std::string::npos);
+    EXPECT_NE(refusal({path("1"), path("none")}).find("holds no sweep"), std::string::npos);
+    std::filesystem::remove(path("2") + "/chunks/chunk_000004.csv");
+    EXPECT_NE(refusal({path("1"), path("2"), path("3")})
+                  .find("rows 24 to 29 are missing: " + path("2") + " is not finished"),
+              std::string::npos);
+    Words stranger = small_sweep(path("stranger")) + Words{"--shard", "2/3"};
+    stranger[3] = "simplex:11";
+    EXPECT_EQ(run_sweep(stranger, path("log")), 0);
+    EXPECT_NE(refusal({path("1"), path("stranger"), path("3")}).find("is no part of the sweep in"),
+              std::string::npos);
+    EXPECT_EQ(run_sweep({"sweep", "merge", path("1"), path("3")}, path("log")), 2);
+    EXPECT_NE(errors("log").find("--out is missing"), std::string::npos);
+}
+
+/// 231 rows in 58 chunks: long enough to be interrupted in the middle.
+Words longer_sweep(const std::string& out) {
+    return {"sweep",     scene_file("drd_cubic_12"),
+            "--weights", "simplex:20",
+            "--chunk",   "4",
+            "--workers", "2",
+            "--out",     out};
+}
+
+constexpr int longer_chunks = 58;
+
+TEST_F(SweepCommand, KilledTwentyTimesAndContinuedItIsTheSame) {
+    ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
+    const std::vector<std::string> expected = timeless_rows(path("whole"));
+    std::mt19937 generator(4);
+    std::uniform_int_distribution<int> moment(0, longer_chunks - 8);
+    std::uniform_int_distribution<int> microseconds(0, 8000);
+    constexpr int kills = 20;
+    int in_the_middle = 0;
+    for (int i = 0; i < kills; ++i) {
+        SCOPED_TRACE(i);
+        const std::string name = path(std::to_string(i));
+        const int enough = moment(generator);
+        RunningProgram program(longer_sweep(name), path("log"));
+        EXPECT_TRUE(wait_for([&] { return chunk_count(name) >= enough || !program.runs(); }));
+        std::this_thread::sleep_for(std::chrono::microseconds(microseconds(generator)));
+        program.send(SIGKILL);
+        const bool killed = program.wait() == 128 + SIGKILL;
+        const bool unfinished = !std::filesystem::exists(name + "/sweep.csv");
+        if (killed && unfinished && chunk_count(name) < longer_chunks) ++in_the_middle;
+        ASSERT_EQ(run_sweep(longer_sweep(name) + Words{"--resume"}, path("log")), 0) << errors("log");
+        EXPECT_EQ(timeless_rows(name), expected);
+    }
+    EXPECT_GE(in_the_middle, kills * 3 / 4);
+}
+
+TEST_F(SweepCommand, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
+    ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
+    RunningProgram program(longer_sweep(path("map")), path("log"));
+    ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 3; }));
+    const std::vector<pid_t> workers = program.children();
+    EXPECT_EQ(workers.size(), 2U);
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait(), 130);
+    for (const pid_t worker : workers) EXPECT_NE(::kill(worker, 0), 0) << "a worker lives on";
+    EXPECT_NE(errors("log").find("interrupted; "), std::string::npos) << errors("log");
+    EXPECT_NE(errors("log").find("of 58 chunks are finished and kept in"), std::string::npos)
+        << errors("log");
+    EXPECT_NE(errors("log").find("--resume goes on"), std::string::npos) << errors("log");
+    EXPECT_EQ(output("log"), "");
+    EXPECT_FALSE(std::filesystem::exists(path("map") + "/sweep.csv"));
+    const int kept = chunk_count(path("map"));
+    EXPECT_GE(kept, 3);
+    EXPECT_LT(kept, longer_chunks);
+    const auto first = std::filesystem::last_write_time(path("map") + "/chunks/chunk_000000.csv");
+    ASSERT_EQ(run_sweep(longer_sweep(path("map")) + Words{"--resume"}, path("log")), 0) << errors("log");
+    EXPECT_EQ(timeless_rows(path("map")), timeless_rows(path("whole")));
+    EXPECT_EQ(std::filesystem::last_write_time(path("map") + "/chunks/chunk_000000.csv"), first);
+}
+
+TEST_F(SweepCommand, AKilledWorkerCostsNothing) {
+    ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
+    RunningProgram program(longer_sweep(path("map")), path("log"));
+    ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 3; }));
+    int killed = 0;
+    for (const pid_t worker : program.children()) killed += ::kill(worker, SIGKILL) == 0 ? 1 : 0;
+    EXPECT_EQ(killed, 2);
+    EXPECT_EQ(program.wait(), 0) << errors("log");
+    EXPECT_EQ(timeless_rows(path("map")), timeless_rows(path("whole")));
+}
+
+/// One row that takes longer than the test has patience for.
+Words endless_sweep(const std::string& out) {
+    return {"sweep",     scene_file("drd_cubic_12"),
+            "--vary",    "spline.segments=12,60000",
+            "--chunk",   "1",
+            "--workers", "1",
+            "--out",     out};
+}
+
+TEST_F(SweepCommand, ARowThatKillsTwoWorkersIsFailedAndTheRestIsThere) {
+    RunningProgram program(endless_sweep(path("map")), path("log"));
+    ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 1; }));
+    pid_t before = 0;
+    for (int i = 0; i < 2; ++i) {
+        std::vector<pid_t> workers;
+        ASSERT_TRUE(wait_for([&] {
+            workers = program.children();
+            return workers.size() == 1 && workers[0] != before;
+        }));
+        before = workers[0];
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));  // until it has been given its chunk
+        ASSERT_EQ(::kill(before, SIGSEGV), 0);
+    }
+    EXPECT_EQ(program.wait(), 1);
+    const SweepTable table = read_sweep_csv(read_text_file(path("map") + "/sweep.csv"), "sweep.csv");
+    ASSERT_EQ(table.rows.size(), 2U);
+    EXPECT_EQ(table.rows[0].verdict, Verdict::optimal);
+    EXPECT_EQ(table.rows[1].verdict, Verdict::failed);
+    EXPECT_EQ(table.rows[1].reason, "worker died: signal 11");
+    EXPECT_FALSE(table.rows[1].objective);
+    EXPECT_NE(output("log").find("failed, worker died: signal 11: 1 row"), std::string::npos)
+        << output("log");
+}
+
+TEST_F(SweepCommand, TwoProgramsDoNotShareAFolder) {
+    RunningProgram program(endless_sweep(path("map")), path("first"));
+    ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 1; }));
+    EXPECT_EQ(run_sweep(endless_sweep(path("map")) + Words{"--resume"}, path("log")), 2);
+    EXPECT_NE(errors("log").find("another camopt is at work in"), std::string::npos) << errors("log");
+}
+
+/// Neither linear nor convex: searches from several seeded starts.
+Words general_sweep(const std::string& out) {
+    return {"sweep",
+            scene_file("cam_undercut"),
+            "--set",
+            "spline.segments=6",
+            "solver.starts=2",
+            "--vary",
+            "cam.base_radius_mm=11,13,15",
+            "--weights",
+            "simplex:1",
+            "--chunk",
+            "2",
+            "--out",
+            out};
+}
+
+TEST_F(SweepCommand, ScenesThatAreNotConvexAreAsRepeatable) {
+    ASSERT_EQ(run_sweep(general_sweep(path("one")) + Words{"--workers", "1"}, path("log")), 0)
+        << errors("log");
+    ASSERT_EQ(run_sweep(general_sweep(path("two")) + Words{"--workers", "2"}, path("log")), 0)
+        << errors("log");
+    const std::vector<std::string> expected = timeless_rows(path("one"));
+    EXPECT_EQ(timeless_rows(path("two")), expected);
+    RunningProgram program(general_sweep(path("killed")), path("log"));
+    EXPECT_TRUE(wait_for([&] { return chunk_count(path("killed")) >= 2 || !program.runs(); }));
+    program.send(SIGKILL);
+    (void)program.wait();
+    EXPECT_FALSE(std::filesystem::exists(path("killed") + "/sweep.csv"));  // it was killed in the middle
+    ASSERT_EQ(run_sweep(general_sweep(path("killed")) + Words{"--resume"}, path("log")), 0) << errors("log");
+    EXPECT_EQ(timeless_rows(path("killed")), expected);
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// sweep.csv is written and read back to the last bit; what is damaged is refused.
+#include "output/sweep_csv.hpp"
+
+#include "core/errors.hpp"
+#include "output/csv_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+
+namespace camopt {
+namespace {
+
+std::string error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+SweepRow random_row(int number, std::mt19937_64& generator) {
+    std::uniform_real_distribution<double> exponent(-12.0, 12.0);
+    std::uniform_int_distribution<long> count(0, 1'000'000'000'000);
+    std::bernoulli_distribution absent(0.2);
+    const auto value = [&] { return std::pow(10.0, exponent(generator)); };
+    const auto maybe = [&]() -> std::optional<double> {
+        if (absent(generator)) return std::nullopt;
+        return value();
+    };
+    SweepRow row;
+    row.number = number;
+    row.settings = {value(), -value()};
+    row.verdict = static_cast<Verdict>(number % 5);
+    row.reason = number % 3 == 0 ? "" : "error: \"no\", said\nthe solver, and gave up";
+    for (auto* one : {&row.objective, &row.lower_bound, &row.gap, &row.any_curve_limit}) *one = maybe();
+    for (auto& figure : row.figures) figure = maybe();
+    row.dimensions[0] = maybe();
+    row.dimensions[2] = maybe();
+    if (number % 2 == 0) row.active_limits = {"limits.velocity", "limits.pressure_angle_deg"};
+    row.iterations = number;
+    row.exchange_rounds = 3;
+    row.evaluations = {count(generator), 2, 3, 4, 5, count(generator)};
+    row.seconds_solve = value();
+    row.seconds_total = value();
+    row.on_front = absent(generator);
+    return row;
+}
+
+void expect_same(const SweepRow& one, const SweepRow& other) {
+    EXPECT_EQ(one.number, other.number);
+    EXPECT_EQ(one.settings, other.settings);
+    EXPECT_EQ(one.verdict, other.verdict);
+    EXPECT_EQ(one.reason, other.reason);
+    EXPECT_EQ(one.objective, other.objective);
+    EXPECT_EQ(one.lower_bound, other.lower_bound);
+    EXPECT_EQ(one.gap, other.gap);
+    EXPECT_EQ(one.any_curve_limit, other.any_curve_limit);
+    EXPECT_EQ(one.figures, other.figures);
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto& expected = other.dimensions[static_cast<std::size_t>(i)];
+        ASSERT_EQ(one.dimensions[static_cast<std::size_t>(i)].has_value(), expected.has_value());
+        // Lengths stand there in mm: the same to one rounding, and written the same again (below).
+        if (expected) EXPECT_DOUBLE_EQ(*one.dimensions[static_cast<std::size_t>(i)], *expected);
+    }
+    EXPECT_EQ(one.active_limits, other.active_limits);
+    EXPECT_EQ(one.iterations, other.iterations);
+    EXPECT_EQ(one.exchange_rounds, other.exchange_rounds);
+    EXPECT_EQ(one.evaluations.cost, other.evaluations.cost);
+    EXPECT_EQ(one.evaluations.hessian, other.evaluations.hessian);
+    EXPECT_EQ(one.evaluations.profile_points, other.evaluations.profile_points);
+    EXPECT_EQ(one.seconds_solve, other.seconds_solve);
+    EXPECT_EQ(one.seconds_total, other.seconds_total);
+    EXPECT_EQ(one.on_front, other.on_front);
+}
+
+SweepTable random_table() {
+    std::mt19937_64 generator(7);
+    SweepTable table{{{"objective.velocity", "motion.segments[1].to"},
+                      {DimensionIndex::base_radius, DimensionIndex::offset},
+                      {}},
+                     {}};
+    for (int i = 0; i < 500; ++i) table.rows.push_back(random_row(i, generator));
+    return table;
+}
+
+TEST(SweepCsv, ReadsBackTheSameTable) {
+    const SweepTable table = random_table();
+    const std::string text = sweep_csv(table);
+    const SweepTable read = read_sweep_csv(text, "sweep.csv");
+    EXPECT_EQ(read.columns.keys, table.columns.keys);
+    EXPECT_EQ(read.columns.dimensions, table.columns.dimensions);
+    ASSERT_EQ(read.rows.size(), table.rows.size());
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        SCOPED_TRACE(i);
+        expect_same(read.rows[i], table.rows[i]);
+    }
+    EXPECT_EQ(sweep_csv(read), text);
+}
+
+TEST(SweepCsv, NamesItsColumnsWithUnits) {
+    EXPECT_TRUE(
+        sweep_csv(random_table())
+            .starts_with("row,objective.velocity,motion.segments[1].to,verdict,reason,pareto_front,"
+                         "objective,lower_bound,gap,any_curve_limit,velocity,acceleration,jerk,torque,"
+                         "rms_acceleration,rms_jerk,base_radius_mm,offset_mm,active_limits,iterations,"
+                         "exchange_rounds,cost_evaluations,gradient_evaluations,"
+                         "constraint_evaluations,jacobian_evaluations,hessian_evaluations,"
+                         "profile_points,seconds_solve,seconds_total\n0,"));
+}
+
+TEST(SweepCsv, RefusesWhatItWouldNotHaveWritten) {
+    SweepTable table = random_table();
+    table.rows.resize(1);
+    table.rows[0].reason.clear();
+    const std::string text = sweep_csv(table);
+    const auto said = [](const std::string& wrong) {
+        return error_of([&] { (void)read_sweep_csv(wrong, "s.csv"); });
+    };
+    ASSERT_EQ(said(text), "no error");
+    const auto with = [&](const std::string& old, const std::string& replacement) {
+        std::string wrong = text;
+        wrong.replace(wrong.find(old), old.size(), replacement);
+        return said(wrong);
+    };
+    EXPECT_NE(said("").find("s.csv:1: found nothing"), std::string::npos);
+    EXPECT_NE(with("torque", "force").find("s.csv:1: found other columns"), std::string::npos);
+    EXPECT_NE(with("verdict", "word").find("s.csv:1: found other columns"), std::string::npos);
+    EXPECT_NE(with("optimal", "best").find("s.csv:2: verdict: found \"best\""), std::string::npos);
+    EXPECT_NE(with("\n0,", "\n,").find("s.csv:2: row: found \"\"; allowed: a number"), std::string::npos);
+    EXPECT_NE(with("\n0,", "\n0.5,").find("s.csv:2: row: found \"0.5\""), std::string::npos);
+    EXPECT_NE(with("\n0,", "\n0,1,").find("s.csv:2: found 30 cells; allowed: 29"), std::string::npos);
+    EXPECT_NE(with("optimal", "\"optimal").find("quote that does not end"), std::string::npos);
+    for (std::size_t end = text.find('\n') + 2; end < text.size() - 1; end += 3)  // cut off anywhere
+        if (text[end - 1] != ',' && end + 30 < text.size())
+            EXPECT_NE(said(text.substr(0, end)), "no error") << end;
+}
+
+TEST(CsvReader, TakesQuotesAndBothLineEndings) {
+    const auto records = csv_records("a,b\r\n\"1,\"\"2\"\"\n3\",\r\nlast", "t");
+    ASSERT_EQ(records.size(), 3U);
+    EXPECT_EQ(records[0].cells, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(records[1].cells, (std::vector<std::string>{"1,\"2\"\n3", ""}));
+    EXPECT_EQ(records[2].cells, std::vector<std::string>{"last"});
+    EXPECT_EQ(records[1].line, 2);
+    EXPECT_EQ(records[2].line, 4);
+    EXPECT_TRUE(csv_records("", "t").empty());
+    EXPECT_NE(error_of([] { (void)csv_records("a\n\"b", "t"); }).find("t:2: found a quote that does not end"),
+              std::string::npos);
+    EXPECT_NE(error_of([] { (void)csv_records("\"a\"b", "t"); }).find("behind a closing quote"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace camopt
