@@ -18,6 +18,7 @@ fi
 
 prepare() {
     local tree="$old/tree"
+    git -C "$root" worktree prune # of a folder that was deleted
     [[ -d $tree ]] || git -C "$root" worktree add --detach "$tree" "$commit"
     cp "$root/benchmarks/solve_seconds.cpp" "$tree/benchmarks/"
     grep -q solve_seconds "$tree/benchmarks/CMakeLists.txt" || cat >> "$tree/benchmarks/CMakeLists.txt" <<'END'
