@@ -98,14 +98,17 @@ Json followers_json() {
 std::string solvers_text() {
     std::string text;
     for (const SolverEntry& entry : solver_entries()) {
-        text += fmt::format("{:<14} {}\n", entry.name, entry.method);
+        text += fmt::format("{:<23} {}\n", entry.name, entry.method);
         if (entry.available)
-            text += fmt::format("{:<14}   available{}{}{}\n", "", entry.version.empty() ? "" : ", version ",
-                                entry.version, entry.gives_multipliers ? ", gives multipliers" : "");
+            text +=
+                fmt::format("{:<23}   available{}{}{}{}{}\n", "", entry.version.empty() ? "" : ", version ",
+                            entry.version, entry.gives_multipliers ? ", gives multipliers" : "",
+                            entry.needs_derivatives ? "" : ", needs no derivatives",
+                            entry.takes_equalities ? "" : ", takes no equality rows");
         else
-            text += fmt::format("{:<14}   not in this build: {}\n", "", entry.remedy);
+            text += fmt::format("{:<23}   not in this build: {}\n", "", entry.remedy);
         for (const NativeOption& option : entry.options)
-            text += fmt::format("{:<14}   {} = {} ({}): {}\n", "", option.name, option.default_value,
+            text += fmt::format("{:<23}   {} = {} ({}): {}\n", "", option.name, option.default_value,
                                 option.range, option.meaning);
     }
     return text;
@@ -128,6 +131,8 @@ Json solvers_json() {
                         {"remedy", entry.remedy.empty() ? Json(nullptr) : Json(entry.remedy)},
                         {"gives_multipliers", entry.gives_multipliers},
                         {"needs_convex", entry.needs_convex},
+                        {"needs_derivatives", entry.needs_derivatives},
+                        {"takes_equalities", entry.takes_equalities},
                         {"options", options}});
     }
     return list;

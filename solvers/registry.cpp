@@ -23,11 +23,17 @@ struct Backend {
 };
 
 /// A new backend is one line here (docs/adding_a_solver.md).
-constexpr std::array<Backend, 4> backends = {{
+constexpr std::array<Backend, 10> backends = {{
     {structured_entry, make_structured_solver},
     {ipopt_entry, make_ipopt_solver},
-    {nlopt_slsqp_entry, make_nlopt_slsqp_solver},
-    {nlopt_cobyla_entry, make_nlopt_cobyla_solver},
+    {nlopt_entry<NloptMethod::slsqp>, make_nlopt_solver<NloptMethod::slsqp>},
+    {nlopt_entry<NloptMethod::cobyla>, make_nlopt_solver<NloptMethod::cobyla>},
+    {nlopt_entry<NloptMethod::mma>, make_nlopt_solver<NloptMethod::mma>},
+    {nlopt_entry<NloptMethod::ccsaq>, make_nlopt_solver<NloptMethod::ccsaq>},
+    {nlopt_entry<NloptMethod::isres>, make_nlopt_solver<NloptMethod::isres>},
+    {nlopt_entry<NloptMethod::auglag_lbfgs>, make_nlopt_solver<NloptMethod::auglag_lbfgs>},
+    {nlopt_entry<NloptMethod::auglag_sbplx>, make_nlopt_solver<NloptMethod::auglag_sbplx>},
+    {nlopt_entry<NloptMethod::auglag_neldermead>, make_nlopt_solver<NloptMethod::auglag_neldermead>},
 }};
 
 std::size_t index_of(std::string_view name) {

@@ -24,13 +24,15 @@ struct NativeOption {
 };
 
 struct SolverEntry {
-    std::string name;        ///< "structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"
+    std::string name;        ///< "structured", "ipopt", "nlopt.slsqp", "nlopt.auglag.lbfgs", …
     std::string method;      ///< one line: what algorithm, for which problems
     bool available = false;  ///< built into this camopt
     std::string version;     ///< of the library behind it, empty where absent
     std::string remedy;      ///< where absent: which package to install
     bool gives_multipliers = false;
     bool needs_convex = false;
+    bool needs_derivatives = true;
+    bool takes_equalities = true;
     std::vector<NativeOption> options;
 };
 

@@ -9,12 +9,8 @@ std::string nlopt_library_version() {
     return {};
 }
 
-std::unique_ptr<Solver> make_nlopt_slsqp_solver() {
-    throw_unavailable(nlopt_slsqp_entry());
-}
-
-std::unique_ptr<Solver> make_nlopt_cobyla_solver() {
-    throw_unavailable(nlopt_cobyla_entry());
+std::unique_ptr<Solver> make_nlopt_solver(NloptMethod method) {
+    throw_unavailable(nlopt_entry(method));
 }
 
 }  // namespace camopt

@@ -24,6 +24,7 @@ class NloptAdapter {
     /// Largest violation of a row or a bound, each relative to max(1, |bound|).
     [[nodiscard]] double violation(const Eigen::VectorXd& x);
 
+    [[nodiscard]] int equality_rows() const { return static_cast<int>(equalities_.size()); }
     [[nodiscard]] int evaluations() const { return evaluations_; }
 
  private:

@@ -3,9 +3,12 @@
 
 #include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_adapter.hpp"
+#include "solvers/nlopt/nlopt_methods.hpp"
+#include "solvers/nlopt/nlopt_runs.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace camopt {
@@ -15,115 +18,37 @@ namespace {
 /// Costs below this are taken for unbounded; a problem arrives scaled to about one.
 constexpr double unbounded_cost = -1e20;
 
-struct Outcome {
-    Termination termination;
-    const char* word;
-};
-
-Outcome outcome_of(nlopt_result status) {
-    using enum Termination;
-    switch (status) {
-        case NLOPT_SUCCESS:
-            return {converged, "SUCCESS"};
-        case NLOPT_FTOL_REACHED:
-            return {converged, "FTOL_REACHED"};
-        case NLOPT_XTOL_REACHED:
-            return {converged, "XTOL_REACHED"};
-        case NLOPT_STOPVAL_REACHED:
-            return {unbounded, "STOPVAL_REACHED"};
-        case NLOPT_MAXEVAL_REACHED:
-            return {iteration_limit, "MAXEVAL_REACHED"};
-        case NLOPT_MAXTIME_REACHED:
-            return {time_limit, "MAXTIME_REACHED"};
-        case NLOPT_FAILURE:
-            return {numerical_failure, "FAILURE"};
-        case NLOPT_INVALID_ARGS:
-            return {unsupported, "INVALID_ARGS"};
-        case NLOPT_OUT_OF_MEMORY:
-            return {numerical_failure, "OUT_OF_MEMORY"};
-        case NLOPT_ROUNDOFF_LIMITED:
-            return {acceptable, "ROUNDOFF_LIMITED"};
-        case NLOPT_FORCED_STOP:
-            return {interrupted, "FORCED_STOP"};
-        default:
-            return {numerical_failure, "unknown to camopt"};  // a code of a later NLopt
-    }
-}
-
-bool finished(Termination termination) {
-    return termination == Termination::converged || termination == Termination::acceptable;
-}
-
 struct Destroy {
     void operator()(nlopt_opt optimizer) const { nlopt_destroy(optimizer); }
 };
 using Optimizer = std::unique_ptr<nlopt_opt_s, Destroy>;
 
-void set_steps(nlopt_opt optimizer, const BackendOptions& options) {
-    // A thousandth: a short step of SLSQP on a linear program says little of the distance to the optimum.
-    nlopt_set_ftol_rel(optimizer, number_or(options, "ftol_rel", 1e-3 * options.tolerance));
-    nlopt_set_xtol_rel(optimizer, number_or(options, "xtol_rel", 1e-3 * options.tolerance));
-    nlopt_set_stopval(optimizer, unbounded_cost);
-    const double step = number_or(options, "initial_step", 0.0);
-    if (step > 0.0) nlopt_set_initial_step1(optimizer, step);
+nlopt_algorithm algorithm_of(NloptMethod method) {
+    switch (method) {
+        case NloptMethod::slsqp:
+            return NLOPT_LD_SLSQP;
+        case NloptMethod::cobyla:
+            return NLOPT_LN_COBYLA;
+        case NloptMethod::mma:
+            return NLOPT_LD_MMA;
+        case NloptMethod::ccsaq:
+            return NLOPT_LD_CCSAQ;
+        case NloptMethod::isres:
+            return NLOPT_GN_ISRES;
+        default:
+            return NLOPT_AUGLAG;
+    }
 }
 
-/// Runs, and runs again from where that ended, until a run ends feasible and lowers the cost no more. SLSQP
-/// needs it on degenerate linear programs, where it stops early or stalls with a worn-out quasi-Newton
-/// matrix.
-class Runs {
- public:
-    Runs(nlopt_opt optimizer, NloptAdapter& adapter, SolveGuard& guard, const BackendOptions& options)
-        : optimizer_(optimizer), adapter_(adapter), guard_(guard), options_(options) {}
-
-    BackendResult from(Eigen::VectorXd x) {
-        const double feasible = 10.0 * number_or(options_, "constraint_tolerance", options_.tolerance);
-        const int restarts = static_cast<int>(number_or(options_, "restarts", 20.0));
-        BackendResult result;
-        double best = infinity, violation = infinity;
-        for (int run = 0; run <= restarts; ++run) {
-            double cost = 0.0;
-            const Outcome outcome = once(x, cost);
-            result.termination = outcome.termination;
-            result.native_status = outcome.word;
-            if (!finished(outcome.termination)) break;
-            violation = adapter_.violation(x);
-            const bool settled =
-                std::abs(best - cost) <= 0.1 * options_.tolerance * std::max(1.0, std::abs(cost));
-            best = cost;
-            if (settled && run > 0 && violation <= feasible) break;
-        }
-        if (finished(result.termination) && violation > feasible) {
-            result.termination = Termination::numerical_failure;
-            result.native_status += fmt::format(" with violation {:.2g}", violation);
-        }
-        result.x = std::move(x);
-        result.iterations = adapter_.evaluations();
-        return result;
-    }
-
- private:
-    Outcome once(Eigen::VectorXd& x, double& cost) {
-        const int left = options_.max_iterations - adapter_.evaluations();
-        if (left < 1) return {Termination::iteration_limit, "MAXEVAL_REACHED"};
-        nlopt_set_maxeval(optimizer_, left);
-        nlopt_set_maxtime(optimizer_, guard_.seconds_left());
-        Eigen::VectorXd end = x;
-        const Outcome outcome = outcome_of(nlopt_optimize(optimizer_, end.data(), &cost));
-        if (end.allFinite()) x = end;
-        return outcome;
-    }
-
-    nlopt_opt optimizer_;
-    NloptAdapter& adapter_;
-    SolveGuard& guard_;
-    const BackendOptions& options_;
-};
+nlopt_algorithm inner_algorithm_of(NloptMethod method) {
+    if (method == NloptMethod::auglag_lbfgs) return NLOPT_LD_LBFGS;
+    return method == NloptMethod::auglag_sbplx ? NLOPT_LN_SBPLX : NLOPT_LN_NELDERMEAD;
+}
 
 class NloptSolver final : public Solver {
  public:
-    NloptSolver(SolverEntry entry, nlopt_algorithm algorithm)
-        : entry_(std::move(entry)), algorithm_(algorithm) {}
+    explicit NloptSolver(NloptMethod method)
+        : method_(method), traits_(traits_of(method)), entry_(nlopt_entry(method)) {}
 
     [[nodiscard]] std::string_view name() const override { return entry_.name; }
 
@@ -135,28 +60,109 @@ class NloptSolver final : public Solver {
         const NlpShape& shape = problem.shape();
         SolveGuard guard(options, control);
         NloptAdapter adapter(problem, guard);
-        const Optimizer optimizer(nlopt_create(algorithm_, static_cast<unsigned>(shape.variables())));
-        BackendResult result;
+        if (adapter.equality_rows() > 0 && !traits_.takes_equalities)
+            return refused(
+                fmt::format("takes no equality rows, this problem has {}", adapter.equality_rows()));
+        const Optimizer optimizer(
+            nlopt_create(algorithm_of(method_), static_cast<unsigned>(shape.variables())));
         const nlopt_result attached =
             adapter.attach(optimizer.get(), number_or(options, "constraint_tolerance", options.tolerance));
         if (attached < 0) {  // more equalities than variables, for one
-            result.termination = outcome_of(attached).termination;
             const char* message = nlopt_get_errmsg(optimizer.get());
-            result.native_status =
-                fmt::format("{}: {}", outcome_of(attached).word, message ? message : "no message");
-            return result;
+            return refused(
+                fmt::format("{}: {}", outcome_of(attached).word, message ? message : "no message"));
         }
+        const Eigen::VectorXd inside = start.cwiseMax(shape.x_lower).cwiseMin(shape.x_upper);
         set_steps(optimizer.get(), options);
-        result = Runs(optimizer.get(), adapter, guard, options)
-                     .from(start.cwiseMax(shape.x_lower).cwiseMin(shape.x_upper));
+        set_own(optimizer.get(), options);
+        if (traits_.is_global) set_box(optimizer.get(), shape, inside, options);
+        if (traits_.is_augmented) set_inner(optimizer.get(), options);
+        BackendResult result =
+            NloptRuns(optimizer.get(), adapter, guard, options)
+                .from(inside, static_cast<int>(number_or(options, "restarts", traits_.restarts)));
         guard.rethrow();
-        if (guard.reason() && !finished(result.termination)) result.termination = *guard.reason();
+        if (traits_.is_global && is_finished(result.termination) &&
+            is_at_edge(optimizer.get(), shape, result.x)) {
+            result.termination = Termination::unbounded;
+            result.native_status += " at the edge of its search radius";
+        }
+        if (guard.reason() && !is_finished(result.termination)) result.termination = *guard.reason();
         return result;
     }
 
  private:
+    static BackendResult refused(std::string why) {
+        BackendResult result;
+        result.termination = Termination::unsupported;
+        result.native_status = std::move(why);
+        return result;
+    }
+
+    static void set_steps(nlopt_opt optimizer, const BackendOptions& options) {
+        const double small = step_tolerance * options.tolerance;
+        nlopt_set_ftol_rel(optimizer, number_or(options, "ftol_rel", small));
+        nlopt_set_xtol_rel(optimizer, number_or(options, "xtol_rel", small));
+        nlopt_set_stopval(optimizer, unbounded_cost);
+        const double step = number_or(options, "initial_step", 0.0);
+        if (step > 0.0) nlopt_set_initial_step1(optimizer, step);
+    }
+
+    void set_own(nlopt_opt optimizer, const BackendOptions& options) const {
+        if (method_ == NloptMethod::mma || method_ == NloptMethod::ccsaq) {
+            // NLopt's own choice, MMA once more, takes 70 to 150 times as long with some hundred rows.
+            const auto dual = options.native.find("dual_algorithm");
+            const bool mma = dual != options.native.end() && std::get<std::string>(dual->second) == "mma";
+            nlopt_set_param(optimizer, "dual_algorithm", mma ? NLOPT_LD_MMA : NLOPT_LD_LBFGS);
+            nlopt_set_param(optimizer, "dual_maxeval",
+                            number_or(options, "dual_maxeval", default_dual_evaluations));
+        }
+        if (traits_.is_global) {
+            // The generator is one a thread: seeded here, a solve does not depend on those before it.
+            nlopt_srand(static_cast<unsigned long>(number_or(options, "seed", 0.0)));
+            nlopt_set_population(optimizer, static_cast<unsigned>(number_or(options, "population", 0.0)));
+        }
+    }
+
+    /// Finite bounds where the problem has none.
+    static void set_box(nlopt_opt optimizer, const NlpShape& shape, const Eigen::VectorXd& start,
+                        const BackendOptions& options) {
+        const double radius = number_or(options, "search_radius", default_search_radius);
+        Eigen::VectorXd lower = shape.x_lower, upper = shape.x_upper;
+        for (Eigen::Index j = 0; j < start.size(); ++j) {
+            const double reach = radius * std::max(1.0, std::abs(start[j]));
+            if (!std::isfinite(lower[j])) lower[j] = start[j] - reach;
+            if (!std::isfinite(upper[j])) upper[j] = start[j] + reach;
+        }
+        nlopt_set_lower_bounds(optimizer, lower.data());
+        nlopt_set_upper_bounds(optimizer, upper.data());
+    }
+
+    /// On a bound that set_box() made up.
+    static bool is_at_edge(nlopt_opt optimizer, const NlpShape& shape, const Eigen::VectorXd& x) {
+        Eigen::VectorXd lower(x.size()), upper(x.size());
+        nlopt_get_lower_bounds(optimizer, lower.data());
+        nlopt_get_upper_bounds(optimizer, upper.data());
+        for (Eigen::Index j = 0; j < x.size(); ++j) {
+            const double margin = 1e-6 * (upper[j] - lower[j]);
+            if (x[j] < lower[j] + margin && !std::isfinite(shape.x_lower[j])) return true;
+            if (x[j] > upper[j] - margin && !std::isfinite(shape.x_upper[j])) return true;
+        }
+        return false;
+    }
+
+    void set_inner(nlopt_opt optimizer, const BackendOptions& options) const {
+        // Without its xtol_abs the outer optimizer of NLopt 2.7 dies of a null pointer.
+        nlopt_set_xtol_abs1(optimizer, 0.0);
+        const Optimizer inner(nlopt_create(inner_algorithm_of(method_), nlopt_get_dimension(optimizer)));
+        set_steps(inner.get(), options);
+        nlopt_set_maxeval(inner.get(),
+                          static_cast<int>(number_or(options, "inner_maxeval", default_inner_evaluations)));
+        nlopt_set_local_optimizer(optimizer, inner.get());  // takes a copy
+    }
+
+    NloptMethod method_;
+    const NloptTraits& traits_;
     SolverEntry entry_;
-    nlopt_algorithm algorithm_;
 };
 
 }  // namespace
@@ -167,12 +173,8 @@ std::string nlopt_library_version() {
     return fmt::format("{}.{}.{}", major, minor, bugfix);
 }
 
-std::unique_ptr<Solver> make_nlopt_slsqp_solver() {
-    return std::make_unique<NloptSolver>(nlopt_slsqp_entry(), NLOPT_LD_SLSQP);
-}
-
-std::unique_ptr<Solver> make_nlopt_cobyla_solver() {
-    return std::make_unique<NloptSolver>(nlopt_cobyla_entry(), NLOPT_LN_COBYLA);
+std::unique_ptr<Solver> make_nlopt_solver(NloptMethod method) {
+    return std::make_unique<NloptSolver>(method);
 }
 
 }  // namespace camopt

@@ -14,7 +14,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-void expect_unavailable(const SolverEntry& entry, std::unique_ptr<Solver> (*make)()) {
+template <class Make>
+void expect_unavailable(const SolverEntry& entry, Make make) {
     EXPECT_FALSE(entry.available);
     EXPECT_TRUE(entry.version.empty());
     EXPECT_FALSE(entry.options.empty()) << "what could be set is still said";
@@ -30,11 +31,11 @@ void expect_unavailable(const SolverEntry& entry, std::unique_ptr<Solver> (*make
 TEST(AbsentBackend, IpoptSaysWhatToInstall) {
     expect_unavailable(ipopt_entry(), make_ipopt_solver);
 }
-TEST(AbsentBackend, SlsqpSaysWhatToInstall) {
-    expect_unavailable(nlopt_slsqp_entry(), make_nlopt_slsqp_solver);
-}
-TEST(AbsentBackend, CobylaSaysWhatToInstall) {
-    expect_unavailable(nlopt_cobyla_entry(), make_nlopt_cobyla_solver);
+TEST(AbsentBackend, NloptSaysWhatToInstallForEveryMethod) {
+    using enum NloptMethod;
+    for (const NloptMethod method :
+         {slsqp, cobyla, mma, ccsaq, isres, auglag_lbfgs, auglag_sbplx, auglag_neldermead})
+        expect_unavailable(nlopt_entry(method), [method] { return make_nlopt_solver(method); });
 }
 
 }  // namespace

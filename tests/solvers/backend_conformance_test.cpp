@@ -26,9 +26,27 @@ const SolverEntry& entry_of(const std::string& name) {
     throw InputError("no such solver: " + name);
 }
 
-/// What may be asked of each backend, relative to max(1, |cost|).
-double cost_accuracy(const std::string& solver) {
-    return solver.starts_with("nlopt.") ? 1e-6 : 1e-9;
+/// What may honestly be asked of each backend.
+struct Reach {
+    double cost = 1e-9;         ///< relative to max(1, |cost|)
+    double x = 1e-4;            ///< of the point, where it is unique
+    int most_variables = 1000;  ///< of the problems it is asked to solve
+    bool may_run_out = false;   ///< ends at its limit on evaluations, near the optimum all the same
+};
+
+Reach reach_of(const std::string& solver) {
+    if (!solver.starts_with("nlopt.")) return {};
+    if (solver == "nlopt.isres") return {1e-4, 1e-2, 5, true};
+    // Kinked problems are not for L-BFGS; the simplexes lose their way in more than a few variables.
+    if (solver == "nlopt.auglag.lbfgs") return {1e-6, 1e-4, 11, false};
+    if (solver.starts_with("nlopt.auglag.")) return {1e-5, 1e-2, 5, true};
+    return {1e-6, 1e-4, 1000, false};
+}
+
+bool has_equalities(const NlpShape& shape) {
+    for (int row = 0; row < shape.constraints(); ++row)
+        if (shape.g_lower[row] == shape.g_upper[row]) return true;
+    return false;
 }
 
 bool finished(Termination termination) {
@@ -47,7 +65,16 @@ class Backend : public testing::TestWithParam<std::string> {
         if (!entry.available) GTEST_SKIP() << entry.name << " is not in this build: " << entry.remedy;
         solver_ = make_solver(GetParam());
         options_.max_seconds = 20.0;
-        if (GetParam() == "nlopt.cobyla") options_.max_iterations = 20000;
+        reach_ = reach_of(GetParam());
+        if (!entry.needs_derivatives) options_.max_iterations = 20000;
+    }
+    [[nodiscard]] bool takes_equalities() const { return entry_of(GetParam()).takes_equalities; }
+    /// Problems every backend takes: one that needs many iterations, one with few.
+    [[nodiscard]] KnownProblem long_problem() const {
+        return takes_equalities() ? weighted_peaks_lp(12) : bounded_rosenbrock();
+    }
+    [[nodiscard]] KnownProblem short_problem() const {
+        return takes_equalities() ? projection_qp() : unconstrained_qp();
     }
     [[nodiscard]] bool convex_only() const { return entry_of(GetParam()).needs_convex; }
     [[nodiscard]] BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start) const {
@@ -55,21 +82,34 @@ class Backend : public testing::TestWithParam<std::string> {
     }
     void expect_solved(const KnownProblem& problem) const {
         SCOPED_TRACE(problem.name + ": " + problem.source);
+        const bool refused = has_equalities(problem.nlp->shape()) && !takes_equalities();
+        if (!refused && problem.start.size() > reach_.most_variables)
+            GTEST_SKIP() << problem.name << " is beyond " << GetParam();
         const BackendResult result = minimize(*problem.nlp, problem.start);
-        ASSERT_TRUE(finished(result.termination))
-            << name_of(result.termination) << " " << result.native_status;
         EXPECT_FALSE(result.native_status.empty());
+        if (refused) {
+            EXPECT_EQ(result.termination, Termination::unsupported);
+            EXPECT_THAT(result.native_status, HasSubstr("takes no equality rows"));
+            return;
+        }
+        ASSERT_TRUE(ended_well(result)) << name_of(result.termination) << " " << result.native_status;
         ASSERT_EQ(result.x.size(), problem.start.size());
         EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost,
-                    cost_accuracy(GetParam()) * std::max(1.0, std::abs(problem.cost)));
+                    reach_.cost * std::max(1.0, std::abs(problem.cost)));
         EXPECT_LT(violation(*problem.nlp, result.x), 1e-8);
         if (problem.x.size()) {
-            EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-4);
+            EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), reach_.x);
         }
         expect_multipliers(problem, result);
     }
 
+    [[nodiscard]] bool ended_well(const BackendResult& result) const {
+        return finished(result.termination) ||
+               (reach_.may_run_out && result.termination == Termination::iteration_limit);
+    }
+
     std::unique_ptr<Solver> solver_;
+    Reach reach_;
     BackendOptions options_;
     SolveControl control_;
 
@@ -133,11 +173,12 @@ TEST_P(Backend, SolvesHs71) {
     if (convex_only()) GTEST_SKIP() << "convex problems only";
     KnownProblem problem = hs71();
     problem.cost = 17.01401728;  // to ten digits, the book gives nine
+    if (!takes_equalities()) GTEST_SKIP() << "an equality row";
     options_.tolerance = 1e-10;
     const BackendResult result = minimize(*problem.nlp, problem.start);
-    ASSERT_TRUE(finished(result.termination)) << result.native_status;
-    EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost, 2e-7);
-    EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), 1e-5);
+    ASSERT_TRUE(ended_well(result)) << result.native_status;
+    EXPECT_NEAR(problem.nlp->cost(result.x), problem.cost, reach_.may_run_out ? 17.0 * reach_.cost : 2e-7);
+    EXPECT_LT((result.x - problem.x).lpNorm<Eigen::Infinity>(), reach_.may_run_out ? reach_.x : 1e-5);
     EXPECT_LT(violation(*problem.nlp, result.x), 1e-8);
     if (result.row_multipliers) {
         EXPECT_LT((*result.row_multipliers)[0], 0.0) << "the product leans on its lower bound";
@@ -152,6 +193,7 @@ TEST_P(Backend, SolvesBoundedRosenbrock) {
 }
 
 TEST_P(Backend, SurvivesAnInfeasibleProblemAndDoesNotCallItSolved) {
+    options_.max_seconds = 2.0;  // MMA and CCSAQ go on to the limit
     const KnownProblem problem = infeasible_lp();
     const BackendResult result = minimize(*problem.nlp, problem.start);
     RecordProperty("termination", name_of(result.termination));
@@ -180,6 +222,14 @@ TEST_P(Backend, DoesNotCallAnUnboundedProblemSolved) {
     }
 }
 
+TEST_P(Backend, DoesNotCallTheEdgeOfItsOwnBoxAnOptimum) {
+    if (GetParam() != "nlopt.isres") GTEST_SKIP() << "makes up no bounds";
+    const KnownProblem problem = unbounded_lp();
+    const BackendResult result = minimize(*problem.nlp, problem.start);
+    EXPECT_EQ(result.termination, Termination::unbounded) << result.native_status;
+    EXPECT_THAT(result.native_status, HasSubstr("search radius"));
+}
+
 TEST_P(Backend, TakesOrRefusesMoreEqualitiesThanVariables) {
     const KnownProblem problem = overdetermined();
     const BackendResult result = minimize(*problem.nlp, problem.start);
@@ -190,7 +240,7 @@ TEST_P(Backend, TakesOrRefusesMoreEqualitiesThanVariables) {
 
 TEST_P(Backend, StopsAtTheIterationLimitWithAPoint) {
     options_.max_iterations = 2;
-    const KnownProblem problem = weighted_peaks_lp(12);
+    const KnownProblem problem = long_problem();
     const BackendResult result = minimize(*problem.nlp, problem.start);
     EXPECT_EQ(result.termination, Termination::iteration_limit) << result.native_status;
     ASSERT_EQ(result.x.size(), problem.start.size());
@@ -199,7 +249,7 @@ TEST_P(Backend, StopsAtTheIterationLimitWithAPoint) {
 
 TEST_P(Backend, StopsAtTheTimeLimitWithAPoint) {
     options_.max_seconds = 0.02;
-    const KnownProblem problem = weighted_peaks_lp(12);
+    const KnownProblem problem = long_problem();
     const HookedNlp slow(*problem.nlp, [](double cost) {
         std::this_thread::sleep_for(std::chrono::milliseconds(15));
         return cost;
@@ -215,7 +265,7 @@ TEST_P(Backend, StopsAtTheTimeLimitWithAPoint) {
 TEST_P(Backend, StopsOnRequestWithAPoint) {
     int polls = 0;
     control_.stop_requested = [&polls] { return ++polls > 2; };
-    const KnownProblem problem = weighted_peaks_lp(12);
+    const KnownProblem problem = long_problem();
     const BackendResult result = minimize(*problem.nlp, problem.start);
     EXPECT_EQ(result.termination, Termination::interrupted) << result.native_status;
     EXPECT_EQ(result.x.size(), problem.start.size());
@@ -223,7 +273,7 @@ TEST_P(Backend, StopsOnRequestWithAPoint) {
 }
 
 TEST_P(Backend, ReportsACostThatIsNotFinite) {
-    const KnownProblem problem = projection_qp();
+    const KnownProblem problem = short_problem();
     for (const double value : {std::nan(""), infinity}) {
         const HookedNlp spoiled(*problem.nlp, [value](double) { return value; });
         const BackendResult result = minimize(spoiled, problem.start);
@@ -233,7 +283,7 @@ TEST_P(Backend, ReportsACostThatIsNotFinite) {
 
 TEST_P(Backend, EndsWhereTheCostTurnsNotFiniteLater) {
     int calls = 0;
-    const KnownProblem problem = weighted_peaks_lp(12);
+    const KnownProblem problem = long_problem();
     const HookedNlp spoiled(*problem.nlp,
                             [&calls](double cost) { return ++calls > 3 ? std::nan("") : cost; });
     const BackendResult result = minimize(spoiled, problem.start);
@@ -249,7 +299,7 @@ TEST_P(Backend, EndsWhereTheCostTurnsNotFiniteLater) {
 }
 
 TEST_P(Backend, CarriesAnExceptionWithItsType) {
-    const KnownProblem problem = projection_qp();
+    const KnownProblem problem = short_problem();
     for (const int first : {0, 2}) {
         int calls = 0;
         const HookedNlp throwing(*problem.nlp, [&calls, first](double cost) -> double {
@@ -268,7 +318,7 @@ TEST_P(Backend, CarriesAnExceptionWithItsType) {
 
 TEST_P(Backend, CarriesAnExceptionOfTheStopRequest) {
     control_.stop_requested = []() -> bool { throw Interrupted("from the stop request"); };
-    const KnownProblem problem = projection_qp();
+    const KnownProblem problem = short_problem();
     EXPECT_THROW((void)minimize(*problem.nlp, problem.start), Interrupted);
 }
 
@@ -285,7 +335,7 @@ TEST_P(Backend, RefusesWrongInput) {
 }
 
 TEST_P(Backend, GivesTheSameAnswerTwice) {
-    const KnownProblem problem = weighted_peaks_lp(12);
+    const KnownProblem problem = long_problem();
     const BackendResult first = minimize(*problem.nlp, problem.start),
                         second = minimize(*problem.nlp, problem.start);
     EXPECT_EQ(first.x, second.x);
@@ -295,13 +345,14 @@ TEST_P(Backend, GivesTheSameAnswerTwice) {
 TEST_P(Backend, SolvesInSeveralThreadsAtOnce) {
     std::atomic<int> solved = 0;
     std::vector<std::thread> threads;
+    const bool few = !takes_equalities() || reach_.most_variables < 11;
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&] {
-            const KnownProblem problem = least_acceleration_lp(9);
+            const KnownProblem problem = few ? corner_lp() : least_acceleration_lp(9);
             for (int i = 0; i < 5; ++i) {
                 const BackendResult result = minimize(*problem.nlp, problem.start);
-                if (finished(result.termination) &&
-                    std::abs(problem.nlp->cost(result.x) - problem.cost) < 1e-5)
+                if (ended_well(result) &&
+                    std::abs(problem.nlp->cost(result.x) - problem.cost) < std::max(1e-5, 5.0 * reach_.cost))
                     ++solved;
             }
         });

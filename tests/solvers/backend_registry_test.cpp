@@ -53,7 +53,7 @@ TEST(BackendOptions, NameFoundAndAllowedOnRefusal) {
                 AllOf(HasSubstr("'max_seconds'"), HasSubstr("found inf"), HasSubstr("> 0")));
 }
 
-TEST(Registry, KnowsFourBackends) {
+TEST(Registry, KnowsItsBackends) {
     std::vector<std::string> names;
     for (const SolverEntry& entry : solver_entries()) {
         names.push_back(entry.name);
@@ -63,7 +63,9 @@ TEST(Registry, KnowsFourBackends) {
             EXPECT_THAT(entry.remedy, HasSubstr("install"));
         }
     }
-    EXPECT_THAT(names, testing::ElementsAre("structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"));
+    EXPECT_THAT(names, testing::ElementsAre("structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla", "nlopt.mma",
+                                            "nlopt.ccsaq", "nlopt.isres", "nlopt.auglag.lbfgs",
+                                            "nlopt.auglag.sbplx", "nlopt.auglag.neldermead"));
 }
 
 TEST(Registry, AnswersAnUnknownNameWithTheList) {
@@ -97,6 +99,7 @@ TEST(NativeOptions, KindIsChecked) {
     EXPECT_THAT(refusal("ipopt", "acceptable_iter", 1.5),
                 AllOf(HasSubstr("found 1.5"), HasSubstr("integer")));
     EXPECT_THAT(refusal("ipopt", "mu_init", std::string("small")), AllOf(HasSubstr("number: > 0")));
+    EXPECT_THAT(refusal("nlopt.mma", "dual_algorithm", std::string("slsqp")), HasSubstr("'lbfgs' or 'mma'"));
     EXPECT_THAT(refusal("ipopt", "mu_strategy", true), HasSubstr("'adaptive' or 'monotone'"));
 }
 
@@ -105,6 +108,8 @@ TEST(NativeOptions, RangeIsChecked) {
     EXPECT_THAT(refusal("ipopt", "mu_init", 0.0), HasSubstr("> 0"));
     EXPECT_THAT(refusal("ipopt", "bound_relax_factor", -1.0), HasSubstr(">= 0"));
     EXPECT_THAT(refusal("nlopt.slsqp", "restarts", -1LL), HasSubstr("[0, 1000]"));
+    EXPECT_THAT(refusal("nlopt.isres", "search_radius", 0.0), HasSubstr("> 0"));
+    EXPECT_THAT(refusal("nlopt.auglag.lbfgs", "inner_maxeval", 0LL), HasSubstr("[1, 1"));
     EXPECT_THAT(refusal("structured", "correctors", 11LL), HasSubstr("[0, 10]"));
 }
 
