@@ -86,7 +86,43 @@ bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& 
                                [&](const auto& part) { return candidates[part.first].asked(); });
 }
 
+// Exact points this close to saying the same make ill-conditioned rows: cos of the angle between them.
+constexpr double nearly_parallel = 0.99;
+
+double product(const AffineRow& one, const AffineRow& other) {
+    double sum = 0.0;
+    for (std::size_t i = 0, j = 0; i < one.columns.size() && j < other.columns.size();) {
+        if (one.columns[i] == other.columns[j]) sum += one.weights[i] * other.weights[j];
+        const bool advance_one = one.columns[i] <= other.columns[j];
+        const bool advance_other = other.columns[j] <= one.columns[i];
+        i += advance_one ? 1 : 0;
+        j += advance_other ? 1 : 0;
+    }
+    return sum;
+}
+
+double length(const AffineRow& row) {
+    return std::sqrt(product(row, row));
+}
+
 }  // namespace
+
+AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others) {
+    // Each step takes one direction away; there are no more than others.
+    for (std::size_t step = 0; step < others.size(); ++step) {
+        const auto alike = std::ranges::find_if(others, [&](const AffineRow& other) {
+            return std::abs(product(row, other)) > nearly_parallel * length(row) * length(other);
+        });
+        if (alike == others.end()) return row;
+        const double before = length(row);
+        row = combined(row, -product(row, *alike) / product(*alike, *alike), *alike);
+        const double after = length(row);
+        if (!(after > 0.0)) return row;
+        row.offset *= before / after;
+        for (double& weight : row.weights) weight *= before / after;
+    }
+    return row;
+}
 
 ConditionSelection select_conditions(const DesignRequest& request) {
     DesignRequest by_coefficients = request;

@@ -20,4 +20,8 @@ struct ConditionSelection {
 /// A redundant condition counts as a finding only where the user asked for it.
 [[nodiscard]] ConditionSelection select_conditions(const DesignRequest& request);
 
+/// The same condition, given that the others hold, as a row that is not nearly parallel to any of them: two
+/// points d apart become a point and a slope, so that the rows' condition does not grow like 1/d.
+[[nodiscard]] AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others);
+
 }  // namespace camopt

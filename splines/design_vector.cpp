@@ -97,11 +97,13 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     for (const Equality& equality : form.rows) {
         design.add_equality(without_fixed(equality.row, form, new_index), equality.name);
     }
+    std::vector<AffineRow> asked;
     for (const auto* conditions : {&form.leftover, &selection.kept}) {
         for (const PointCondition& condition : *conditions) {
             AffineRow row = design.functional(condition.at, condition.order, condition.side);
             row.offset -= condition.value;
-            design.add_equality(std::move(row), condition.name);
+            asked.push_back(unlike(std::move(row), asked));
+            design.add_equality(asked.back(), condition.name);
         }
     }
     return design;

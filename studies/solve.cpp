@@ -9,6 +9,8 @@
 #include "solvers/counting_solver.hpp"
 #include "solvers/registry.hpp"
 #include "studies/contradiction.hpp"
+#include "studies/cost_scale.hpp"
+#include "studies/delivered_conditions.hpp"
 #include "studies/relaxation.hpp"
 #include "studies/solution_report.hpp"
 #include "studies/solve_from_starts.hpp"
@@ -110,9 +112,11 @@ BackendChoice choose_backend(const Scene& scene) {
     return choice;
 }
 
-Solution solve_without_explaining(const Scene& scene, const SolveControl& control) {
+namespace {
+
+/// A scene whose objective is near one (CostScale).
+Solution solve_scaled(const Scene& scene, const SolveControl& control) {
     const Clock::time_point begin = Clock::now();
-    validate(scene);
     Solution solution;
     solution.scene = scene;
     const BackendChoice choice = choose_backend(scene);
@@ -148,8 +152,20 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
     solution.evaluations = solver.counts();
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
+    judge_delivered_joints(solution);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = seconds_since(begin);
+    return solution;
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& scene, const SolveControl& control) {
+    validate(scene);
+    const Peaks reference = reference_peaks(scene);
+    const CostScale scale(scene, reference);
+    Solution solution = solve_scaled(scale.scaled(), control);
+    if (!scale.is_idle()) scale.restore(solution, scene, reference);
     return solution;
 }
 

@@ -20,16 +20,18 @@ struct Expectation {
     std::optional<double> least, most;
     double digits = 0.0;
     double accuracy = 1e-9;
-    /// The verdict itself says how good it is: beside `accuracy` the proved gap counts (optimal: solver.gap,
-    /// local, feasible, failed: whatever gap they admit to, or none).
+    /// Beside `accuracy` the gap asked for counts (solver.gap): what `optimal` says, no more.
     bool honest_gap = false;
-    double violation = 1e-9;  ///< of the delivered motion, found independently
+    bool may_give_up = false;  ///< a weaker verdict is `unsolved`, not wrong
+    double violation = 1e-9;   ///< of the delivered motion, found independently
     std::string source;
 };
 
 [[nodiscard]] Expectation exactly(double objective, std::string source, double accuracy = 1e-9);
 
-enum class Judgement { ok, wrong, absent };
+/// unsolved: a weaker verdict than hoped for, with its reason, where the case is beyond double precision or
+/// beyond what a backend promises; everything it claims is true.
+enum class Judgement { ok, unsolved, wrong, absent };
 [[nodiscard]] const char* name_of(Judgement value);
 
 struct StabilityRow {

@@ -20,8 +20,11 @@ namespace camopt::stability {
 /// A file of scenes/.
 [[nodiscard]] Scene scene_of_file(const std::string& name);
 
+/// No curve whatever is better than this in study_scene (DRD), to ten digits.
+inline constexpr double any_curve_limit_of_study = 0.9371963699;
+
 /// The optimum of study_scene, where one is known from elsewhere (a fraction, or a linear program solved by
-/// HiGHS); else the structured solver's own at tolerance 1e-11, whose digits are its proved gap.
+/// HiGHS; of many quintic segments only an interval is); else proved_optimum.
 [[nodiscard]] Expectation known_optimum(MotionType type, int degree, int segments);
 
 /// The objective of a scene solved by the structured solver at tolerance 1e-11 and proved to gap 1e-8 or

@@ -60,7 +60,7 @@ void add_corners(std::vector<StabilityCase>& cases, const Space& space) {
                                   Expectation expected = corner_optimum(space, at);
                                   // The others cost what they are at the corner's own optimum: V, A, J <=
                                   // 3000 at these n.
-                                  expected.accuracy = 1e-9 + 100.0 * beside;
+                                  expected.digits += 1000.0 * beside;
                                   expected.honest_gap = true;
                                   return solved_row(weighted_scene(space, weights, backend), expected);
                               }));
