@@ -7,6 +7,7 @@
 // is "skipped: out of time".
 #include "benchmarks/cam_error_against_time_csv.hpp"
 #include "benchmarks/cam_error_against_time_svg.hpp"
+#include "benchmarks/child_process.hpp"
 #include "benchmarks/machine.hpp"
 #include "benchmarks/solver_variants.hpp"
 #include "output/result_folder.hpp"
@@ -39,6 +40,10 @@ CamMeasurement row_of(const CamCase& one, const CamBackend& backend) {
     if (!is_available(backend.solver)) return not_measured(one, backend, "not in this build");
     if (is_too_large(backend, one)) return not_measured(one, backend, "skipped: too many segments");
     try {
+        // COBYLA may run for ever between two evaluations: a child tries first.
+        const auto attempt = [&] { return measure(one, backend, plan).verdict; };
+        if (backend.solver == "nlopt.cobyla" && !text_of_child(attempt, 3.0 * plan.most_seconds))
+            return not_measured(one, backend, "killed: it does not stop at its time limit");
         return measure(one, backend, plan);
     } catch (const std::exception& error) {
         return not_measured(one, backend, std::string("error: ") + error.what());

@@ -4,6 +4,7 @@
 //
 // A series ends where a solve reaches the time limit (2 s, NLopt 0.6 s) or the next one would be likely to.
 // Each backend has its share of SECONDS (600); what is left then is "skipped: out of time".
+#include "benchmarks/child_process.hpp"
 #include "benchmarks/error_against_time_csv.hpp"
 #include "benchmarks/machine.hpp"
 #include "benchmarks/measurement.hpp"
@@ -96,30 +97,50 @@ class Study {
  public:
     explicit Study(double seconds) : seconds_(seconds) {}
 
-    std::vector<Measurement> rows() {
-        std::vector<Measurement> rows;
+    /// The whole table as CSV.
+    std::string table() {
+        std::string text = measurements_csv({});
         for (const Combination& combination : combinations()) {
-            rows.push_back(row_of(combination));
-            if (rows.back().objective) compare(rows.back(), references_.of(combination));
-            std::fprintf(stderr, "%s n = %d: %s %s\n", combination.series().c_str(), combination.segments,
-                         rows.back().status.c_str(), rows.back().verdict.c_str());
+            const std::string line = line_of(combination);
+            text += line;
+            std::fprintf(stderr, "%s n = %d: %s", combination.series().c_str(), combination.segments,
+                         line.c_str());
         }
-        return rows;
+        return text;
     }
 
  private:
-    Measurement row_of(const Combination& combination) {
-        if (!is_available(combination.backend)) return not_measured(combination, "not in this build");
+    static std::string line_of(const Measurement& row) {
+        return measurements_csv({&row, 1}).substr(measurements_csv({}).size());
+    }
+
+    std::string line_of(const Combination& combination) {
+        const auto left_out = [&](const char* why) { return line_of(not_measured(combination, why)); };
+        if (!is_available(combination.backend)) return left_out("not in this build");
         if (timed_out_.contains(combination.series()))
-            return not_measured(combination, "skipped: fewer segments reached the time limit");
-        if (is_out_of_time(combination.backend)) return not_measured(combination, "skipped: out of time");
-        try {
-            Measurement row = measure(combination, plan_of(combination));
-            if (row.timed_out()) timed_out_.insert(combination.series());
-            return row;
-        } catch (const std::exception& error) {
-            return not_measured(combination, std::string("error: ") + error.what());
-        }
+            return left_out("skipped: fewer segments reached the time limit");
+        if (is_out_of_time(combination.backend)) return left_out("skipped: out of time");
+        return measured_line(combination);
+    }
+
+    /// Measured in a child: it may never come back. A '*' before the line: it reached its time limit.
+    std::string measured_line(const Combination& combination) {
+        const std::optional<Reference>& reference = references_.of(combination);
+        const TimingPlan plan = plan_of(combination);
+        const auto work = [&] {
+            try {
+                Measurement row = measure(combination, plan);
+                compare(row, reference);
+                return (row.timed_out() ? "*" : "") + line_of(row);
+            } catch (const std::exception& error) {
+                return line_of(not_measured(combination, std::string("error: ") + error.what()));
+            }
+        };
+        // The solve, its proof, and the timed runs.
+        const std::optional<std::string> line = text_of_child(work, 4.0 * plan.most_seconds + 4.0);
+        if (!line || line->starts_with('*')) timed_out_.insert(combination.series());
+        if (!line) return line_of(not_measured(combination, "killed: it does not stop at its time limit"));
+        return line->starts_with('*') ? line->substr(1) : *line;
     }
 
     bool is_out_of_time(const std::string& backend) {
@@ -136,8 +157,7 @@ class Study {
 
 void run(const std::filesystem::path& folder, double seconds) {
     prepare_folder(folder);
-    const std::vector<Measurement> rows = Study(seconds).rows();
-    write_text_file(folder / "error_against_time.csv", measurements_csv(rows));
+    write_text_file(folder / "error_against_time.csv", Study(seconds).table());
     write_text_file(folder / "machine.txt", machine_text());
 }
 

@@ -3,9 +3,9 @@
 """linear_programs.py FINAL_LP FOLDER: the final linear program of exchanged DRD scenes, for every solver there is.
 
 FINAL_LP is the built program final_lp: it writes the programs, times the structured solver, Ipopt and Clp, and judges
-every point (the true objective of its curve; its error is against the exchange at tolerance 1e-10). Here SciPy's HiGHS and SLSQP and Octave's glpk and sqp get the same rows.
-Timed is the call on numbers already loaded; medians of five, slow calls once. Writes FOLDER/final_lp.csv and
-FOLDER/rivals.txt (versions; what was absent). A rival that fails or runs out of time keeps its row.
+every point (the true objective of its curve; its error is against the exchange at tolerance 1e-10). Here SciPy's HiGHS
+and SLSQP and Octave's glpk and sqp get the same rows. the call on numbers already loaded; medians of five, slow calls once. Writes FOLDER/final_lp.csv and FOLDER/rivals.txt
+(versions; what was absent). A rival that fails or runs out of time keeps its row.
 """
 
 import csv

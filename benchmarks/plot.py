@@ -71,7 +71,7 @@ class Picture:
             else:
                 self.mark(x, y - 4, colour, shape, 4.5, filled)
             self.text(x + 18, y, words, "legend")
-            x += 40 + 6.6 * len(words)
+            x += 46 + 6.9 * len(words)
 
     def svg(self):
         return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '

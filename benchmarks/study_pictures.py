@@ -33,7 +33,7 @@ def error_against_time(rows, machine):
     backends = list(dict.fromkeys(row["backend"] for row in rows))
     columns = 3
     lines = -(-len(backends) // columns)
-    picture = Picture(1400, 150 + lines * 375, "How exact, how fast: error of the objective against run time",
+    picture = Picture(1400, 130 + lines * 365, "How exact, how fast: error of the objective against run time",
                       f"DRD and RR, cubic and quintic splines, 4 to 16384 segments, every row that ran. {machine}")
     picture.legend(90, 100, [(name, colour, "circle", True) for name, colour in DESIGNS.items()] +
                    [("hollow: not proved optimal", COLOURS[0], "circle", False),
@@ -43,7 +43,7 @@ def error_against_time(rows, machine):
         ran = [row for row in own if number(row, "relative_error") is not None and number(row, "seconds_median")]
         proved = sum(row["verdict"] == "optimal" for row in own)
         panel = Panel(picture, box, Axis(1e-5, 10, "seconds"), Axis(LEAST_ERROR, 10, "relative error", stride=3),
-                      f"{backend}: {len(own)} rows, {proved} proved")
+                      f"{backend}: {len(ran)} of {len(own)} ran, {proved} proved")
         panel.level(1e-7)
         for row in sorted(ran, key=lambda row: -int(row["n"])):
             loose = number(row, "tolerance") > 1e-8
@@ -55,7 +55,7 @@ def error_against_time(rows, machine):
 
 def time_against_segments(rows, machine):
     kinds = [("DRD", "3"), ("DRD", "5"), ("RR", "3")]
-    picture = Picture(1400, 530, "Run time against the number of segments",
+    picture = Picture(1400, 500, "Run time against the number of segments",
                       f"Exchange at tolerance 1e-9 over states; filled: proved optimal. {machine}")
     backends = list(dict.fromkeys(row["backend"] for row in rows))
     picture.legend(90, 100, [(name, COLOURS[k], "circle", True) for k, name in enumerate(backends)])
@@ -76,13 +76,14 @@ def time_against_segments(rows, machine):
 def forward_check(rows, machine):
     laws = list(dict.fromkeys(row["law"] for row in rows))
     followers = list(dict.fromkeys(row["follower"] for row in rows))
-    picture = Picture(1400, 530, "The exported profile: a follower on its points against the designed motion",
+    picture = Picture(1400, 500, "The exported profile: a follower on its points against the designed motion",
                       f"Largest deviation by the prime radius, cam turning counterclockwise. {machine}")
     picture.legend(90, 100, [(name, COLOURS[k], "circle", True) for k, name in enumerate(followers)])
     panels = [(law, "points", Axis(100, 10000, "points")) for law in laws]
     panels.append((laws[0], "seconds", Axis(1e-4, 1, "seconds of the check")))
     for (law, key, axis), box in zip(panels, grid_boxes(3, 3, 340, 290)):
-        panel = Panel(picture, box, axis, Axis(1e-16, 1e-6, "relative deviation", stride=2), law)
+        panel = Panel(picture, box, axis, Axis(1e-16, 1e-5, "relative deviation", stride=2),
+                      law if key == "points" else f"{law}, by time")
         for k, follower in enumerate(followers):
             own = [(number(row, key), max(number(row, "relative") or 0, 1e-16)) for row in rows
                    if row["law"] == law and row["follower"] == follower and row["rotation"] == "counterclockwise"]
@@ -94,7 +95,7 @@ def forward_check(rows, machine):
 
 def peaks_by_sampling(rows, machine):
     curves = list(dict.fromkeys(row["curve"] for row in rows))
-    picture = Picture(1400, 560, "Peaks looked up on samples against exact extrema",
+    picture = Picture(1400, 515, "Peaks looked up on samples against exact extrema",
                       f"Errors below 1e-10 stand on the lowest line; sampled peaks are never too large. {machine}")
     for row, part in enumerate((curves[:4], curves[4:])):
         picture.legend(90, 92 + 22 * row, [(name, COLOURS[4 * row + k], "circle", True) for k, name in enumerate(part)])
@@ -115,7 +116,7 @@ def peaks_by_sampling(rows, machine):
 def final_lp(best, machine):
     """best: (program, degree) -> [(n, seconds)], the quickest accurate way of each."""
     programs = list(dict.fromkeys(program for program, _ in best))
-    picture = Picture(1000, 560, "One linear program, every solver: the quickest way of each",
+    picture = Picture(1000, 525, "One linear program, every solver: the quickest way of each",
                       f"The program an exchange ended on; ways within 1e-8 of the optimum only. {machine}")
     for line in range(2):
         picture.legend(90, 92 + 22 * line, [(name, COLOURS[4 * line + k], "circle", True)
@@ -134,13 +135,13 @@ def final_lp(best, machine):
 
 def growth(rows, machine):
     kinds = {"call": "call on the final grid", "exchange": "exchange", "solve": "whole solve, proof included"}
-    picture = Picture(1000, 530, "The structured solver from 128 to 16384 segments", f"DRD cubic, states. {machine}")
+    picture = Picture(1000, 500, "The structured solver from 128 to 16384 segments", f"DRD cubic, states. {machine}")
     picture.legend(90, 100, [(words, COLOURS[k], "circle", True) for k, words in enumerate(kinds.values())])
-    boxes = list(grid_boxes(2, 2, 380, 290))
+    boxes = list(grid_boxes(2, 2, 370, 290))
     across = Axis(100, 20000, "segments", ticks=[(n, str(n)) for n in (128, 512, 2048, 8192)])
     seconds = Panel(picture, boxes[0], across, Axis(1e-4, 100, "seconds"), "time; dashed: growth as n")
     errors = Panel(picture, boxes[1], across, Axis(1e-14, 1e-6, "relative", stride=2),
-                   "distance from an independent optimum of ten digits")
+                   "distance from independent optima of ten digits")
     for k, kind in enumerate(kinds):
         own = [row for row in rows if row["kind"] == kind and number(row, "seconds_median")]
         points = [(int(row["n"]), number(row, "seconds_median")) for row in own]
