@@ -145,11 +145,10 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(1, most_workers));
     command
-        .add_option(
-            "--chunk", request.chunk,
-            "Rows that are solved in one go, each from what the one before found; the unit of --resume")
+        .add_option("--chunk", request.chunk,
+                    "Rows that are solved in one go, each from what the one before found; the unit of "
+                    "--resume; default: 25, fewer where there are fewer than 400 rows")
         ->type_name("N")
-        ->default_val(default_chunk_size)
         ->check(CLI::Range(1, most_sweep_rows));
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
     command.add_flag("--resume", request.resume,

@@ -53,7 +53,7 @@ struct SweepRequest {
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::optional<int> workers;         ///< none: one a core
-    int chunk = 0;                      ///< rows a chunk
+    std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep_run.hpp)
     std::string shard;                  ///< "i/N"; empty: the whole
     bool resume = false;
 };

@@ -69,15 +69,16 @@ ExitCode sweep_command(const SweepRequest& request) {
         return load_scene(scene, all);
     });
     const SweepColumns columns = check_rows(scenes);
-    const SweepFolder folder = folder_for(request, {{std::string(version()),
-                                                     request.scene,
-                                                     scene.text,
-                                                     settings,
-                                                     sweep_axes(request),
-                                                     fingerprint(plan),
-                                                     columns,
-                                                     {plan.rows(), request.chunk}},
-                                                    sweep_shard(request)});
+    const SweepFolder folder =
+        folder_for(request, {{std::string(version()),
+                              request.scene,
+                              scene.text,
+                              settings,
+                              sweep_axes(request),
+                              fingerprint(plan),
+                              columns,
+                              {plan.rows(), request.chunk.value_or(chunk_size_for(plan.rows()))}},
+                             sweep_shard(request)});
     FolderLock lock(folder.path());
     if (const int damaged = folder.remove_leftovers(); damaged > 0)
         std::fputs(

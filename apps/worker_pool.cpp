@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <map>
 #include <poll.h>
@@ -28,12 +29,20 @@ class Pool {
             hire();
             hand_out();
             wait_and_listen();
-            if (task_.tick) task_.tick();
+            tick();
         }
         return PoolOutcome::finished;
     }
 
  private:
+    /// Messages come by the thousand; a progress line is read by a person.
+    void tick() {
+        const Clock::time_point now = Clock::now();
+        if (!task_.tick || now - last_tick_ < std::chrono::milliseconds(patience_milliseconds)) return;
+        last_tick_ = now;
+        task_.tick();
+    }
+
     [[nodiscard]] long busy() const {
         return std::ranges::count_if(workers_,
                                      [](const WorkerProcess& one) { return one.unit().has_value(); });
@@ -90,7 +99,10 @@ class Pool {
             task_.lost(*unit, cause);
     }
 
+    using Clock = std::chrono::steady_clock;
+
     const PoolTask& task_;
+    Clock::time_point last_tick_;
     WorkerDuty duty_;
     std::deque<int> waiting_;
     std::vector<WorkerProcess> workers_;

@@ -49,12 +49,12 @@ std::size_t receive_packet(int line, void* data, std::size_t size) {
     return received > 0 ? static_cast<std::size_t>(received) : 0;
 }
 
-void send_message(int line, WorkerMessage::Kind kind, int number, std::string_view text = {}) {
+void send_message(int line, WorkerMessage::Kind kind, int number, std::string_view text = "") {
     const Head head{static_cast<int>(kind), number};
     std::array<char, longest_message> packet{};
     const std::size_t length = std::min(text.size(), packet.size() - sizeof head);
     std::memcpy(packet.data(), &head, sizeof head);
-    if (length > 0) std::memcpy(packet.data() + sizeof head, text.data(), length);
+    std::copy_n(text.begin(), length, packet.begin() + sizeof head);
     if (!send_packet(line, packet.data(), sizeof head + length)) ::_exit(0);  // the parent has gone
 }
 

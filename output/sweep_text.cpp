@@ -2,6 +2,7 @@
 #include "output/sweep_text.hpp"
 
 #include "output/number_text.hpp"
+#include "studies/sweep_axis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +29,8 @@ std::string verdict_line(const std::vector<SweepRow>& rows) {
 
 std::string front_line(const SweepTable& table) {
     const auto count = std::ranges::count_if(table.rows, &SweepRow::on_front);
-    if (count == 0) return {};
+    // Where no weight varies every row is a front of its own.
+    if (count == 0 || std::ranges::none_of(table.columns.keys, is_weight_key)) return {};
     return fmt::format("  Pareto front: {} row{}, weighing {}\n", count, count == 1 ? "" : "s",
                        fmt::join(table.columns.criteria, ", "));
 }

@@ -12,6 +12,7 @@
 #include "studies/sweep_plan.hpp"
 #include "studies/sweep_row.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -19,7 +20,10 @@
 
 namespace camopt {
 
+/// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
 inline constexpr int default_chunk_size = 25;
+/// The chunks a small sweep is cut into at least, so that several workers find something to do.
+inline constexpr int least_chunks = 16;
 
 /// Rows begin … end − 1.
 struct RowRange {
@@ -37,6 +41,11 @@ struct Chunking {
         return {chunk * size, chunk == count() - 1 ? rows : (chunk + 1) * size};
     }
 };
+
+/// By the number of rows alone: default_chunk_size, or fewer where that makes less than least_chunks chunks.
+[[nodiscard]] constexpr int chunk_size_for(int rows) {
+    return std::clamp((rows + least_chunks - 1) / least_chunks, 1, default_chunk_size);
+}
 
 /// What a solution says, as a row.
 [[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);

@@ -244,8 +244,8 @@ TEST_F(SweepCommand, KilledTwentyTimesAndContinuedItIsTheSame) {
     ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
     const std::vector<std::string> expected = timeless_rows(path("whole"));
     std::mt19937 generator(4);
-    std::uniform_int_distribution<int> moment(0, longer_chunks - 8);
-    std::uniform_int_distribution<int> microseconds(0, 8000);
+    std::uniform_int_distribution<int> moment(0, longer_chunks * 2 / 3);
+    std::uniform_int_distribution<int> microseconds(0, 4000);
     constexpr int kills = 20;
     int in_the_middle = 0;
     for (int i = 0; i < kills; ++i) {

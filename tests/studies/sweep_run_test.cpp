@@ -46,6 +46,15 @@ TEST(Chunking, CoversEveryRowOnce) {
         }
 }
 
+TEST(Chunking, SmallSweepsHaveSmallChunks) {
+    EXPECT_EQ(chunk_size_for(1), 1);
+    EXPECT_EQ(chunk_size_for(16), 1);
+    EXPECT_EQ(chunk_size_for(17), 2);
+    EXPECT_EQ(chunk_size_for(231), 15);
+    EXPECT_EQ(chunk_size_for(400), 25);
+    EXPECT_EQ(chunk_size_for(1'000'000), 25);
+}
+
 TEST(SweepRun, EveryRowIsTheColdSolveOfItsScene) {
     const Scene base = paper_objective(MotionType::drd, 3, 12);
     const SweepPlan plan = sweep_grid(std::vector{simplex_weights(4)});
