@@ -2,6 +2,7 @@
 #include "linear/sparse_symmetric.hpp"
 
 #include "core/errors.hpp"
+#include "linear/chain_factor.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -56,6 +57,8 @@ class SimplicialFactor final : public SymmetricFactor {
     void solve_in_place(VectorXd& right_side) const override {
         if (right_side.size() > 0) right_side = factor_.solve(right_side).eval();
     }
+
+    std::string_view name() const override { return "simplicial"; }
 
  private:
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
@@ -123,6 +126,16 @@ const char* name_of(FactorOutcome value) {
 
 std::unique_ptr<SymmetricFactor> make_simplicial_factor() {
     return std::make_unique<SimplicialFactor>();
+}
+
+std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind, const Matrix& lower,
+                                                       const std::vector<int>& signs) {
+    if (kind == FactorKind::automatic || kind == FactorKind::chain) {
+        if (auto chain = make_chain_factor(lower, signs)) return chain;
+    }
+    std::unique_ptr<SymmetricFactor> factor = make_simplicial_factor();
+    factor->analyse(lower, signs);
+    return factor;
 }
 
 RefinedSolve refined_solve(const SymmetricFactor& factor, const Matrix& lower, const VectorXd& right_side,

@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
@@ -37,10 +38,24 @@ class SymmetricFactor {
     [[nodiscard]] virtual FactorOutcome factorize(const Matrix& lower, const Eigen::VectorXd& shift) = 0;
     /// Solves with the factor, shifts included, in place.
     virtual void solve_in_place(Eigen::VectorXd& right_side) const = 0;
+    /// "chain", "simplicial", …
+    [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
 /// Eigen's simplicial LDLᵀ with minimum-degree order.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_simplicial_factor();
+
+enum class FactorKind {
+    automatic,  ///< chain where the matrix is one, else simplicial: the fastest as measured in benchmarks/
+    chain,      ///< chain_factor.hpp; simplicial where the matrix is no chain
+    simplicial,
+    cholmod,  ///< SuiteSparse's simplicial LDLᵀ; simplicial where the build has none
+    klu       ///< SuiteSparse's LU for circuit matrices; simplicial where the build has none
+};
+/// Of an analysed `lower`, whose values in the rows of sign −1 are those they will always have.
+[[nodiscard]] std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind,
+                                                                     const SymmetricFactor::Matrix& lower,
+                                                                     const std::vector<int>& signs);
 
 struct RefinedSolve {
     Eigen::VectorXd solution;

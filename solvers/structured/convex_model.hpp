@@ -23,7 +23,7 @@ class ConvexCost {
  public:
     virtual ~ConvexCost() = default;
     [[nodiscard]] virtual double value(const Eigen::VectorXd& x) const = 0;
-    [[nodiscard]] virtual Eigen::VectorXd gradient(const Eigen::VectorXd& x) const = 0;
+    virtual void gradient(const Eigen::VectorXd& x, Eigen::VectorXd& out) const = 0;
     /// In the order of ConvexModel::hessian.
     virtual void hessian(const Eigen::VectorXd& x, std::span<double> out) const = 0;
 };
@@ -32,7 +32,7 @@ class LinearCost final : public ConvexCost {
  public:
     explicit LinearCost(Eigen::VectorXd coefficients) : coefficients_(std::move(coefficients)) {}
     [[nodiscard]] double value(const Eigen::VectorXd& x) const override { return coefficients_.dot(x); }
-    [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd&) const override { return coefficients_; }
+    void gradient(const Eigen::VectorXd&, Eigen::VectorXd& out) const override { out = coefficients_; }
     void hessian(const Eigen::VectorXd&, std::span<double>) const override {}
 
  private:

@@ -74,8 +74,8 @@ ElasticResult least_violation(const ConvexModel& model, const VectorXd& start,
     result.iterations = solved.iterations;
     result.accuracy = solved.errors.worst();
     if (!solved.has_point()) return result;
-    result.x = solved.best.w.head(n);
-    result.violation = solved.best.w[n];
+    result.x = solved.best.x.head(n);
+    result.violation = solved.best.x[n];
     result.lambda = VectorXd::Zero(model.constraints());
     for (std::size_t k = 0; k < elastic.source.size(); ++k)
         result.lambda[elastic.source[k]] += solved.best.lambda[static_cast<Index>(k)];
@@ -85,7 +85,8 @@ ElasticResult least_violation(const ConvexModel& model, const VectorXd& start,
 RecessionResult recession(const ConvexModel& model, const VectorXd& point, const InteriorPointLimits& limits,
                           const SolveControl& control) {
     const Index n = model.variables(), m = model.constraints();
-    const VectorXd gradient = model.cost->gradient(point);
+    VectorXd gradient(n);
+    model.cost->gradient(point, gradient);
     std::vector<double> curvature(static_cast<std::size_t>(model.hessian.size()));
     model.cost->hessian(point, curvature);
     Triplets entries;
@@ -124,7 +125,7 @@ RecessionResult recession(const ConvexModel& model, const VectorXd& point, const
     RecessionResult result;
     result.iterations = solved.iterations;
     if (!solved.has_point()) return result;
-    result.direction = solved.best.w.head(n);
+    result.direction = solved.best.x.head(n);
     result.descends = solved.errors.worst() <= 1e-7 && cost.dot(result.direction) < -1e-6;
     return result;
 }

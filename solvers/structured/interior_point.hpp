@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Internal to solvers/structured/: a primal–dual interior point for a ConvexModel.
 //
-// Rows that are not equalities get a slack s = C x, r_L <= s <= r_U. With w = (x, s), distances l = w − w_L >
-// 0, u = w_U − w > 0 and their multipliers z_l, z_u >= 0 it solves, for μ → 0,
-//     ∇f + Cᵀλ − z_l + z_u = 0,   λ = z_u − z_l (slacks),   C x = s,   l z_l = μ,   u z_u = μ.
-// Distances and multipliers stay positive; the equations may start violated (infeasible start).
+// For every finite bound b of a variable or an inequality row (bound_list.hpp) it keeps the gap g_b > 0 to
+// the bound and its multiplier z_b > 0, and solves, for μ → 0,
+//     ∇f + C_Eᵀ λ_E − Σ_b σ_b z_b ∇t_b = 0,   C_E x = e,   σ_b (t_b − value_b) = g_b,   g_b z_b = μ.
+// Gaps and multipliers stay positive; the equations may start violated (infeasible start).
 // Source: Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992);
 // Gondzio, Multiple centrality corrections, Comput. Optim. Appl. 6 (1996).
 #pragma once
 
+#include "linear/sparse_symmetric.hpp"
 #include "solvers/solver.hpp"
 #include "solvers/structured/convex_model.hpp"
 
@@ -20,11 +21,10 @@
 
 namespace camopt::structured {
 
-/// w-vectors hold the variables first, then the rows. An absent bound has distance 1 and multiplier 0.
 struct Iterate {
-    Eigen::VectorXd w, lambda;
-    Eigen::VectorXd lower_gap, upper_gap, lower_dual, upper_dual;
-    [[nodiscard]] auto x(Eigen::Index variables) const { return w.head(variables); }
+    Eigen::VectorXd x;
+    Eigen::VectorXd lambda;     ///< one a row; of an inequality −Σ σ_b z_b over its bounds
+    Eigen::VectorXd gap, dual;  ///< g, z: one a bound
 };
 
 /// Relative errors of the scaled problem.
@@ -48,8 +48,9 @@ enum class Stop {
 struct InteriorPointLimits {
     double tolerance = 1e-10;  ///< on every member of Errors
     int max_iterations = 200;
-    int patience = 12;       ///< iterations without a better iterate
-    double shift = 1e-9;     ///< regularisation, see kkt_system.hpp
+    int patience = 12;    ///< iterations without a better iterate
+    double shift = 1e-9;  ///< regularisation, see condensed_system.hpp
+    FactorKind factor = FactorKind::automatic;
     int correctors = 2;      ///< centrality correctors an iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();

@@ -6,137 +6,172 @@
 #include <cstddef>
 
 namespace camopt::structured {
+namespace {
+
+// A direction may leave this part of what is wrong now, or of the tolerance.
+constexpr double inexactness = 1e-3, share_of_tolerance = 0.01;
+// Relative residual above which a direction is not trusted.
+constexpr double good_residual = 1e-8;
+// The careful system pivots on free variables too, which the condensed one never does.
+constexpr double careful_shift = 1e-9;
+
+double largest(const Eigen::VectorXd& v) {
+    double result = 0.0;
+    for (Eigen::Index i = 0; i < v.size(); ++i) result = std::max(result, std::abs(v[i]));
+    return result;
+}
+
+}  // namespace
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-BoundMask::BoundMask(const ConvexModel& model) {
-    const Index n = model.variables(), m = model.constraints();
-    lower_bound.resize(n + m);
-    upper_bound.resize(n + m);
-    lower_bound << model.x_lower, model.row_lower;
-    upper_bound << model.x_upper, model.row_upper;
-    lower = VectorXd::Zero(n + m);
-    upper = lower;
-    equality = VectorXd::Zero(m);
-    for (Index i = 0; i < n + m; ++i) {
-        if (i >= n && model.is_equality(i - n)) {
-            equality[i - n] = 1.0;
-            continue;
-        }
-        lower[i] = std::isfinite(lower_bound[i]) ? 1.0 : 0.0;
-        upper[i] = std::isfinite(upper_bound[i]) ? 1.0 : 0.0;
-        if (lower[i] == 0.0) lower_bound[i] = 0.0;
-        if (upper[i] == 0.0) upper_bound[i] = 0.0;
-    }
-    count = lower.sum() + upper.sum();
+bool Residuals::finite() const {
+    return dual.allFinite() && equality.allFinite() && bound.allFinite() && std::isfinite(mu);
 }
 
-bool Residuals::finite() const {
-    return dual.allFinite() && row.allFinite() && lower.allFinite() && upper.allFinite() && std::isfinite(mu);
+void Direction::resize(const ConvexModel& model, const BoundList& bounds) {
+    x.setZero(model.variables());
+    lambda.setZero(model.constraints());
+    gap.setZero(bounds.size());
+    dual.setZero(bounds.size());
 }
 
 Direction& Direction::operator+=(const Direction& other) {
-    w += other.w;
+    x += other.x;
     lambda += other.lambda;
-    lower_gap += other.lower_gap;
-    upper_gap += other.upper_gap;
-    lower_dual += other.lower_dual;
-    upper_dual += other.upper_dual;
+    gap += other.gap;
+    dual += other.dual;
     finite = finite && other.finite;
     return *this;
 }
 
-NewtonStep::NewtonStep(const ConvexModel& model, const BoundMask& mask, double shift)
+NewtonStep::NewtonStep(const ConvexModel& model, const BoundList& bounds, const InteriorPointLimits& limits)
     : model_(model),
-      mask_(mask),
-      system_(model, shift),
-      hessian_(static_cast<std::size_t>(model.hessian.size())) {}
+      bounds_(bounds),
+      shift_(limits.shift),
+      system_(model, limits.factor, limits.shift),
+      hessian_(static_cast<std::size_t>(model.hessian.size())),
+      inverse_gap_(bounds.size()),
+      sigma_(model.variables()),
+      d_(VectorXd::Zero(model.constraints())),
+      force_x_(model.variables()),
+      force_row_(model.constraints()),
+      p_(model.variables()),
+      q_(model.constraints()),
+      image_(model.constraints()),
+      solution_{VectorXd(model.variables()), VectorXd(model.constraints()), VectorXd(model.constraints())},
+      tolerance_(limits.tolerance) {}
 
-Residuals NewtonStep::residuals(const Iterate& point) const {
-    const Index n = model_.variables(), m = model_.constraints();
-    Residuals result;
-    const VectorXd x = point.w.head(n);
-    result.gradient = model_.cost->gradient(x);
-    result.dual = result.gradient + model_.rows.transpose() * point.lambda - point.lower_dual.head(n) +
-                  point.upper_dual.head(n);
-    result.row = model_.rows * x - point.w.tail(m);
-    result.lower = mask_.lower.cwiseProduct(point.w - mask_.lower_bound - point.lower_gap);
-    result.upper = mask_.upper.cwiseProduct(mask_.upper_bound - point.w - point.upper_gap);
-    const double products = point.lower_gap.dot(point.lower_dual) + point.upper_gap.dot(point.upper_dual);
-    result.mu = products / std::max(1.0, mask_.count);
-    return result;
+void NewtonStep::residuals(const Iterate& point, Residuals& out) {
+    model_.cost->gradient(point.x, out.gradient);
+    out.dual = out.gradient;
+    system_.columns().add_product(1.0, point.lambda, out.dual);
+    for (Index b = 0; b < bounds_.of_variables; ++b)
+        out.dual[bounds_.of[b]] -= bounds_.sign[b] * point.dual[b];
+    system_.rows().multiply(point.x, image_);
+    out.equality.setZero(model_.constraints());
+    for (const int i : bounds_.equalities) out.equality[i] = image_[i] - model_.row_lower[i];
+    out.bound.resize(bounds_.size());
+    bounds_.each(point.x, image_, [&](Index b, double t) {
+        out.bound[b] = bounds_.sign[b] * (t - bounds_.value[b]) - point.gap[b];
+    });
+    out.mu = point.gap.dot(point.dual) / static_cast<double>(std::max<Index>(1, bounds_.size()));
 }
 
 bool NewtonStep::prepare(const Iterate& point, bool& finite) {
-    const Index n = model_.variables(), m = model_.constraints();
-    model_.cost->hessian(point.w.head(n), hessian_);
+    model_.cost->hessian(point.x, hessian_);
     finite = std::all_of(hessian_.begin(), hessian_.end(), [](double v) { return std::isfinite(v); });
     if (!finite) return false;
-    sigma_ =
-        point.lower_dual.cwiseQuotient(point.lower_gap) + point.upper_dual.cwiseQuotient(point.upper_gap);
-    d_ = VectorXd::Zero(m);
-    for (Index i = 0; i < m; ++i)
-        if (mask_.equality[i] == 0.0) d_[i] = 1.0 / sigma_[n + i];
-    return system_.factorize(hessian_, sigma_.head(n), d_);
+    inverse_gap_ = point.gap.cwiseInverse();
+    sigma_.setZero();
+    d_.setZero();
+    for (Index b = 0; b < bounds_.of_variables; ++b) sigma_[bounds_.of[b]] += point.dual[b] * inverse_gap_[b];
+    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b)
+        d_[bounds_.of[b]] += point.dual[b] * inverse_gap_[b];
+    for (Index i = 0; i < d_.size(); ++i)
+        if (d_[i] > 0.0) d_[i] = 1.0 / d_[i];
+    careful_is_current_ = factor_is_poor_ = false;
+    return system_.factorize(hessian_, sigma_, d_) || prepare_careful();
 }
 
-Direction NewtonStep::direction(const Iterate& point, const Residuals* residuals,
-                                const ProductChange& change) {
-    const Index n = model_.variables(), m = model_.constraints();
-    const VectorXd zero = VectorXd::Zero(n + m);
-    const VectorXd& lower_rest = residuals != nullptr ? residuals->lower : zero;
-    const VectorXd& upper_rest = residuals != nullptr ? residuals->upper : zero;
-    VectorXd force =
-        (change.lower - point.lower_dual.cwiseProduct(lower_rest)).cwiseQuotient(point.lower_gap) -
-        (change.upper - point.upper_dual.cwiseProduct(upper_rest)).cwiseQuotient(point.upper_gap);
-    VectorXd p = force.head(n), q = d_.cwiseProduct(force.tail(m));
-    if (residuals != nullptr) {
-        p -= residuals->dual;
-        q -= residuals->row;
-    }
-    const KktSystem::Step solved = system_.solve(p, q);
+bool NewtonStep::prepare_careful() {
+    if (!careful_) careful_ = std::make_unique<KktSystem>(model_, std::max(shift_, careful_shift));
+    careful_is_current_ = careful_->factorize(hessian_, sigma_, d_);
+    return careful_is_current_;
+}
 
-    Direction result;
-    result.w.resize(n + m);
-    result.w.head(n) = solved.x;
-    // Δs two ways: exact for the row where the slack is far from its bound, exact for the multiplier
-    // otherwise.
-    const VectorXd image = model_.rows * solved.x;
-    for (Index i = 0; i < m; ++i) {
-        const double row_rest = residuals != nullptr ? residuals->row[i] : 0.0;
-        result.w[n + i] = mask_.equality[i] != 0.0 ? 0.0
-                          : d_[i] < 1.0            ? d_[i] * (solved.lambda[i] + force[n + i])
-                                                   : image[i] + row_rest;
+/// solution_ from p_, q_.
+void NewtonStep::solve(double goal) {
+    CondensedSystem::Accuracy accuracy{infinity, false};
+    if (!careful_is_current_) accuracy = system_.solve(p_, q_, goal, solution_);
+    solved_ = std::isfinite(accuracy.residual);
+    factor_is_poor_ = !accuracy.reached;
+    const double size = std::max(largest(p_), largest(q_));
+    if (accuracy.residual <= good_residual * size) return;
+    if (!careful_is_current_ && !prepare_careful()) return;
+    const KktSystem::Step careful = careful_->solve(p_, q_);
+    if (!careful.finite || careful.residual * size >= accuracy.residual) return;
+    solution_.x = careful.x;
+    solution_.lambda = careful.lambda;
+    system_.rows().multiply(solution_.x, solution_.image);
+    solved_ = true;
+}
+
+void NewtonStep::direction(const Iterate& point, const Residuals* residuals, const VectorXd& change,
+                           Direction& out) {
+    force_x_.setZero();
+    force_row_.setZero();
+    const auto force = [&](Index b) {
+        const double rest = residuals != nullptr ? residuals->bound[b] : 0.0;
+        return bounds_.sign[b] * (change[b] - point.dual[b] * rest) * inverse_gap_[b];
+    };
+    for (Index b = 0; b < bounds_.of_variables; ++b) force_x_[bounds_.of[b]] += force(b);
+    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b) force_row_[bounds_.of[b]] += force(b);
+    p_ = force_x_;
+    q_ = d_.cwiseProduct(force_row_);
+    double goal = infinity;
+    if (residuals != nullptr) {
+        p_ -= residuals->dual;
+        q_ -= residuals->equality;
+        const double wrong =
+            std::max({largest(residuals->dual), largest(residuals->equality), residuals->mu});
+        goal = std::max(inexactness * wrong, share_of_tolerance * tolerance_);
     }
-    result.lower_gap = mask_.lower.cwiseProduct(result.w + lower_rest);
-    result.upper_gap = mask_.upper.cwiseProduct(upper_rest - result.w);
-    result.lower_dual =
-        (change.lower - point.lower_dual.cwiseProduct(result.lower_gap)).cwiseQuotient(point.lower_gap);
-    result.upper_dual =
-        (change.upper - point.upper_dual.cwiseProduct(result.upper_gap)).cwiseQuotient(point.upper_gap);
-    result.lambda = result.upper_dual.tail(m) - result.lower_dual.tail(m);
-    for (Index i = 0; i < m; ++i)
-        if (mask_.equality[i] != 0.0) result.lambda[i] = solved.lambda[i];
-    result.finite = solved.finite && result.w.allFinite() && result.lambda.allFinite() &&
-                    result.lower_dual.allFinite() && result.upper_dual.allFinite();
-    return result;
+    solve(factor_is_poor_ && residuals == nullptr ? share_of_tolerance * tolerance_ : goal);
+    out.x = solution_.x;
+    out.lambda = solution_.lambda;
+    // Δt of a row two ways: exact for the row where its gap is far from 0, exact for the multiplier
+    // otherwise.
+    VectorXd& image = solution_.image;
+    for (Index i = 0; i < d_.size(); ++i)
+        if (d_[i] < 1.0) image[i] = d_[i] * (out.lambda[i] + force_row_[i]);
+    double sum = 0.0;  // not finite if anything is not
+    bounds_.each(out.x, image, [&](Index b, double t) {
+        const double rest = residuals != nullptr ? residuals->bound[b] : 0.0;
+        out.gap[b] = bounds_.sign[b] * t + rest;
+        out.dual[b] = (change[b] - point.dual[b] * out.gap[b]) * inverse_gap_[b];
+        sum += out.dual[b];
+    });
+    out.finite = solved_ && std::isfinite(sum) && out.x.allFinite();
+    // The multiplier of an inequality is that of its bounds.
+    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b) out.lambda[bounds_.of[b]] = 0.0;
+    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b)
+        out.lambda[bounds_.of[b]] -= bounds_.sign[b] * out.dual[b];
 }
 
 double step_to_boundary(const VectorXd& value, const VectorXd& change, double fraction) {
     double step = 1.0;
     for (Index i = 0; i < value.size(); ++i)
-        if (change[i] < 0.0) step = std::min(step, -fraction * value[i] / change[i]);
+        if (change[i] * step < -fraction * value[i]) step = -fraction * value[i] / change[i];
     return step;
 }
 
 void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step) {
-    point.w += primal_step * direction.w;
-    point.lower_gap += primal_step * direction.lower_gap;
-    point.upper_gap += primal_step * direction.upper_gap;
+    point.x += primal_step * direction.x;
+    point.gap += primal_step * direction.gap;
     point.lambda += dual_step * direction.lambda;
-    point.lower_dual += dual_step * direction.lower_dual;
-    point.upper_dual += dual_step * direction.upper_dual;
+    point.dual += dual_step * direction.dual;
 }
 
 }  // namespace camopt::structured

@@ -30,18 +30,19 @@ class ScaledCost final : public ConvexCost {
         const NlpShape& shape = problem.shape();
         values_.resize(static_cast<std::size_t>(shape.hessian.size()));
         no_multipliers_ = VectorXd::Zero(shape.constraints());
+        full_point_ = frame_.base;
+        full_gradient_.resize(frame_.base.size());
         reduced_.assign(static_cast<std::size_t>(shape.variables()), -1);
         for (std::size_t k = 0; k < frame_.kept.size(); ++k)
             reduced_[static_cast<std::size_t>(frame_.kept[k])] = static_cast<int>(k);
     }
     double value(const VectorXd& x) const override { return frame_.cost_scale * problem_.cost(point(x)); }
-    VectorXd gradient(const VectorXd& x) const override {
-        VectorXd full(frame_.base.size());
-        problem_.gradient(point(x), full);
-        VectorXd result(x.size());
+    void gradient(const VectorXd& x, VectorXd& out) const override {
+        problem_.gradient(point(x), full_gradient_);
+        out.resize(x.size());
         for (Index k = 0; k < x.size(); ++k)
-            result[k] = frame_.cost_scale * frame_.scale[k] * full[frame_.kept[static_cast<std::size_t>(k)]];
-        return result;
+            out[k] = frame_.cost_scale * frame_.scale[k] *
+                     full_gradient_[frame_.kept[static_cast<std::size_t>(k)]];
     }
     void hessian(const VectorXd& x, std::span<double> out) const override {
         if (out.empty()) return;
@@ -56,17 +57,17 @@ class ScaledCost final : public ConvexCost {
     }
 
  private:
-    VectorXd point(const VectorXd& x) const {
-        VectorXd full = frame_.base;
+    const VectorXd& point(const VectorXd& x) const {
         for (Index k = 0; k < x.size(); ++k)
-            full[frame_.kept[static_cast<std::size_t>(k)]] = frame_.scale[k] * x[k];
-        return full;
+            full_point_[frame_.kept[static_cast<std::size_t>(k)]] = frame_.scale[k] * x[k];
+        return full_point_;
     }
     const Nlp& problem_;
     Frame frame_;
     VectorXd no_multipliers_;
     std::vector<int> reduced_;
     mutable std::vector<double> values_;
+    mutable VectorXd full_point_, full_gradient_;
 };
 
 }  // namespace
@@ -193,6 +194,7 @@ void StandardForm::equilibrate(const VectorXd& start) {
         return fail(Status::evaluation_error, "the cost's Hessian is not finite at the start");
 
     constexpr int sweeps = 12;
+    constexpr double balanced = 2.0;  // powers of two come out in the end: closer is not worth a sweep
     column_scale_ = VectorXd::Ones(model_.variables());
     row_scale_ = VectorXd::Ones(model_.constraints());
     for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -204,10 +206,15 @@ void StandardForm::equilibrate(const VectorXd& start) {
                 column_size[j] = std::max(column_size[j], size);
                 row_size[entry.row()] = std::max(row_size[entry.row()], size);
             }
-        for (Index j = 0; j < model_.variables(); ++j)
-            if (column_size[j] > 0.0) column_scale_[j] /= std::sqrt(column_size[j]);
-        for (Index i = 0; i < model_.constraints(); ++i)
-            if (row_size[i] > 0.0) row_scale_[i] /= std::sqrt(row_size[i]);
+        double farthest = 1.0;
+        const auto balance = [&](double size, double& scale) {
+            if (size <= 0.0) return;
+            farthest = std::max({farthest, size, 1.0 / size});
+            scale /= std::sqrt(size);
+        };
+        for (Index j = 0; j < model_.variables(); ++j) balance(column_size[j], column_scale_[j]);
+        for (Index i = 0; i < model_.constraints(); ++i) balance(row_size[i], row_scale_[i]);
+        if (farthest <= balanced) break;
     }
     // Variables in no row are scaled by their curvature.
     for (std::size_t e = 0; e < curvature.size(); ++e) {
@@ -231,7 +238,8 @@ void StandardForm::scale_cost(const VectorXd& start) {
     const VectorXd x = to_model(start);
     std::vector<double> curvature(static_cast<std::size_t>(model_.hessian.size()));
     model_.cost->hessian(x, curvature);
-    const VectorXd gradient = model_.cost->gradient(x);
+    VectorXd gradient(x.size());
+    model_.cost->gradient(x, gradient);
     double size = gradient.size() > 0 ? gradient.cwiseAbs().maxCoeff() : 0.0;
     for (const double entry : curvature) size = std::max(size, std::abs(entry));
     if (!std::isfinite(size)) return fail(Status::evaluation_error, "the cost is not finite at the start");

@@ -41,7 +41,7 @@ Step StepSolver::solve(const NlpPoint& point, const StepModel& model) {
     result.usable = solved.has_point() && solved.errors.worst() <= usable_error &&
                     solved.errors.primal <= usable_primal && !result.stopped();
     if (!result.usable) return result;
-    const VectorXd u = form.to_problem(solved.best.x(form.model().variables()));
+    const VectorXd u = form.to_problem(solved.best.x);
     result.step = linearized.step_of(u);
     result.elastic = linearized.elastic_of(u);
     result.multipliers =

@@ -21,7 +21,7 @@ SolverEntry structured_entry() {
     entry.options = {
         integer_option("max_iterations", "200", {1.0, 1e9}, "iterations, the elastic phase apart"),
         number_option("regularisation", "1e-9", {1e-14, 1e-3}, "diagonal shift of the scaled Newton matrix"),
-        integer_option("correctors", "2", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
+        integer_option("correctors", "1", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
         integer_option("patience", "12", {2.0, 1e9},
                        "iterations without a better point before the search ends"),
         integer_option("max_passes", "200", {1.0, 1e9}, "nonlinear rows: linearizations, at most"),

@@ -154,7 +154,7 @@ bool StructuredRun::proved_infeasible(BackendResult& result) {
 
 bool StructuredRun::proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const {
     if (!solved.has_point()) return false;
-    const VectorXd point = solved.best.x(form_.model().variables());
+    const VectorXd point = solved.best.x;
     InteriorPointLimits limits = limits_;
     limits.tolerance = 1e-9;
     if (!recession(form_.model(), point, limits, control_).descends) return false;
@@ -187,7 +187,7 @@ BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const 
         result.x = start_;
         return result;
     }
-    result.x = form_.to_problem(solved.best.x(form_.model().variables()));
+    result.x = form_.to_problem(solved.best.x);
     result.row_multipliers = form_.row_multipliers(solved.best.lambda, form_.cost_scale());
     VectorXd gradient(result.x.size());
     problem_.gradient(result.x, gradient);

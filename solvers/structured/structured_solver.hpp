@@ -46,7 +46,7 @@ struct StructuredOptions {
     double regularisation = 1e-9;
     /// Centrality correctors an iteration at most, 0 … 10. More for large problems, where a factorization
     /// costs much more than a solve.
-    int correctors = 2;
+    int correctors = 1;
     /// Iterations without a better point before the search ends with the best one. >= 2.
     int patience = 12;
     /// Of problems with nonlinear rows, or not known to be convex: linearizations at most; iterations of

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A sparse matrix A for products in the inner loop of a solver: no temporaries, no allocation.
+//
+// Rows of the same length stand together, so that short ones (a sampled rule has two to five entries) become
+// straight lines of code. Aᵀ is best kept as a matrix of its own: adding
+// rows to a result makes every row wait for the one before wherever they share a dense column.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace camopt {
+
+class CompressedRows {
+ public:
+    CompressedRows() = default;
+    explicit CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
+
+    /// out = A x; `out` has the right size already.
+    void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
+    /// out += factor · A x
+    void add_product(double factor, const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
+
+ private:
+    struct Group {
+        int length = 0, first = 0, last = 0;  ///< entries a row; rows [first, last) of the new order
+        int entry = 0;                        ///< of the first row
+    };
+    std::vector<Group> groups_;
+    std::vector<int> row_;  ///< of the matrix, in the new order
+    std::vector<int> column_;
+    std::vector<double> value_;
+};
+
+}  // namespace camopt
