@@ -33,7 +33,7 @@ namespace camopt::benchmarks {
 namespace {
 
 constexpr double exchange_tolerance = 1e-10;
-constexpr double most_seconds = 10.0, slow_seconds = 2.0;
+constexpr double most_seconds = 10.0, slow_seconds = 0.6;
 constexpr int repeats = 5;
 // Beyond, it loses its way or its Cholesky factor fills up, and it does not mind its time limit.
 constexpr int most_barrier_segments = 12;

@@ -23,7 +23,7 @@ function octave_linear_program(words)
       [x, status, iterations] = by_glpk(c, columns, a, rows, equal, upper, lower, words{2});
     end
     seconds(end + 1) = toc;
-    if sum(seconds) > 10
+    if sum(seconds) > 4
       break;
     end
   end

@@ -287,10 +287,10 @@ def section_rivals(page):
                      "relative error", "times structured"], lines, 3))
     page.say("Ways tried: HiGHS by `linprog` (highs-ds, highs-ipm; presolve on and off; tolerances 1e-7 and 1e-9); SLSQP with "
              "ftol 1e-12 up to 64 segments; Octave `glpk` (primal, dual, interior point up to 64 segments; presolve, "
-             "tolerances 1e-9) and `sqp` (up to 24 segments, tolerance 1e-10), stopped after 15 s; Clp (dual, primal, with "
+             "tolerances 1e-9) and `sqp` (up to 24 segments, tolerance 1e-10), stopped after 10 s; Clp (dual, primal, with "
              "and without presolve, barrier up to 12 segments; tolerances 1e-9); Ipopt (predictor-corrector, adaptive, "
              "monotone; peaks as dense columns and as chained copies; tolerance 1e-9). Both forms of the design vector for all but Ipopt and the structured solver "
-             "(`states`). Slower than 2 s: timed once. Every attempt is a row of `final_lp.csv`.", "")
+             "(`states`). Slow ways are timed once. Every attempt is a row of `final_lp.csv`.", "")
 
 
 def section_ipopt(page):
@@ -381,6 +381,25 @@ def section_algebra(page):
              "show their time. `default` is what the solver takes by itself.", "")
 
 
+def section_stability(page):
+    rows = page.rows("stability.csv")
+    if not rows:
+        return
+    page.say("## Numerical stability", "", "![Numerical stability](results/stability.svg)", "")
+    lines = []
+    for group in dict.fromkeys(row["group"] for row in rows):
+        own = [row for row in rows if row["group"] == group]
+        count = lambda word: sum(row["judgement"] == word for row in own)
+        errors = [number(row, "relative_error") for row in own
+                  if row["verdict"] == "optimal" and number(row, "relative_error") is not None]
+        lines.append([group, len(own), count("ok"), count("unsolved"), count("wrong"), count("absent"),
+                      short(max(map(abs, errors), default=None))])
+    page.say(*table(["group", "rows", "ok", "unsolved", "wrong", "absent", "worst error where optimal"], lines))
+    wrong = sum(row["judgement"] == "wrong" for row in rows)
+    page.say(f"{len(rows)} rows, {wrong} of them wrong. Unsolved: a weaker verdict than hoped for, and a true one. Every row "
+             "is in [stability.md](results/stability.md).", "")
+
+
 def section_unneeded(page):
     rows = page.rows("evaluation_counts.csv")
     if rows:
@@ -449,7 +468,7 @@ def main():
              f"of one run: {page.machine}.", "")
     acceptance(page)
     for section in (section_error, section_cam, section_ipopt, section_rivals, section_growth, section_sweep, section_algebra,
-                    section_checks, section_unneeded, section_no_cam, section_machine):
+                    section_stability, section_checks, section_unneeded, section_no_cam, section_machine):
         section(page)
     target.write_text("\n".join(page.lines).rstrip() + "\n")
 

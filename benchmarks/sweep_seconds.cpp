@@ -31,7 +31,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int rows = 1000, divisions = 44, segments = 32, passes = 5;
-constexpr double seconds_of_ipopt = 200.0;  // no pass begins after
+constexpr double seconds_of_ipopt = 170.0;  // no pass begins after
 
 struct Way {
     std::string name;
