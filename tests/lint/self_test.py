@@ -12,6 +12,8 @@ SPDX = "// SPDX-License-Identifier: MIT\n"
 CLEAN = {
     "core/a.hpp": SPDX + '#pragma once\n#include <Eigen/Core>\n#include <vector>\nint a();\n',
     "solvers/s.cpp": SPDX + '#include "core/a.hpp"\n',
+    "apps/p.hpp": SPDX + "#pragma once\n",
+    "tests/apps/p_test.cpp": SPDX + '#include "apps/p.hpp"\n',
     "objectives/o.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
     "solvers/CMakeLists.txt": "# SPDX-License-Identifier: MIT\nlink(camopt::core)\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
@@ -21,6 +23,7 @@ PLANTED = [
     ("include_rules", "solvers/s.cpp", SPDX + '#include "objectives/o.hpp"\n', "solvers/ must not include objectives/"),
     ("include_rules", "splines/c.cpp", SPDX + '#include "profiles/p.hpp"\n', "does not exist"),
     ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
+    ("include_rules", "benchmarks/b.cpp", SPDX + '#include "apps/p.hpp"\n', "benchmarks/ must not include apps/"),
     ("include_rules", "gears/g.cpp", SPDX, "has no line"),
     ("include_rules", "solvers/CMakeLists.txt", "link(camopt::splines)\n", "must not link camopt::splines"),
     ("spdx", "core/b.cpp", "int b() { return 1; }\n", "core/b.cpp:1: no line"),

@@ -21,6 +21,9 @@ EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")
 }
+# Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
+MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps"}
+MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
 
 CODE = {".cpp", ".hpp"}
 LEFT_OUT = ("build", "out", "node_modules", "__pycache__", ".")
