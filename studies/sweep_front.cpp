@@ -38,12 +38,12 @@ struct Contender {
     std::vector<double> criteria;
 };
 
-bool dominates(const Contender& one, const Contender& other) {
+bool dominates(const Contender& winner, const Contender& loser) {
     bool better = false;
-    for (std::size_t i = 0; i < one.criteria.size(); ++i) {
-        const double width = front_tolerance * std::abs(other.criteria[i]);
-        if (one.criteria[i] > other.criteria[i] + width) return false;
-        if (one.criteria[i] < other.criteria[i] - width) better = true;
+    for (std::size_t i = 0; i < winner.criteria.size(); ++i) {
+        const double width = front_tolerance * std::abs(loser.criteria[i]);
+        if (winner.criteria[i] > loser.criteria[i] + width) return false;
+        if (winner.criteria[i] < loser.criteria[i] - width) better = true;
     }
     return better;
 }
@@ -63,7 +63,7 @@ void mark_front(SweepTable& table) {
     for (const auto& [question, contenders] : questions)
         for (const Contender& one : contenders)
             one.row->on_front = std::ranges::none_of(
-                contenders, [&](const Contender& other) { return dominates(other, one); });
+                contenders, [&](const Contender& rival) { return dominates(rival, one); });
 }
 
 }  // namespace camopt
