@@ -42,6 +42,7 @@ void check_keys(std::span<const SweepAxis> axes) {
 long row_count(std::span<const SweepAxis> axes) {
     long rows = 1;
     for (const SweepAxis& axis : axes) {
+        if (axis.points() == 0) throw InputError("found an axis without points; allowed: at least one");
         rows *= axis.points();
         if (rows > most_sweep_rows)
             throw InputError(fmt::format("the grid has more rows than allowed: at most {}", most_sweep_rows));
@@ -62,9 +63,10 @@ SweepPlan sweep_grid(std::span<const SweepAxis> axes) {
         long block = rows;
         for (const SweepAxis& axis : axes) {
             const long pass = row / block;  // how often the axis has been run through
-            block /= axis.points();
-            const int along = static_cast<int>(row / block % axis.points());
-            const auto point = axis.point(pass % 2 == 0 ? along : axis.points() - 1 - along);
+            const int points = std::max(axis.points(), 1);
+            block = std::max(block / points, 1L);
+            const int along = static_cast<int>(row / block % points);
+            const auto point = axis.point(pass % 2 == 0 ? along : points - 1 - along);
             plan.values.insert(plan.values.end(), point.begin(), point.end());
         }
     }

@@ -78,6 +78,8 @@ TEST(SweepGrid, RefusesNothingDoubleKeysAndTooMuch) {
         return "no error";
     };
     EXPECT_NE(said({}).find("allowed: --weights, --vary"), std::string::npos);
+    EXPECT_NE(said({varied_key("a=1,2"), SweepAxis{{"b"}, {}}}).find("an axis without points"),
+              std::string::npos);
     EXPECT_NE(said({varied_key("a=1,2"), varied_key("a=3,4")}).find("a: found twice"), std::string::npos);
     EXPECT_NE(said({varied_key("objective.jerk=1,2"), simplex_weights(2)}).find("objective.jerk: found"),
               std::string::npos);
