@@ -39,7 +39,7 @@ OCTAVE_SECONDS = 10.0
 # Options worth trying: presolve pays or does not, and the default tolerance is 1e-7.
 HIGHS = [(method, presolve, tolerance) for method in ("highs-ds", "highs-ipm") for presolve in (True, False)
          for tolerance in (1e-7, 1e-9)]
-GLPK = ("glpk-simplex", "glpk-dual", "glpk-interior", "sqp")
+GLPK = ("glpk-simplex", "glpk-dual", "glpk-dual-plain", "glpk-interior", "sqp")
 
 
 class Program:

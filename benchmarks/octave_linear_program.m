@@ -1,6 +1,7 @@
 % SPDX-License-Identifier: MIT
 % octave_linear_program.m PROGRAM METHOD REPEATS POINT: one linear program (linear_program_text.hpp) solved by
-% Octave: METHOD is glpk-simplex, glpk-dual, glpk-interior or sqp. Writes the point to POINT, one number a line; prints
+% Octave: METHOD is glpk-simplex, glpk-dual, glpk-dual-plain
+% (no presolve), glpk-interior or sqp. Writes the point to POINT, one number a line; prints
 % status, iterations (0 where unknown) and the seconds of each call.
 function octave_linear_program(words)
   numbers = fscanf(fopen(words{1}), "%g");
@@ -39,10 +40,10 @@ function [x, status, iterations] = by_glpk(c, columns, a, rows, equal, upper, lo
   kinds = [repmat("S", 1, sum(equal)), repmat("U", 1, sum(upper)), repmat("L", 1, sum(lower))];
   options.msglev = 0;
   options.tolbnd = options.toldj = 1e-9;
-  options.tmlim = 20;
-  options.presol = 1;
+  options.tmlim = 10000; % ms, whatever the manual says
+  options.presol = ! strcmp(method, "glpk-dual-plain");
   options.lpsolver = 1 + strcmp(method, "glpk-interior");
-  if strcmp(method, "glpk-dual")
+  if strncmp(method, "glpk-dual", 9)
     options.dual = 2;
   end
   kind_of_variables = repmat("C", 1, numel(c));

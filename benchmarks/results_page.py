@@ -286,7 +286,7 @@ def section_rivals(page):
     page.say(*table(["degree", "n", "program", "ways within 1e-8", "says optimal, 1e-6 off", "the quickest of them", "seconds",
                      "relative error", "times structured"], lines, 3))
     page.say("Ways tried: HiGHS by `linprog` (highs-ds, highs-ipm; presolve on and off; tolerances 1e-7 and 1e-9); SLSQP with "
-             "ftol 1e-12 up to 64 segments; Octave `glpk` (primal, dual, interior point up to 64 segments; presolve, "
+             "ftol 1e-12 up to 64 segments; Octave `glpk` (primal, dual, dual without presolve, interior point up to 64 segments; "
              "tolerances 1e-9) and `sqp` (up to 24 segments, tolerance 1e-10), stopped after 10 s; Clp (dual, primal, with "
              "and without presolve, barrier up to 12 segments; tolerances 1e-9); Ipopt (predictor-corrector, adaptive, "
              "monotone; peaks as dense columns and as chained copies; tolerance 1e-9). Both forms of the design vector for all but Ipopt and the structured solver "
