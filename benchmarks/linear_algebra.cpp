@@ -25,7 +25,7 @@ struct Size {
 
 /// One variant a factorization; only the default where the backend offers no choice.
 std::vector<SolverVariant> factorizations() {
-    std::vector<SolverVariant> variants = {{"structured", "default", {}}};
+    std::vector<SolverVariant> variants;
     for (const SolverEntry& entry : solver_entries()) {
         if (entry.name != "structured") continue;
         for (const NativeOption& option : entry.options) {
@@ -34,6 +34,7 @@ std::vector<SolverVariant> factorizations() {
                 variants.push_back({"structured", choice, {{option_name, choice}}});
         }
     }
+    if (variants.empty()) variants.push_back({"structured", "default", {}});
     return variants;
 }
 
