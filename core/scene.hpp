@@ -66,12 +66,13 @@ struct SplineSpec {
 /// The figures the peaks are divided by: those of a law of the catalogue, or numbers.
 struct Reference {
     std::string law = "modified_sine";  ///< used where a number below is absent
-    std::optional<double> velocity, acceleration, jerk, rms_acceleration, rms_jerk;
+    std::optional<double> velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk;
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
 };
 
 struct ObjectiveSpec {
     double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
+    double torque = 0.0;                                    ///< weight, >= 0, of max |y' y''|
     double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
     /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
     /// the lift times the centre distance); the offset counts by its magnitude.

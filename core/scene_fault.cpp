@@ -89,6 +89,7 @@ Fault objective_fault(const Scene& scene) {
         std::tuple{"velocity", objective.velocity, reference.velocity},
         std::tuple{"acceleration", objective.acceleration, reference.acceleration},
         std::tuple{"jerk", objective.jerk, reference.jerk},
+        std::tuple{"torque", objective.torque, reference.torque},
         std::tuple{"rms_acceleration", objective.rms_acceleration, reference.rms_acceleration},
         std::tuple{"rms_jerk", objective.rms_jerk, reference.rms_jerk},
     };
@@ -98,7 +99,7 @@ Fault objective_fault(const Scene& scene) {
         std::ranges::none_of(terms, [](const auto& term) { return std::get<1>(term) > 0.0; }))
         return SceneFault{
             "objective", "no weight > 0",
-            "at least one of velocity, acceleration, jerk, rms_acceleration, rms_jerk > 0, or of a "
+            "at least one of velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk > 0, or of a "
             "dimension of the cam that is a range"};
     for (const auto& [name, weight, number] : terms)
         if (reference.numeric && weight > 0.0 && !number)

@@ -143,10 +143,6 @@ class KeyCheck {
         const Node& value = given.value();
         const Range range = written_range(given);
         refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
-        if (given.row->availability == Availability::only_zero && value.as_number() != 0.0)
-            source_.fail_unavailable(
-                value.place, key,
-                fmt::format("found {}; this term is {}; allowed: 0", value.shown(), not_yet));
     }
 
     void check_number_or_range(const Given& given, const std::string& key) const {

@@ -67,8 +67,6 @@ std::string_view remark(const KeyRow& row) {
             return " *Needs a `[cam]` table.*";
         case Availability::needs_forces:
             return " *Needs a `[forces]` table.*";
-        case Availability::only_zero:
-            return " *Not available yet: only 0.*";
         case Availability::now:
             break;
     }

@@ -108,7 +108,7 @@ Rows objective() {
         {"objective", "rms_jerk", number, plain, not_negative, {}, "0",
          "Weight of the root mean square of the jerk."},
         {"objective", "torque", number, plain, not_negative, {}, "0",
-         "Weight of the torque peak, the largest magnitude of y'·y''.", Availability::only_zero},
+         "Weight of the torque peak Q, the largest magnitude of y'·y''; not convex."},
     };
 }
 
@@ -129,7 +129,7 @@ Rows reference() {
         {"objective.reference", "rms_jerk", number, plain, positive, {}, "none",
          "Reference of the root mean square of the jerk."},
         {"objective.reference", "torque", number, plain, positive, {}, "none",
-         "Reference of the torque peak; plays no part while the weight must be 0."},
+         "Reference of the torque peak."},
     };
 }
 

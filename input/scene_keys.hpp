@@ -31,7 +31,6 @@ enum class Availability {
     now,
     needs_cam,     ///< only together with a [cam] table
     needs_forces,  ///< only together with a [forces] table
-    only_zero,     ///< a weight that may stand there as 0
 };
 
 /// One way to write a quantity: key = name + suffix, SI value = written value · factor.

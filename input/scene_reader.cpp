@@ -75,6 +75,7 @@ class SceneReader {
         source_.read_number("objective", "velocity", objective.velocity);
         source_.read_number("objective", "acceleration", objective.acceleration);
         source_.read_number("objective", "jerk", objective.jerk);
+        source_.read_number("objective", "torque", objective.torque);
         source_.read_number("objective", "rms_acceleration", objective.rms_acceleration);
         source_.read_number("objective", "rms_jerk", objective.rms_jerk);
         for (int i = 0; i < dimension_count; ++i)
@@ -101,6 +102,7 @@ class SceneReader {
         reference.velocity = source_.number(table, "velocity");
         reference.acceleration = source_.number(table, "acceleration");
         reference.jerk = source_.number(table, "jerk");
+        reference.torque = source_.number(table, "torque");
         reference.rms_acceleration = source_.number(table, "rms_acceleration");
         reference.rms_jerk = source_.number(table, "rms_jerk");
         return reference;

@@ -19,6 +19,7 @@ void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) co
         const Parameter& parameter = model_->parameters[p];
         double& value = x[model_->design.size() + static_cast<Eigen::Index>(p)];
         if (parameter.kind == Parameter::Kind::peak) value = peak[parameter.order] / parameter.reference;
+        if (parameter.kind == Parameter::Kind::torque) value = peaks.torque.value / parameter.reference;
         if (parameter.kind == Parameter::Kind::rms) value = rms[parameter.order] / parameter.reference;
     }
 }
@@ -29,7 +30,7 @@ void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorX
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         double& value = x[size + static_cast<Eigen::Index>(p)];
-        if (parameter.kind == Parameter::Kind::peak) value = 0.0;
+        if (parameter.kind == Parameter::Kind::peak || parameter.kind == Parameter::Kind::torque) value = 0.0;
         if (parameter.kind != Parameter::Kind::rms) continue;
         const QuadraticForm form =
             model_->design.mean_square(parameter.order, model_->mean_square_weights(parameter.order));

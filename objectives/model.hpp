@@ -20,10 +20,10 @@
 
 namespace camopt {
 
-/// A variable beside the design vector: a peak, a root mean square, a dimension of the cam, or the magnitude
-/// of another parameter.
+/// A variable beside the design vector: a peak, the torque peak max |y' y''|, a root mean square, a dimension
+/// of the cam, or the magnitude of another parameter.
 struct Parameter {
-    enum class Kind { peak, rms, dimension, magnitude };
+    enum class Kind { peak, torque, rms, dimension, magnitude };
     std::string name;
     Kind kind = Kind::peak;
     int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter

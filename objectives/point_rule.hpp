@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,15 @@ class PointRule {
     [[nodiscard]] virtual bool limit() const = 0;
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
+    /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
+    /// the rule as a polynomial of it, whose maxima are then found exactly. Empty where it is none; linear
+    /// rules need not say.
+    [[nodiscard]] virtual Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
+                                                const Eigen::VectorXd& q) const {
+        static_cast<void>(derivatives);
+        static_cast<void>(q);
+        return {};
+    }
     [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;
 
  protected:

@@ -77,17 +77,22 @@ std::vector<Extremum> candidates_on_piece(const PointRule& rule, const Motion& m
     return found;
 }
 
-/// A linear rule along one spline piece as a polynomial in x − begin.
-std::vector<Extremum> candidates_on_spline(const PointRule& rule, const SplineCurve& curve,
-                                           const Eigen::VectorXd& q, int segment, double shift) {
+/// A rule along one spline piece as a polynomial in x − begin; empty where it is none.
+Eigen::VectorXd polynomial_on_spline(const PointRule& rule, const SplineCurve& curve,
+                                     const Eigen::VectorXd& q, int segment) {
+    std::array<Eigen::VectorXd, 4> derivatives;
+    for (int order = 0; order < 4; ++order) derivatives[order] = curve.derivative_polynomial(segment, order);
+    if (!rule.linear()) return rule.along(derivatives, q);
     const RuleValue affine = rule.evaluate({0.0, {}}, q);
     Eigen::VectorXd polynomial = Eigen::VectorXd::Zero(curve.degree() + 1);
     polynomial[0] = affine.value;
-    for (int order = 0; order < 4; ++order) {
-        if (affine.gradient[order] == 0.0) continue;
-        const Eigen::VectorXd derivative = curve.derivative_polynomial(segment, order);
-        polynomial.head(derivative.size()) += affine.gradient[order] * derivative;
-    }
+    for (int order = 0; order < 4; ++order)
+        polynomial.head(derivatives[order].size()) += affine.gradient[order] * derivatives[order];
+    return polynomial;
+}
+
+std::vector<Extremum> candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
+                                           int segment, double shift) {
     std::vector<Extremum> found = candidates_on_segment(curve.space(), segment, polynomial);
     for (Extremum& candidate : found) candidate.at -= shift;
     return found;
@@ -126,14 +131,17 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
         if (stretch.kind == StretchRequest::Kind::dwell) {
             candidates.push_back({rule->evaluate(motion.at(piece.begin), q).value, piece.begin, Side::right});
-        } else if (stretch.kind == StretchRequest::Kind::spline && rule->linear()) {
+        } else if (stretch.kind == StretchRequest::Kind::spline) {
             const auto& curve = dynamic_cast<const SplineCurve&>(
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
-            append(candidates, candidates_on_spline(*rule, curve, q, piece.segment, stretch.shift));
+            const Eigen::VectorXd polynomial = polynomial_on_spline(*rule, curve, q, piece.segment);
+            append(candidates,
+                   polynomial.size() > 0
+                       ? candidates_on_spline(curve, polynomial, piece.segment, stretch.shift)
+                       : candidates_on_piece(*rule, motion, q, piece.begin, piece.end, samples_on_spline));
         } else {
-            const int samples =
-                stretch.kind == StretchRequest::Kind::spline ? samples_on_spline : samples_on_shape;
-            append(candidates, candidates_on_piece(*rule, motion, q, piece.begin, piece.end, samples));
+            append(candidates,
+                   candidates_on_piece(*rule, motion, q, piece.begin, piece.end, samples_on_shape));
         }
     }
     return maxima_among(candidates);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The continuous maxima of a rule along a motion.
 //
-// Linear rules on a spline are polynomials on each piece: exact. Others: the slope along the motion,
-// dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed between samples of a stated density and its root
-// found to round-off.
+// Linear rules and the torque on a spline are polynomials on each piece: exact. Others: the slope along the
+// motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed between samples of a stated density and
+// its root found to round-off.
 #pragma once
 
 #include "objectives/model.hpp"

@@ -6,6 +6,7 @@
 #include "objectives/cam_limits.hpp"
 #include "objectives/peak_rule.hpp"
 #include "objectives/program_family.hpp"
+#include "objectives/torque_rule.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& refere
         {Kind::peak, 2, objective.acceleration, &limits.acceleration,
          finite_or(reference.acceleration.value, fallback.acceleration.value)},
         {Kind::peak, 3, objective.jerk, &limits.jerk, finite_or(reference.jerk.value, fallback.jerk.value)},
+        {Kind::torque, 2, objective.torque, &none, finite_or(reference.torque.value, fallback.torque.value)},
         {Kind::rms, 2, objective.rms_acceleration, &none,
          finite_or(reference.rms_acceleration, fallback.rms_acceleration)},
         {Kind::rms, 3, objective.rms_jerk, &none, finite_or(reference.rms_jerk, fallback.rms_jerk)},
@@ -98,6 +100,7 @@ Peaks reference_peaks(const Scene& scene) {
     set(peaks.velocity.value, reference.velocity);
     set(peaks.acceleration.value, reference.acceleration);
     set(peaks.jerk.value, reference.jerk);
+    set(peaks.torque.value, reference.torque);
     set(peaks.rms_acceleration, reference.rms_acceleration);
     set(peaks.rms_jerk, reference.rms_jerk);
     const ObjectiveSpec& objective = scene.objective;
@@ -105,6 +108,7 @@ Peaks reference_peaks(const Scene& scene) {
     require_finite("velocity", objective.velocity, peaks.velocity.value, law);
     require_finite("acceleration", objective.acceleration, peaks.acceleration.value, law);
     require_finite("jerk", objective.jerk, peaks.jerk.value, law);
+    require_finite("torque", objective.torque, peaks.torque.value, law);
     require_finite("rms_acceleration", objective.rms_acceleration, peaks.rms_acceleration, law);
     require_finite("rms_jerk", objective.rms_jerk, peaks.rms_jerk, law);
     return peaks;
@@ -189,6 +193,26 @@ void add_peak_rules(CamModel& model, const WeightedPeak& source, int index) {
     }
 }
 
+/// The same for the torque peak of parameter `index`, max |y' y''|.
+void add_torque_rules(CamModel& model, double reference, int index) {
+    const auto add = [&](double scaled, int stretch) {
+        for (const int sign : {1, -1})
+            model.rules.emplace_back(std::make_shared<TorqueRule>(sign, index, scaled), stretch);
+    };
+    if (model.stretch_scales.empty()) return add(reference, -1);
+    for (int s = 0; s < static_cast<int>(model.stretch_scales.size()); ++s) {
+        if (model.design.stretches()[s].kind != StretchRequest::Kind::spline) continue;
+        const StretchScale& scale = model.stretch_scales[s];
+        add(reference * scale.displacement * scale.displacement / std::pow(scale.angle, 3), s);
+    }
+}
+
+std::string name_of_term(const WeightedPeak& source) {
+    if (source.kind == Parameter::Kind::torque) return "peak torque";
+    const bool peak = source.kind == Parameter::Kind::peak;
+    return fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]);
+}
+
 void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
     for (const WeightedPeak& source : weighted_peaks(scene, reference)) {
         const bool peak = source.kind == Parameter::Kind::peak;
@@ -205,8 +229,8 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
         if (source.weight == 0.0 && (!limit || caps_motion)) continue;
         const int index = static_cast<int>(model.parameters.size());
         model.parameters.push_back(
-            {fmt::format("{} {}", peak ? "peak" : "rms", derivative_names[source.order]), source.kind,
-             source.order, source.reference, source.weight});
+            {name_of_term(source), source.kind, source.order, source.reference, source.weight});
+        if (source.kind == Parameter::Kind::torque) add_torque_rules(model, source.reference, index);
         if (!peak) continue;
         add_peak_rules(model, source, index);
         if (limit && !caps_motion) {

@@ -115,6 +115,7 @@ std::string objective_words(const Comparison& comparison) {
     add(objective.velocity, "V", reference.velocity.value);
     add(objective.acceleration, "A", reference.acceleration.value);
     add(objective.jerk, "J", reference.jerk.value);
+    add(objective.torque, "Q", reference.torque.value);
     add(objective.rms_acceleration, "rms A", reference.rms_acceleration);
     add(objective.rms_jerk, "rms J", reference.rms_jerk);
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; }))

@@ -65,6 +65,7 @@ std::string asked(const Scene& scene) {
     term(objective.velocity, "velocity");
     term(objective.acceleration, "acceleration");
     term(objective.jerk, "jerk");
+    term(objective.torque, "torque");
     term(objective.rms_acceleration, "rms acceleration");
     term(objective.rms_jerk, "rms jerk");
     const std::size_t of_motion = terms.size();

@@ -49,6 +49,7 @@ Json reference_json(const Solution& solution) {
             {"velocity", used(peaks.velocity.value)},
             {"acceleration", used(peaks.acceleration.value)},
             {"jerk", used(peaks.jerk.value)},
+            {"torque", used(peaks.torque.value)},
             {"rms_acceleration", used(peaks.rms_acceleration)},
             {"rms_jerk", used(peaks.rms_jerk)}};
 }

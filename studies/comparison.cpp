@@ -43,6 +43,8 @@ double parameter_value(const Bench& bench, const Peaks& peaks, int index) {
                                                        : peaks.jerk.value;
             return peak / parameter.reference;
         }
+        case Parameter::Kind::torque:
+            return peaks.torque.value / parameter.reference;
         case Parameter::Kind::rms:
             return (parameter.order == 2 ? peaks.rms_acceleration : peaks.rms_jerk) / parameter.reference;
         case Parameter::Kind::dimension:

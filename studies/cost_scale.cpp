@@ -10,7 +10,7 @@ namespace camopt {
 namespace {
 
 // Peaks and root mean squares of good motions, to a factor of ten or so: those of the modified sine.
-constexpr std::array<double, 5> typical = {1.76, 5.53, 69.5, 3.91, 23.0};
+constexpr std::array<double, 6> typical = {1.76, 5.53, 69.5, 5.46, 3.91, 23.0};
 // References this far from them, and objectives this far from one, are scaled.
 constexpr int idle_reference_exponent = 7;
 constexpr double least_idle_cost = 0.25, most_idle_cost = 64.0;
@@ -24,12 +24,13 @@ struct Term {
     double reference;
 };
 
-std::array<Term, 5> terms_of(Scene& scene, const Peaks& reference) {
+std::array<Term, 6> terms_of(Scene& scene, const Peaks& reference) {
     ObjectiveSpec& objective = scene.objective;
     Reference& numbers = objective.reference;
     return {{{&objective.velocity, &numbers.velocity, reference.velocity.value},
              {&objective.acceleration, &numbers.acceleration, reference.acceleration.value},
              {&objective.jerk, &numbers.jerk, reference.jerk.value},
+             {&objective.torque, &numbers.torque, reference.torque.value},
              {&objective.rms_acceleration, &numbers.rms_acceleration, reference.rms_acceleration},
              {&objective.rms_jerk, &numbers.rms_jerk, reference.rms_jerk}}};
 }
@@ -46,7 +47,7 @@ CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene
 }
 
 void CostScale::scale_references(const Peaks& reference) {
-    const std::array<Term, 5> terms = terms_of(scaled_, reference);
+    const std::array<Term, 6> terms = terms_of(scaled_, reference);
     for (std::size_t k = 0; k < terms.size(); ++k) {
         if (!*terms[k].number) continue;
         const double exponent = std::round(std::log2(**terms[k].number / typical[k]));
@@ -59,7 +60,7 @@ void CostScale::scale_references(const Peaks& reference) {
 
 void CostScale::scale_weights(const Peaks& reference) {
     double cost = 0.0;
-    const std::array<Term, 5> terms = terms_of(scaled_, reference);
+    const std::array<Term, 6> terms = terms_of(scaled_, reference);
     for (std::size_t k = 0; k < terms.size(); ++k) {
         const double by = terms[k].number->value_or(terms[k].reference);
         if (*terms[k].weight > 0.0) cost += *terms[k].weight * typical[k] / by;

@@ -38,7 +38,7 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
     // nothing approaches.
     if (scene.motion.type == MotionType::program) return {};
-    if (objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
+    if (objective.torque > 0.0 || objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {
@@ -63,7 +63,8 @@ std::string general_solver() {
 }
 
 bool is_general(const Scene& scene) {
-    return scene.cam && needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+    return (scene.cam || scene.objective.torque > 0.0) &&
+           needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
@@ -99,8 +100,8 @@ BackendChoice choose_backend(const Scene& scene) {
         choice.solver = general ? general_solver() : "structured";
         choice.reason =
             general
-                ? "a limit of this scene is not convex: a convex relaxation settles it or gives a bound, and "
-                  "then several starts search for the best motion"
+                ? "a limit or the torque term of this scene is not convex: a convex relaxation settles it or "
+                  "gives a bound, and then several starts search for the best motion"
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
     }

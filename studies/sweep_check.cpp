@@ -20,8 +20,8 @@ namespace {
 using CheckedLaws = std::set<std::pair<std::string, std::array<bool, sweep_figure_count>>>;
 
 std::array<bool, sweep_figure_count> weighed_figures(const ObjectiveSpec& objective) {
-    return {objective.velocity > 0.0,         objective.acceleration > 0.0, objective.jerk > 0.0, false,
-            objective.rms_acceleration > 0.0, objective.rms_jerk > 0.0};
+    return {objective.velocity > 0.0, objective.acceleration > 0.0,     objective.jerk > 0.0,
+            objective.torque > 0.0,   objective.rms_acceleration > 0.0, objective.rms_jerk > 0.0};
 }
 
 void check_solve(const Scene& scene, CheckedLaws& checked) {

@@ -20,6 +20,7 @@ double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
     if (key == "objective.velocity") return &objective.velocity;
     if (key == "objective.acceleration") return &objective.acceleration;
     if (key == "objective.jerk") return &objective.jerk;
+    if (key == "objective.torque") return &objective.torque;
     if (key == "objective.rms_acceleration") return &objective.rms_acceleration;
     if (key == "objective.rms_jerk") return &objective.rms_jerk;
     for (std::size_t i = 0; i < objective.dimensions.size(); ++i)

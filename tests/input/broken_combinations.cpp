@@ -342,11 +342,10 @@ std::vector<BrokenScene> broken_combinations() {
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n"
-         "torque = 0.1\n",
-         "s.toml:5:10: objective.torque: found 0.1; this term is not available yet in this version of "
-         "camopt; allowed: 0",
-         {},
-         true},
+         "torque = 0.1\n"
+         "reference = { jerk = 69 }\n",
+         "s.toml:6:1: objective.reference.torque: found no number; allowed: a number > 0, because "
+         "objective.torque = 0.1"},
         {"base_radius",
          "[motion]\n"
          "type = \"DRD\"\n"

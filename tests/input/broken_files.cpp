@@ -82,7 +82,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "tie_break = \"none\"\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
         {"weights_zero",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -90,7 +90,7 @@ std::vector<BrokenScene> broken_files() {
          "velocity = 0\n"
          "jerk = 0.0\n",
          "s.toml:3:1: objective: found no weight > 0; allowed: at least one of velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
+         "torque, rms_acceleration, rms_jerk > 0, or of a dimension of the cam that is a range"},
         {"via_without_at",
          "[motion]\n"
          "type = \"DRD\"\n"

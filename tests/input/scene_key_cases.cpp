@@ -92,7 +92,7 @@ std::vector<KeyCase> objective_cases() {
         {"objective.jerk", "0.5", 0.5, [](const Scene& s) { return s.objective.jerk; }},
         {"objective.rms_acceleration", "3", 3, [](const Scene& s) { return s.objective.rms_acceleration; }},
         {"objective.rms_jerk", "4", 4, [](const Scene& s) { return s.objective.rms_jerk; }},
-        {"objective.torque", "0", 1, [](const Scene& s) { return s.objective.jerk; }},
+        {"objective.torque", "0.75", 0.75, [](const Scene& s) { return s.objective.torque; }},
         {"objective.reference", "\"cycloidal\"", 1,
          [](const Scene& s) { return s.objective.reference.law == "cycloidal" ? 1.0 : 0.0; }},
         {"objective.tie_break", "\"none\"", 1,
@@ -106,7 +106,7 @@ std::vector<KeyCase> objective_cases() {
         {table + "rms_acceleration", "4", 4,
          [](const Scene& s) { return s.objective.reference.rms_acceleration.value(); }},
         {table + "rms_jerk", "5", 5, [](const Scene& s) { return s.objective.reference.rms_jerk.value(); }},
-        {table + "torque", "6", 1, [](const Scene& s) { return s.objective.jerk; }},
+        {table + "torque", "6", 6, [](const Scene& s) { return s.objective.reference.torque.value(); }},
     };
 }
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Scenes with the torque peak max |y' y''| in their objective.
+#include "objectives/scene_model.hpp"
+#include "studies/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+// Of the modified sine, MATH: 5.4578; no motion from rest to rest has less than 9/4, where y'² grows linearly
+// to the middle: y' = √(2 Q x), y(½) = ½.
+constexpr double modified_sine_torque = 5.4578;
+constexpr double least_torque = 2.25;
+
+Scene torque_scene(MotionType type, int segments) {
+    Scene scene;
+    scene.motion.type = type;
+    scene.spline.segments = segments;
+    scene.objective.torque = 1.0;
+    return scene;
+}
+
+double dense_torque(const Motion& motion, double end) {
+    double largest = 0.0;
+    for (int k = 0; k <= 50000; ++k) {
+        const MotionPoint point = motion.at(end * k / 50000);
+        largest = std::max(largest, std::abs(point.derivative[1] * point.derivative[2]));
+    }
+    return largest;
+}
+
+void expect_local(const Solution& solution, double end) {
+    ASSERT_TRUE(solution.motion);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::local) << solution.certificate.reason;
+    EXPECT_FALSE(solution.solver.convex);
+    EXPECT_NEAR(solution.peaks.torque.value, dense_torque(*solution.motion, end),
+                1e-6 * solution.peaks.torque.value);
+}
+
+TEST(Torque, AloneFallsFarBelowTheModifiedSineAndTowardsTheLimit) {
+    double before = modified_sine_torque;
+    for (const int segments : {8, 16}) {
+        const Solution solution = solve(torque_scene(MotionType::drd, segments));
+        expect_local(solution, 1.0);
+        EXPECT_LT(solution.peaks.torque.value, before);
+        EXPECT_GT(solution.peaks.torque.value, least_torque);
+        EXPECT_NEAR(solution.certificate.objective,
+                    solution.peaks.torque.value / solution.reference_peaks.torque.value, 1e-9);
+        before = solution.peaks.torque.value;
+    }
+}
+
+TEST(Torque, BesideTheOtherPeaksBeatsTheModifiedSineInAllOfThem) {
+    Scene scene = torque_scene(MotionType::drd, 16);
+    scene.objective.torque = 0.5;
+    scene.objective.velocity = 0.1;
+    scene.objective.acceleration = scene.objective.jerk = 0.2;
+    const Solution solution = solve(scene);
+    expect_local(solution, 1.0);
+    EXPECT_LT(solution.peaks.torque.value, modified_sine_torque);
+    EXPECT_LT(solution.certificate.objective, 1.0) << "what the modified sine itself has";
+    ASSERT_TRUE(solution.certificate.lower_bound) << "of the convex part, without the torque";
+    EXPECT_LT(*solution.certificate.lower_bound, solution.certificate.objective);
+    EXPECT_FALSE(solution.any_curve_limit) << "it knows no torque";
+    // With the torque out of the objective its peak is larger: the term does what it is for.
+    scene.objective.torque = 0.0;
+    EXPECT_GT(solve(scene).peaks.torque.value, solution.peaks.torque.value + 1e-3);
+}
+
+TEST(Torque, OfARiseAndReturn) {
+    Scene scene = torque_scene(MotionType::rr, 16);
+    scene.objective.jerk = 0.2;
+    const Solution solution = solve(scene);
+    expect_local(solution, 2.0);
+    scene.objective.torque = 0.0;
+    EXPECT_GT(solve(scene).peaks.torque.value, solution.peaks.torque.value + 1e-3);
+}
+
+TEST(Torque, DividesByItsOwnReference) {
+    Scene scene = torque_scene(MotionType::drd, 8);
+    scene.objective.reference.numeric = true;
+    scene.objective.reference.torque = 2.0;
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion);
+    EXPECT_NEAR(solution.certificate.objective, solution.peaks.torque.value / 2.0, 1e-9);
+    EXPECT_EQ(solution.reference_peaks.torque.value, 2.0);
+}
+
+}  // namespace
+}  // namespace camopt
