@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "linear/chain_factor.hpp"
+#include "linear/suitesparse_factors.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -133,7 +134,10 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind, const Ma
     if (kind == FactorKind::automatic || kind == FactorKind::chain) {
         if (auto chain = make_chain_factor(lower, signs)) return chain;
     }
-    std::unique_ptr<SymmetricFactor> factor = make_simplicial_factor();
+    std::unique_ptr<SymmetricFactor> factor;
+    if (kind == FactorKind::cholmod) factor = make_cholmod_factor();
+    if (kind == FactorKind::klu) factor = make_klu_factor();
+    if (!factor) factor = make_simplicial_factor();
     factor->analyse(lower, signs);
     return factor;
 }

@@ -13,12 +13,14 @@
 #include "studies/delivered_conditions.hpp"
 #include "studies/relaxation.hpp"
 #include "studies/solution_report.hpp"
+#include "studies/solve_free_knots.hpp"
 #include "studies/solve_from_starts.hpp"
 #include "studies/solve_without_explaining.hpp"
 #include "studies/tie_break.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace camopt {
 
@@ -116,7 +118,7 @@ BackendChoice choose_backend(const Scene& scene) {
 namespace {
 
 /// A scene whose objective is near one (CostScale).
-Solution solve_scaled(const Scene& scene, const SolveControl& control) {
+Solution solve_scaled(const Scene& scene, const SolveControl& control, GridMemory* memory) {
     const Clock::time_point begin = Clock::now();
     Solution solution;
     solution.scene = scene;
@@ -129,7 +131,8 @@ Solution solve_scaled(const Scene& scene, const SolveControl& control) {
     solution.solver.choice = choice.reason;
     solution.design.kind = choice.design;
 
-    CamProblem problem(scene_model(scene, choice.design, solution.reference_peaks));
+    CamModel model = scene_model(scene, choice.design, solution.reference_peaks);
+    CamProblem problem = memory != nullptr ? memory->problem(std::move(model)) : CamProblem(std::move(model));
     const MotionFamily& design = problem.model().design;
     for (const ConditionConflict& conflict : design.redundant()) {
         solution.notes.push_back(conflict.condition + " follows from the other conditions" +
@@ -143,6 +146,7 @@ Solution solve_scaled(const Scene& scene, const SolveControl& control) {
     const Clock::time_point solve_begin = Clock::now();
     ContinuousResult result = solve_problem(problem, solver, solution, control);
     solution.seconds_solve = seconds_since(solve_begin);
+    if (memory != nullptr) memory->keep(problem);
 
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
@@ -161,11 +165,12 @@ Solution solve_scaled(const Scene& scene, const SolveControl& control) {
 
 }  // namespace
 
-Solution solve_without_explaining(const Scene& scene, const SolveControl& control) {
+Solution solve_without_explaining(const Scene& scene, const SolveControl& control, GridMemory* memory) {
     validate(scene);
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
-    Solution solution = solve_scaled(scale.scaled(), control);
+    Solution solution = scene.spline.free_knots ? solve_free_knots(scale.scaled(), control)
+                                                : solve_scaled(scale.scaled(), control, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
     return solution;
 }

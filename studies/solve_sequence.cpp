@@ -6,7 +6,7 @@
 namespace camopt {
 
 Solution SolveSequence::solve(const Scene& scene, const SolveControl& control) {
-    return solve_without_explaining(scene, control);
+    return solve_without_explaining(scene, control, &memory_);
 }
 
 }  // namespace camopt

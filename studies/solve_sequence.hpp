@@ -7,6 +7,7 @@
 
 #include "core/scene.hpp"
 #include "solvers/solver.hpp"
+#include "studies/grid_memory.hpp"
 #include "studies/solution.hpp"
 
 namespace camopt {
@@ -15,6 +16,9 @@ class SolveSequence {
  public:
     /// As solve() (studies/solve.hpp), but infeasible scenes are not explained: no relaxation is sought.
     [[nodiscard]] Solution solve(const Scene& scene, const SolveControl& control);
+
+ private:
+    GridMemory memory_;
 };
 
 }  // namespace camopt

@@ -3,10 +3,13 @@
 // own).
 #pragma once
 
+#include "studies/grid_memory.hpp"
 #include "studies/solution.hpp"
 
 namespace camopt {
 
-[[nodiscard]] Solution solve_without_explaining(const Scene& scene, const SolveControl& control);
+/// `memory`: of the scene solved before, and then of this one; null: none.
+[[nodiscard]] Solution solve_without_explaining(const Scene& scene, const SolveControl& control,
+                                                GridMemory* memory = nullptr);
 
 }  // namespace camopt

@@ -12,6 +12,7 @@ InteriorPointLimits interior_point_limits(const BackendOptions& options, const S
     limits.max_iterations = std::min(own.max_iterations, options.max_iterations);
     limits.patience = own.patience;
     limits.shift = own.regularisation;
+    limits.factor = own.factor;
     limits.correctors = own.correctors;
     const auto budget = std::chrono::duration<double>(std::min(options.max_seconds, longest_seconds));
     limits.deadline = std::chrono::steady_clock::now() +

@@ -12,7 +12,8 @@ SolverEntry structured_entry() {
     SolverEntry entry;
     entry.name = "structured";
     entry.method =
-        "primal-dual interior point, sparse quasi-definite factorization; around it a trust-region method of "
+        "primal-dual interior point, banded quasi-definite factorization with a dense border; around it a "
+        "trust-region method of "
         "quadratic programs for nonlinear rows";
     entry.available = true;
     entry.version =
@@ -22,6 +23,10 @@ SolverEntry structured_entry() {
         integer_option("max_iterations", "200", {1.0, 1e9}, "iterations, the elastic phase apart"),
         number_option("regularisation", "1e-9", {1e-14, 1e-3}, "diagonal shift of the scaled Newton matrix"),
         integer_option("correctors", "1", {0.0, 10.0}, "centrality correctors in one iteration, at most"),
+        text_option(
+            "factorization", "auto", {"auto", "chain", "simplicial", "cholmod", "klu"},
+            "of the Newton matrix; chain and those of SuiteSparse fall back on simplicial where they do not "
+            "apply or are absent"),
         integer_option("patience", "12", {2.0, 1e9},
                        "iterations without a better point before the search ends"),
         integer_option("max_passes", "200", {1.0, 1e9}, "nonlinear rows: linearizations, at most"),

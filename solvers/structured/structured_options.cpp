@@ -4,8 +4,20 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 namespace camopt {
 namespace {
+
+constexpr std::array<std::pair<std::string_view, FactorKind>, 5> factorizations() {
+    return {{{"auto", FactorKind::automatic},
+             {"chain", FactorKind::chain},
+             {"simplicial", FactorKind::simplicial},
+             {"cholmod", FactorKind::cholmod},
+             {"klu", FactorKind::klu}}};
+}
 
 double number(const std::string& name, const OptionValue& value) {
     if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -18,6 +30,13 @@ int integer(const std::string& name, const OptionValue& value) {
     if (found == nullptr || *found < -1000000000 || *found > 1000000000)
         throw InputError(fmt::format("structured.{}: an integer of moderate size is expected", name));
     return static_cast<int>(*found);
+}
+
+FactorKind factorization(const OptionValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    for (const auto& [word, kind] : factorizations())
+        if (name != nullptr && *name == word) return kind;
+    throw InputError("structured.factorization: allowed is auto, chain, simplicial, cholmod or klu");
 }
 
 void require(bool holds, const char* name, const char* range) {
@@ -50,11 +69,14 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
             options.max_passes = integer(name, value);
         else if (name == "first_radius")
             options.first_radius = number(name, value);
+        else if (name == "factorization")
+            options.factor = factorization(value);
         else
-            throw InputError(fmt::format(
-                "structured has no option \"{}\"; allowed: correctors, first_radius, max_iterations, "
-                "max_passes, patience, regularisation",
-                name));
+            throw InputError(
+                fmt::format("structured has no option \"{}\"; allowed: correctors, factorization, "
+                            "first_radius, max_iterations, "
+                            "max_passes, patience, regularisation",
+                            name));
     }
     options.validate();
     return options;

@@ -28,6 +28,7 @@
 // Sources: Mehrotra (1992), Gondzio (1996), Vanderbei (1995), Ruiz (2001); see the files of this folder.
 #pragma once
 
+#include "linear/sparse_symmetric.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solver.hpp"
 
@@ -47,6 +48,8 @@ struct StructuredOptions {
     /// Centrality correctors an iteration at most, 0 … 10. More for large problems, where a factorization
     /// costs much more than a solve.
     int correctors = 1;
+    /// Of the Newton matrix (linear/sparse_symmetric.hpp). automatic: the fastest as measured.
+    FactorKind factor = FactorKind::automatic;
     /// Iterations without a better point before the search ends with the best one. >= 2.
     int patience = 12;
     /// Of problems with nonlinear rows, or not known to be convex: linearizations at most; iterations of
