@@ -56,6 +56,8 @@ struct SplineSpec {
     int degree = 3;     ///< 3 or 5
     int segments = 12;  ///< uniform segments over the whole motion; ignored where breakpoints are given
     std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
+    /// The interior breakpoints are variables too: those above are where the search starts. DRD and RR only.
+    bool free_knots = false;
     std::optional<int> continuity;  ///< highest continuous derivative, 2 … degree − 1; default degree − 1
     EndJerk end_jerk = EndJerk::free;  ///< zero: y''' = 0 at both ends, degree 5 only
     DesignKind design = DesignKind::automatic;

@@ -41,6 +41,23 @@ Fault breakpoint_fault(const Scene& scene) {
     return std::nullopt;
 }
 
+/// The search is dense in the breakpoints.
+constexpr int most_free_segments = 256;
+
+Fault free_knot_fault(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    if (!spline.free_knots) return std::nullopt;
+    if (scene.motion.type == MotionType::program)
+        return SceneFault{"spline.knots", "\"free\" in a program",
+                          "\"fixed\", or motion type \"DRD\" or \"RR\""};
+    const int segments =
+        spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
+    if (segments > most_free_segments)
+        return SceneFault{"spline.knots", fmt::format("\"free\" with {} segments", segments),
+                          fmt::format("\"fixed\", or at most {} segments", most_free_segments)};
+    return std::nullopt;
+}
+
 Fault spline_fault(const SplineSpec& spline) {
     if (spline.degree != 3 && spline.degree != 5)
         return SceneFault{"spline.degree", fmt::to_string(spline.degree), "3 or 5"};
@@ -115,6 +132,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = motion_fault(scene.motion)) return fault;
     if (Fault fault = spline_fault(scene.spline)) return fault;
     if (Fault fault = breakpoint_fault(scene)) return fault;
+    if (Fault fault = free_knot_fault(scene)) return fault;
     if (Fault fault = cam_fault(scene)) return fault;
     if (Fault fault = objective_fault(scene)) return fault;
     if (Fault fault = force_fault(scene)) return fault;

@@ -85,8 +85,9 @@ Rows spline() {
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
          "program from 0 to 1, in units of each spline segment.",
          Availability::now, {}, "segments"},
-        {"spline", "knots", text, plain, any, {"fixed"}, "\"fixed\"",
-         "`\"free\"` makes the interior breakpoints design variables.", Availability::now, "free"},
+        {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
+         "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
+         "where the search starts. DRD and RR, at most 256 segments."},
         {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
          "Highest continuous derivative, from 2 to degree - 1."},
         {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",

@@ -62,6 +62,8 @@ class SceneReader {
         }
         if (const auto continuity = source_.find("spline", "continuity"))
             spline.continuity = static_cast<int>(continuity->value().integer);
+        if (const auto knots = source_.find("spline", "knots"))
+            spline.free_knots = knots->value().text == "free";
         source_.read_choice("spline", "end_jerk", {EndJerk::free, EndJerk::zero}, spline.end_jerk);
         source_.read_choice(
             "spline", "design",

@@ -13,10 +13,6 @@ namespace camopt {
 
 namespace {
 
-// A root mean square of a motion that moves is of order one; this bound only keeps the division away from
-// zero.
-constexpr double least_rms = 1e-4;
-
 /// Calls visit(row, column, value) for the lower triangle of a symmetric matrix.
 template <typename Visit>
 void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {

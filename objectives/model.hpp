@@ -20,6 +20,10 @@
 
 namespace camopt {
 
+/// A root mean square of a motion that moves is of order one; this bound only keeps the division by it away
+/// from zero.
+inline constexpr double least_rms = 1e-4;
+
 /// A variable beside the design vector: a peak, the torque peak max |y' y''|, a root mean square, a dimension
 /// of the cam, or the magnitude of another parameter.
 struct Parameter {

@@ -44,7 +44,8 @@ std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& refere
         {Kind::peak, 2, objective.acceleration, &limits.acceleration,
          finite_or(reference.acceleration.value, fallback.acceleration.value)},
         {Kind::peak, 3, objective.jerk, &limits.jerk, finite_or(reference.jerk.value, fallback.jerk.value)},
-        {Kind::torque, 2, objective.torque, &none, finite_or(reference.torque.value, fallback.torque.value)},
+        {Kind::torque, 2, objective.torque, &none,
+         finite_or(reference.torque.value, fallback.torque.value)},
         {Kind::rms, 2, objective.rms_acceleration, &none,
          finite_or(reference.rms_acceleration, fallback.rms_acceleration)},
         {Kind::rms, 3, objective.rms_jerk, &none, finite_or(reference.rms_jerk, fallback.rms_jerk)},
@@ -114,14 +115,8 @@ Peaks reference_peaks(const Scene& scene) {
     return peaks;
 }
 
-double dimension_unit(const Scene& scene) {
-    const double lift = scene.motion.lift;
-    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
-}
-
-MotionFamily scene_family(const Scene& scene, DesignKind kind) {
+DesignRequest spline_request(const Scene& scene, DesignKind kind) {
     const MotionSpec& motion = scene.motion;
-    if (motion.type == MotionType::program) return program_family(scene, kind);
     const SplineSpec& spline = scene.spline;
     const bool rise = motion.type == MotionType::drd;
     SplineSpace space =
@@ -129,12 +124,22 @@ MotionFamily scene_family(const Scene& scene, DesignKind kind) {
             ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
             : SplineSpace(spline.degree, spline.smoothness(), spline.breakpoints);
     const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
-    return DesignVector::make({std::move(space),
-                               kind,
-                               {0.0, 0.0, 0.0},
-                               {rise ? 1.0 : 0.0, 0.0, 0.0},
-                               scene_conditions(scene),
-                               symmetry});
+    return {std::move(space),
+            kind,
+            {0.0, 0.0, 0.0},
+            {rise ? 1.0 : 0.0, 0.0, 0.0},
+            scene_conditions(scene),
+            symmetry};
+}
+
+double dimension_unit(const Scene& scene) {
+    const double lift = scene.motion.lift;
+    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
+}
+
+MotionFamily scene_family(const Scene& scene, DesignKind kind) {
+    if (scene.motion.type == MotionType::program) return program_family(scene, kind);
+    return DesignVector::make(spline_request(scene, kind));
 }
 
 namespace {

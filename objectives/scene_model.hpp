@@ -17,6 +17,9 @@ namespace camopt {
 /// centre distance. m; the scene must have a cam.
 [[nodiscard]] double dimension_unit(const Scene& scene);
 
+/// The one spline of a DRD or RR scene: its breakpoints, end states, exact points and symmetry.
+[[nodiscard]] DesignRequest spline_request(const Scene& scene, DesignKind kind);
+
 /// The motions of the scene, written with the given form of design vector (not automatic).
 ///   DRD: y = y' = y'' = 0 at x = 0, y = 1, y' = y'' = 0 at x = 1.
 ///   RR:  the same at x = 0, y = y' = y'' = 0 at the end, y(1) = 1, y'(1) = 0.

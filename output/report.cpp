@@ -88,8 +88,9 @@ std::string verdict_section(const Solution& solution) {
     if (solution.motion) line("Objective", certificate.objective, 10);
     const bool searched = !solution.solver.convex && solution.solver.starts > 0;
     if (certificate.lower_bound)
-        line(searched ? "No motion is better than this (bound of the convex relaxation)"
-                      : "Proved lower bound",
+        line(certificate.proof_kind == ProofKind::any_curve_limit ? "No curve of any kind is better than this"
+             : searched ? "No motion is better than this (bound of the convex relaxation)"
+                        : "Proved lower bound",
              *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)

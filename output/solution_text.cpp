@@ -149,8 +149,10 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     };
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound)
-        add(searched(solution) ? "bound of the convex relaxation" : "proved bound", *certificate.lower_bound,
-            figures);
+        add(certificate.proof_kind == ProofKind::any_curve_limit ? "no curve below"
+            : searched(solution)                                 ? "bound of the convex relaxation"
+                                                                 : "proved bound",
+            *certificate.lower_bound, figures);
     if (certificate.gap) add("gap", *certificate.gap, 2);
     if (solution.any_curve_limit) add("limit of any curve", solution.any_curve_limit->objective, figures);
     return line;

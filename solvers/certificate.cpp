@@ -25,6 +25,7 @@ const char* name_of(Verdict value) {
 }
 
 const char* name_of(ProofKind value) {
+    if (value == ProofKind::any_curve_limit) return "any_curve_limit";
     return value == ProofKind::duality ? "duality" : "none";
 }
 

@@ -23,7 +23,11 @@ namespace camopt {
 enum class Verdict { optimal, local, feasible, infeasible, failed };
 [[nodiscard]] const char* name_of(Verdict value);
 
-enum class ProofKind { none, duality };
+enum class ProofKind {
+    none,
+    duality,         ///< DualityProof
+    any_curve_limit  ///< no curve of any kind is better (motions/any_curve_limit.hpp); free breakpoints
+};
 [[nodiscard]] const char* name_of(ProofKind value);
 
 /// Everything needed to recompute a lower bound by hand; only rows with a multiplier are kept.

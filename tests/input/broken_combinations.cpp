@@ -326,17 +326,16 @@ std::vector<BrokenScene> broken_combinations() {
          "[cam]\n"
          "base_radius_mm = 40\n",
          "s.toml:1:1: cam.type: missing; allowed: \"disk\""},
-        {"knots_free",
+        {"knots_free_in_hundreds",
          "[motion]\n"
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n"
          "[spline]\n"
+         "segments = 300\n"
          "knots = \"free\"\n",
-         "s.toml:6:9: spline.knots: found \"free\", which is not available yet in this version of camopt; "
-         "allowed: \"fixed\"",
-         {},
-         true},
+         "s.toml:7:9: spline.knots: found \"free\" with 300 segments; allowed: \"fixed\", or at most 256 "
+         "segments"},
         {"torque",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -89,12 +89,6 @@ std::vector<BrokenScene> broken_overrides() {
          "--set spline.breakpoints=[0, 1: found no TOML value; allowed: a number, true, false, a word, a "
          "\"text\", an [array] or a { table }",
          {"spline.breakpoints=[0, 1"}},
-        {"set_later",
-         plain_scene,
-         "--set spline.knots=free: spline.knots: found \"free\", which is not available yet in this version "
-         "of camopt; allowed: \"fixed\"",
-         {"spline.knots=free"},
-         true},
         {"set_solver",
          plain_scene,
          "--set solver.name=nlopt.slsq: solver.name: found \"nlopt.slsq\"; allowed: \"auto\", \"ipopt\", "

@@ -176,7 +176,7 @@ std::vector<BrokenScene> broken_values() {
          "jerk = 1\n"
          "[spline]\n"
          "knots = \"loose\"\n",
-         "s.toml:6:9: spline.knots: found \"loose\"; allowed: \"fixed\""},
+         "s.toml:6:9: spline.knots: found \"loose\"; allowed: \"fixed\" or \"free\""},
         {"end_jerk_unknown",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -73,7 +73,7 @@ std::vector<KeyCase> spline_cases() {
         {"spline.segments", "65536", 65536, [](const Scene& s) { return double(s.spline.segments); }},
         {"spline.breakpoints", "[0, 0.25, 1]", 0.25,
          [](const Scene& s) { return s.spline.breakpoints.at(1); }},
-        {"spline.knots", "\"fixed\"", 12, [](const Scene& s) { return double(s.spline.segments); }},
+        {"spline.knots", "\"free\"", 1, [](const Scene& s) { return s.spline.free_knots ? 1.0 : 0.0; }},
         {"spline.continuity", "3", 3, [](const Scene& s) { return double(s.spline.smoothness()); },
          "spline.degree = 5\n"},
         {"spline.end_jerk", "\"zero\"", 1,

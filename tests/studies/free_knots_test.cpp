@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Scenes with free breakpoints against the limit no curve can pass and against fixed breakpoints.
+#include "core/errors.hpp"
+#include "studies/solve.hpp"
+
+#include <gtest/gtest.h>
+
+namespace camopt {
+namespace {
+
+Scene scene_of(MotionType type, int degree, int segments) {
+    Scene scene;
+    scene.motion.type = type;
+    scene.spline.degree = degree;
+    scene.spline.segments = segments;
+    scene.spline.free_knots = true;
+    scene.objective.velocity = scene.objective.acceleration = 0.4;
+    scene.objective.jerk = 0.2;
+    Reference& reference = scene.objective.reference;
+    reference.numeric = true;
+    reference.velocity = 1.76;
+    reference.acceleration = 5.53;
+    reference.jerk = 69.0;
+    scene.solver.starts = 1;
+    return scene;
+}
+
+Scene fixed(Scene scene) {
+    scene.spline.free_knots = false;
+    return scene;
+}
+
+void expect_ascending(const Solution& solution) {
+    ASSERT_TRUE(solution.curve);
+    const std::vector<double>& points = solution.curve->space().breakpoints();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) EXPECT_GT(points[i + 1], points[i]);
+    EXPECT_EQ(points.front(), 0.0);
+    EXPECT_NEAR(points.back(), solution.scene.motion.length(), 1e-12);
+    EXPECT_EQ(solution.design.names.front(), "x[1]");
+    EXPECT_EQ(solution.design.values[0], points[1]);
+}
+
+TEST(FreeKnotSolve, SevenSegmentsReachTheLimitFromUniformOnes) {
+    const Solution solution = solve(scene_of(MotionType::drd, 3, 7));
+    EXPECT_NEAR(solution.certificate.objective, 0.9371963699, 1e-7);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solution.certificate.proof_kind, ProofKind::any_curve_limit);
+    EXPECT_EQ(solution.solver.starts, 1);
+    EXPECT_NEAR(solution.peaks.velocity.value, 1.7455851, 1e-3);  // the cost is flat there
+    expect_ascending(solution);
+    // τ = A/J and V/A of the double-S.
+    EXPECT_NEAR(solution.curve->space().breakpoints()[1], 5.2837114 / 54.609086, 1e-4);
+    EXPECT_NEAR(solution.curve->space().breakpoints()[2], 1.7455851 / 5.2837114, 1e-4);
+}
+
+TEST(FreeKnotSolve, NeverWorseThanFixedOnes) {
+    for (const MotionType type : {MotionType::drd, MotionType::rr}) {
+        for (const int degree : {3, 5}) {
+            const Scene scene = scene_of(type, degree, 6);
+            const Solution free = solve(scene);
+            const Solution uniform = solve(fixed(scene));
+            EXPECT_LT(free.certificate.objective, uniform.certificate.objective - 1e-4) << degree;
+            EXPECT_LE(free.certificate.worst_violation, 1e-9);
+            EXPECT_GE(free.certificate.objective, free.any_curve_limit->objective - 1e-9);
+            expect_ascending(free);
+        }
+    }
+}
+
+TEST(FreeKnotSolve, FourSegmentsAreLocalAndSaySo) {
+    const Solution solution = solve(scene_of(MotionType::drd, 3, 4));
+    EXPECT_NEAR(solution.certificate.objective, 1.0444566874, 1e-6);
+    EXPECT_NE(solution.certificate.verdict, Verdict::optimal);
+    ASSERT_TRUE(solution.certificate.lower_bound);
+    EXPECT_NEAR(*solution.certificate.lower_bound, 0.9371963699, 1e-9);
+    EXPECT_FALSE(solution.certificate.proof);
+}
+
+TEST(FreeKnotSolve, SymmetricMotionsStaySymmetric) {
+    Scene scene = scene_of(MotionType::drd, 3, 7);
+    scene.motion.symmetric = true;
+    const Solution solution = solve(scene);
+    EXPECT_NEAR(solution.certificate.objective, 0.9371963699, 1e-7);
+    const std::vector<double>& points = solution.curve->space().breakpoints();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_NEAR(points[i] + points[points.size() - 1 - i], 1.0, 1e-12);
+}
+
+TEST(FreeKnotSolve, CapsAreKept) {
+    Scene scene = scene_of(MotionType::drd, 3, 7);
+    scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
+    const Solution solution = solve(scene);
+    EXPECT_LE(solution.peaks.velocity.value, 1.6 + 1e-8);
+    ASSERT_TRUE(solution.any_curve_limit);
+    EXPECT_NEAR(solution.certificate.objective, solution.any_curve_limit->objective, 1e-6);
+}
+
+TEST(FreeKnotSolve, ProgramsAreRefused) {
+    Scene scene = scene_of(MotionType::program, 3, 4);
+    scene.motion.segments = {{SegmentKind::spline, 3.0, "", 1.0},
+                             {SegmentKind::dwell, 3.283185307179586, "", {}}};
+    scene.motion.closed = false;
+    EXPECT_THROW((void)solve(scene), InputError);
+}
+
+}  // namespace
+}  // namespace camopt
