@@ -24,9 +24,22 @@ std::string verdicts_text(const StabilityRow& row) {
 /// What stands between two rows of the summary: the worst of a group.
 struct GroupSummary {
     std::string name;
-    int rows = 0, ok = 0, wrong = 0, absent = 0;
+    int rows = 0, ok = 0, unsolved = 0, wrong = 0, absent = 0;
     double error = 0.0, violation = 0.0, gap = 0.0;
 };
+
+int& count_of(GroupSummary& group, Judgement judgement) {
+    switch (judgement) {
+        case Judgement::ok:
+            return group.ok;
+        case Judgement::unsolved:
+            return group.unsolved;
+        case Judgement::absent:
+            return group.absent;
+        default:
+            return group.wrong;
+    }
+}
 
 std::vector<GroupSummary> summaries(std::span<const StabilityRow> rows) {
     std::vector<GroupSummary> all;
@@ -34,9 +47,7 @@ std::vector<GroupSummary> summaries(std::span<const StabilityRow> rows) {
         if (all.empty() || all.back().name != row.group) all.push_back({row.group});
         GroupSummary& group = all.back();
         ++group.rows;
-        ++(row.judgement == Judgement::ok      ? group.ok
-           : row.judgement == Judgement::wrong ? group.wrong
-                                               : group.absent);
+        ++count_of(group, row.judgement);
         if (row.verdict != name_of(Verdict::optimal)) continue;
         group.error = std::max(group.error, std::abs(row.relative_error.value_or(0.0)));
         group.violation = std::max(group.violation, row.violation.value_or(0.0));
@@ -73,7 +84,8 @@ std::string stability_csv(std::span<const StabilityRow> rows) {
     std::string text =
         "group,case,backend,quantity,expected_verdict,expected_least,expected_most,digits,accuracy,source,"
         "verdict,"
-        "reason,found,gap,violation,relative_error,condition_acceleration,condition_jerk,seconds,judgement,"
+        "reason,found,gap,violation,jerk_jump,relative_error,condition_acceleration,condition_jerk,seconds,"
+        "judgement,"
         "why\n";
     for (const StabilityRow& row : rows) {
         const Expectation& expected = row.expected;
@@ -85,7 +97,10 @@ std::string stability_csv(std::span<const StabilityRow> rows) {
             .words(verdicts_text(row));
         line.number(expected.least).number(expected.most).number(expected.digits).number(expected.accuracy);
         line.words(expected.source).words(row.verdict).words(row.reason).number(row.found).number(row.gap);
-        line.number(row.violation).number(row.relative_error).number(row.condition_acceleration);
+        line.number(row.violation)
+            .number(row.jerk_jump)
+            .number(row.relative_error)
+            .number(row.condition_acceleration);
         line.number(row.condition_jerk).number(row.seconds).words(name_of(row.judgement)).words(row.why);
         text += line.finish();
     }
@@ -94,16 +109,22 @@ std::string stability_csv(std::span<const StabilityRow> rows) {
 
 std::string stability_markdown(std::span<const StabilityRow> rows, const std::string& machine) {
     std::string text = "<!-- written by the program `stability`; the whole table is stability.csv -->\n\n";
-    text += fmt::format("{} rows, {} wrong, {} on backends this build has not. {}\n\n", rows.size(),
-                        std::ranges::count(rows, Judgement::wrong, &StabilityRow::judgement),
-                        std::ranges::count(rows, Judgement::absent, &StabilityRow::judgement), machine);
+    text += fmt::format(
+        "{} rows: {} wrong, {} unsolved (a weaker verdict than hoped for, and true), {} on backends this "
+        "build has "
+        "not. {}\n\n",
+        rows.size(), std::ranges::count(rows, Judgement::wrong, &StabilityRow::judgement),
+        std::ranges::count(rows, Judgement::unsolved, &StabilityRow::judgement),
+        std::ranges::count(rows, Judgement::absent, &StabilityRow::judgement), machine);
     text +=
-        "| group | rows | ok | wrong | absent | worst relative error where optimal | worst violation | "
+        "| group | rows | ok | unsolved | wrong | absent | worst relative error where optimal | worst "
+        "violation | "
         "largest gap |\n"
-        "| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+        "| :--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const GroupSummary& group : summaries(rows))
-        text += fmt::format("| {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.1e} |\n", group.name, group.rows,
-                            group.ok, group.wrong, group.absent, group.error, group.violation, group.gap);
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.1e} |\n", group.name,
+                            group.rows, group.ok, group.unsolved, group.wrong, group.absent, group.error,
+                            group.violation, group.gap);
     std::string group;
     for (const StabilityRow& row : rows) {
         if (row.group != group) {

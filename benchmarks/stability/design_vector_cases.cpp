@@ -26,8 +26,7 @@ StabilityRow run(const DesignCase& one) {
     scene.solver.max_seconds = 20.0;
     Expectation expected = known_optimum(drd, one.degree, one.segments);
     expected.honest_gap = true;
-    const bool promised =
-        one.kind == DesignKind::states ? one.degree == 3 || one.segments <= 128 : one.segments <= 64;
+    const bool promised = one.segments <= 64 || (one.kind == DesignKind::states && one.degree == 3);
     expected.may_give_up = !promised || one.backend != "structured";
     StabilityRow row = solved_row(scene, expected);
     constexpr int most_for_singular_values = 256;

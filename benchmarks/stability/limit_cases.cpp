@@ -158,7 +158,7 @@ std::vector<StabilityCase> limit_cases() {
     const std::pair<int, double> radii[] = {{24, 27.00587}, {48, 25.4783}, {96, 24.7645}, {192, 24.4192}};
     for (const auto& [segments, prime] : radii)
         cases.push_back(
-            make_case("limits", fmt::format("least prime radius, n = {}", segments), segments <= 48,
+            make_case("limits", fmt::format("least prime radius, n = {}", segments), segments <= 24,
                       [segments = segments, prime = prime] { return smallest(segments, prime); }));
     return cases;
 }

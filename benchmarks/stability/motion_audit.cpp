@@ -103,8 +103,11 @@ class Audit {
                 for (int joint = 1; joint < curve.segments(); ++joint) {
                     const long double left = value_at(derivative_on(curve, joint - 1, order), 1);
                     const long double right = value_at(derivative_on(curve, joint, order), 0);
-                    note(factor * std::abs(left - right) / peaks_[order],
-                         fmt::format("joint {}, order {}", joint, order));
+                    const long double jump = factor * std::abs(left - right) / peaks_[order];
+                    if (order < 3)
+                        note(jump, fmt::format("joint {}, order {}", joint, order));
+                    else
+                        report_.jerk_jump = std::max(report_.jerk_jump, jump);
                 }
                 factor *= stretch.angle;
             }

@@ -19,7 +19,11 @@ struct MotionAudit {
     long double velocity = 0, acceleration = 0, jerk = 0;  ///< normalised peaks
     long double objective = 0;
     long double violation = 0;  ///< the worst, relative to the limit (jumps, ends: to the peak); >= 0
-    std::string worst;          ///< what it is: "joint 3, order 2", "pressure angle", …
+    /// The worst jump of y''' where it should be continuous (C3, C4 splines), by its peak: rounding divided
+    /// by the cube of the segments' width. Judged apart: largest_joint_jump in
+    /// studies/delivered_conditions.hpp.
+    long double jerk_jump = 0;
+    std::string worst;  ///< what it is: "joint 3, order 2", "pressure angle", …
 };
 
 /// The scene's demands against solution.motion. Throws InputError where no motion was delivered.

@@ -22,15 +22,16 @@ struct Expectation {
     double accuracy = 1e-9;
     /// Beside `accuracy` the gap asked for counts (solver.gap): what `optimal` says, no more.
     bool honest_gap = false;
-    bool may_give_up = false;  ///< a weaker verdict is `unsolved`, not wrong
-    double violation = 1e-9;   ///< of the delivered motion, found independently
+    bool may_give_up =
+        false;  ///< beyond double precision, or beyond what the backend promises: `unsolved` is no news
+    double violation = 1e-9;  ///< of the delivered motion, found independently
     std::string source;
 };
 
 [[nodiscard]] Expectation exactly(double objective, std::string source, double accuracy = 1e-9);
 
-/// unsolved: a weaker verdict than hoped for, with its reason, where the case is beyond double precision or
-/// beyond what a backend promises; everything it claims is true.
+/// unsolved: a weaker verdict than expected, with its reason; everything it claims is true. wrong: a claim
+/// that is not.
 enum class Judgement { ok, unsolved, wrong, absent };
 [[nodiscard]] const char* name_of(Judgement value);
 
@@ -41,7 +42,7 @@ struct StabilityRow {
     Expectation expected;
     std::string verdict, reason;  ///< empty: a figure, not a verdict
     std::optional<double> found;  ///< recomputed from the delivered motion alone
-    std::optional<double> gap, violation, relative_error;
+    std::optional<double> gap, violation, jerk_jump, relative_error;
     std::optional<double> condition_acceleration, condition_jerk;
     double seconds = 0.0;
     Judgement judgement = Judgement::ok;
