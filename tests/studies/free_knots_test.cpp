@@ -53,6 +53,12 @@ TEST(FreeKnotSolve, SevenSegmentsReachTheLimitFromUniformOnes) {
     EXPECT_NEAR(solution.curve->space().breakpoints()[2], 1.7455851 / 5.2837114, 1e-4);
 }
 
+TEST(FreeKnotSolve, AReturnReachesItsLimitToo) {
+    const Solution solution = solve(scene_of(MotionType::rr, 3, 16));
+    EXPECT_NEAR(solution.certificate.objective, 0.8521595, 1e-6);
+    expect_ascending(solution);
+}
+
 TEST(FreeKnotSolve, NeverWorseThanFixedOnes) {
     for (const MotionType type : {MotionType::drd, MotionType::rr}) {
         for (const int degree : {3, 5}) {
@@ -93,6 +99,36 @@ TEST(FreeKnotSolve, CapsAreKept) {
     EXPECT_LE(solution.peaks.velocity.value, 1.6 + 1e-8);
     ASSERT_TRUE(solution.any_curve_limit);
     EXPECT_NEAR(solution.certificate.objective, solution.any_curve_limit->objective, 1e-6);
+}
+
+TEST(FreeKnotSolve, LimitsThatUniformBreakpointsCannotKeep) {
+    Scene scene = scene_of(MotionType::drd, 3, 7);
+    scene.limits.jerk = PeakLimit{33.0, "limits.jerk", 33.0, ""};
+    ASSERT_EQ(solve(fixed(scene)).certificate.verdict, Verdict::infeasible);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion);
+    EXPECT_LE(solution.peaks.jerk.value, 33.0 * (1.0 + 1e-8));
+}
+
+TEST(FreeKnotSolve, ExactPointsAreKept) {
+    Scene scene = scene_of(MotionType::drd, 3, 8);
+    scene.motion.via.push_back({0.3, 0.25, {}, {}});
+    const Solution free = solve(scene);
+    const Solution uniform = solve(fixed(scene));
+    EXPECT_LT(free.certificate.objective, uniform.certificate.objective);
+    EXPECT_NEAR(free.motion->at(0.3).derivative[0], 0.25, 1e-10);
+}
+
+TEST(FreeKnotSolve, BreakpointsThatWantToMeetStayApart) {
+    Scene scene = scene_of(MotionType::drd, 3, 7);
+    scene.objective.velocity = scene.objective.jerk = 0.0;  // bang-bang acceleration, A = 4, is best
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion);
+    EXPECT_GT(solution.peaks.acceleration.value, 4.0);
+    EXPECT_LT(solution.peaks.acceleration.value, 4.2);
+    const std::vector<double>& points = solution.curve->space().breakpoints();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        EXPECT_GE(points[i + 1] - points[i], 0.01 / 7.0 * (1.0 - 1e-9));
 }
 
 TEST(FreeKnotSolve, ProgramsAreRefused) {
