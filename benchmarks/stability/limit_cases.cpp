@@ -65,7 +65,7 @@ Edge least_peak(Peak peak, int degree, int segments) {
     scene.objective.velocity = peak == Peak::velocity ? 1.0 : 0.0;
     scene.objective.acceleration = peak == Peak::acceleration ? 1.0 : 0.0;
     scene.objective.jerk = peak == Peak::jerk ? 1.0 : 0.0;
-    scene.objective.reference = {"", 1.0, 1.0, 1.0, {}, {}, true};
+    scene.objective.reference = numeric_reference(1.0, 1.0, 1.0);
     const Expectation optimum = proved_optimum(scene, "the least peak alone, proved");
     return {*optimum.least, *optimum.most, optimum.source};
 }

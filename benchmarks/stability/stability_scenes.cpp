@@ -75,6 +75,16 @@ std::optional<Expectation> linear_program(MotionType type, int degree, int segme
 
 }  // namespace
 
+Reference numeric_reference(double velocity, double acceleration, double jerk) {
+    Reference reference;
+    reference.law.clear();
+    reference.velocity = velocity;
+    reference.acceleration = acceleration;
+    reference.jerk = jerk;
+    reference.numeric = true;
+    return reference;
+}
+
 Scene study_scene(MotionType type, int degree, int segments) {
     Scene scene;
     scene.motion.type = type;
@@ -84,7 +94,7 @@ Scene study_scene(MotionType type, int degree, int segments) {
     scene.spline.design = DesignKind::states;
     scene.objective.velocity = scene.objective.acceleration = 0.4;
     scene.objective.jerk = 0.2;
-    scene.objective.reference = {"", 1.76, 5.53, 69.0, {}, {}, true};
+    scene.objective.reference = numeric_reference(1.76, 5.53, 69.0);
     scene.solver.name = "structured";
     return scene;
 }

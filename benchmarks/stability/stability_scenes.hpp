@@ -12,6 +12,9 @@ namespace camopt::stability {
 /// Weights 0.4, 0.4, 0.2 over 1.76, 5.53, 69; the structured solver on `states`.
 [[nodiscard]] Scene study_scene(MotionType type, int degree, int segments);
 
+/// Peaks given as numbers.
+[[nodiscard]] Reference numeric_reference(double velocity, double acceleration, double jerk);
+
 /// 0.4 V/1.76 + 0.4 A/5.53 + 0.2 J/69.
 [[nodiscard]] double study_objective(double velocity, double acceleration, double jerk);
 

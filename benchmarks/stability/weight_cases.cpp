@@ -81,7 +81,7 @@ void add_multiples(std::vector<StabilityCase>& cases) {
         cases.push_back(make_case("weights", fmt::format("cubic 12, reference × {}", factor), true, [=] {
             Scene scene = weighted_scene(space, {0.4, 0.4, 0.2}, "structured");
             Reference& reference = scene.objective.reference;
-            reference = {"", 1.76 * factor, 5.53 * factor, 69.0 * factor, {}, {}, true};
+            reference = numeric_reference(1.76 * factor, 5.53 * factor, 69.0 * factor);
             const double optimum = study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7) / factor;
             return solved_row(scene, exactly(optimum, "fraction"));
         }));
