@@ -2,6 +2,7 @@
 #include "apps/command_line.hpp"
 
 #include "apps/commands.hpp"
+#include "apps/pareto_run.hpp"
 #include "core/errors.hpp"
 #include "output/version.hpp"
 #include "studies/sweep_run.hpp"
@@ -134,6 +135,7 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --weights simplex:20 --out part1 --shard 1/2   on one machine\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part2 --shard 2/2   on another\n"
     "  camopt sweep merge part1 part2 --out map                               and joined\n"
+    "  camopt sweep scene.toml --pareto velocity,acceleration --out front     a front by limits\n"
     "\n"
     "Exit codes: 0 every row solved or infeasible; 1 a row failed; 2 wrong input; 130 interrupted.\n";
 
@@ -153,6 +155,37 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
     command.add_option("--shard", request.shard, "Only every N-th chunk, from the i-th on")->type_name("i/N");
     command.add_flag("--resume", request.resume,
                      "Go on with the sweep in the folder; start where there is none");
+}
+
+void add_pareto(CLI::App& command, ParetoWords& words) {
+    CLI::Option* const pareto =
+        command
+            .add_option(
+                "--pareto", words.goals,
+                "Trace the front of two figures by limits instead of weights: velocity, acceleration, "
+                "jerk, rms_acceleration, rms_jerk, or a variable dimension")
+            ->type_name("FIRST,SECOND");
+    CLI::Option* const points =
+        command
+            .add_option("--points", words.points, "Points of the front, evenly spaced along it; default: 21")
+            ->type_name("N")
+            ->needs(pareto);
+    command
+        .add_option(
+            "--spacing", words.spacing,
+            "As many points as keep neighbours this close, in parts of the front's box, for example 0.05")
+        ->type_name("PART")
+        ->needs(pareto)
+        ->excludes(points);
+    command
+        .add_option("--cut-off", words.cut_off,
+                    "End the front where one figure is this many times its least; default: 10")
+        ->type_name("TIMES")
+        ->needs(pareto);
+    command
+        .add_flag("--keep-weights", words.keep_weights,
+                  "The scene's other weights stay in force, beside the first figure")
+        ->needs(pareto);
 }
 
 CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
@@ -176,6 +209,7 @@ CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
         ->type_name("NAME");
     add_settings(command, request.settings);
     add_sweep_work(command, request);
+    add_pareto(command, request.pareto);
     command.footer(sweep_examples);
     return command;
 }
@@ -259,7 +293,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
         find_scene(parsed.sweep.scene, parsed.sweep.settings);
-        return sweep_command(parsed.sweep);
+        return parsed.sweep.pareto.goals.empty() ? sweep_command(parsed.sweep) : pareto_run(parsed.sweep);
     }
     return list_command(parsed.list);
 }

@@ -45,6 +45,15 @@ struct ListRequest {
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
 
+/// A front instead of a sweep.
+struct ParetoWords {
+    std::string goals;              ///< "velocity,acceleration"; empty: no front
+    std::optional<int> points;      ///< none: 21, or by the spacing
+    std::optional<double> spacing;  ///< of neighbours, in parts of the front's box
+    std::optional<double> cut_off;
+    bool keep_weights = false;
+};
+
 struct SweepRequest {
     std::string scene;                  ///< file
     std::vector<std::string> vary;      ///< KEY=a:b:count, …
@@ -54,6 +63,7 @@ struct SweepRequest {
     std::vector<std::string> settings;  ///< KEY=VALUE
     std::optional<int> workers;         ///< none: one a core
     std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep_run.hpp)
+    ParetoWords pareto;
     std::string shard;                  ///< "i/N"; empty: the whole
     bool resume = false;
 };

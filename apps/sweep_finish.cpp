@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep_finish.hpp"
 
+#include "apps/sweep_pictures.hpp"
 #include "output/sweep_text.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ ExitCode finish_sweep(const SweepFolder& folder) {
                                         : fmt::format("Sweep of {}, shard {} of {}\n",
                                                       folder.identity().scene_file, shard.index, shard.count);
     text += sweep_text(table);
+    if (shard.is_whole()) write_sweep_pictures(folder, table);
     text += shard.is_whole() ? fmt::format("  wrote {}\n", folder.table_path().string())
                              : fmt::format("  kept in {}; join the shards with camopt sweep merge\n",
                                            folder.path().string());

@@ -18,6 +18,8 @@ constexpr std::array<FrontFigure, 3> goals = {FrontFigure::velocity, FrontFigure
 // Of the objective: closer bounds do not change a printed per cent.
 constexpr double settled_gap = 1e-6;
 constexpr int most_cuts = 40;
+// A cut lower by less than this, of the law's objective, changes nothing.
+constexpr double same_value = 1e-12;
 
 bool usable(double value) {
     return std::isfinite(value) && value > 0.0;
@@ -39,6 +41,8 @@ class LossFinder {
     LossFinder(const Scene& scene, const PeakTriple& reference, const SolveControl& control)
         : scene_(scene), reference_(reference), control_(control) {}
 
+    void add_cut(const PeakTriple& peaks);
+
     [[nodiscard]] std::optional<ClosestApproach> closest(const PeakTriple& law);
     [[nodiscard]] std::optional<double> least(const PeakTriple& law, std::size_t peak);
     [[nodiscard]] int solves() const { return solves_; }
@@ -46,6 +50,9 @@ class LossFinder {
  private:
     /// The scene with these weights; none where it has no motion or was stopped.
     [[nodiscard]] std::optional<Solution> solve(const Scene& scene, SolveSequence& sequence);
+    /// The best shares for all cuts. In shares u_i = w_i · (law's peak i over its reference) the law's
+    /// objective is 1.
+    [[nodiscard]] GameValue best_shares(const PeakTriple& law) const;
 
     const Scene& scene_;
     const PeakTriple& reference_;
@@ -66,15 +73,37 @@ std::optional<Solution> LossFinder::solve(const Scene& scene, SolveSequence& seq
     return solution;
 }
 
+void LossFinder::add_cut(const PeakTriple& peaks) {
+    PeakTriple cut = peaks;
+    for (std::size_t i = 0; i < 3; ++i) cut[i] /= reference_[i];
+    cuts_.push_back(cut);
+}
+
+GameValue LossFinder::best_shares(const PeakTriple& law) const {
+    GameValue game{{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity};
+    std::vector<PeakTriple> rows;  // the few cuts that matter
+    while (true) {
+        const PeakTriple* lowest = nullptr;
+        double least = game.value - same_value;
+        PeakTriple row{};
+        for (const PeakTriple& cut : cuts_) {
+            double value = 0.0;
+            for (std::size_t i = 0; i < 3; ++i) value += game.mix[i] * cut[i] * reference_[i] / law[i];
+            if (value >= least) continue;
+            least = value;
+            lowest = &cut;
+        }
+        if (lowest == nullptr) return game;
+        for (std::size_t i = 0; i < 3; ++i) row[i] = (*lowest)[i] * reference_[i] / law[i];
+        rows.push_back(row);
+        game = solve_game(rows);
+    }
+}
+
 std::optional<ClosestApproach> LossFinder::closest(const PeakTriple& law) {
     std::optional<ClosestApproach> best;
     for (int round = 0; round < most_cuts; ++round) {
-        // In shares u_i = w_i · (law's peak i over its reference) the law's objective is 1.
-        std::vector<PeakTriple> rows = cuts_;
-        for (PeakTriple& row : rows)
-            for (std::size_t i = 0; i < 3; ++i) row[i] *= reference_[i] / law[i];
-        const GameValue game =
-            rows.empty() ? GameValue{{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity} : solve_game(rows);
+        const GameValue game = best_shares(law);
         PeakTriple weights{};
         for (std::size_t i = 0; i < 3; ++i) weights[i] = game.mix[i] * reference_[i] / law[i];
         const double sum = weights[0] + weights[1] + weights[2];
@@ -86,9 +115,7 @@ std::optional<ClosestApproach> LossFinder::closest(const PeakTriple& law) {
         const bool settled = reached >= game.value - settled_gap;
         if (!best || loss < best->loss_percent || settled) best = ClosestApproach{weights, loss, settled};
         if (settled) return best;
-        PeakTriple cut = triple(solution->peaks);
-        for (std::size_t i = 0; i < 3; ++i) cut[i] /= reference_[i];
-        cuts_.push_back(cut);
+        add_cut(triple(solution->peaks));
     }
     return best;
 }
@@ -108,12 +135,13 @@ std::optional<double> LossFinder::least(const PeakTriple& law, std::size_t peak)
 
 }  // namespace
 
-LawLosses law_losses(const Scene& scene, const SolveControl& control) {
+LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<const PeakTriple> known) {
     LawLosses losses;
     losses.reference = triple(reference_peaks(scene));
     if (!std::ranges::all_of(losses.reference, usable)) return losses;
     const Comparison comparison = compare(scene, control);
     LossFinder finder(scene, losses.reference, control);
+    for (const PeakTriple& peaks : known) finder.add_cut(peaks);
     for (const ComparisonRow& row : comparison.rows) {
         if (row.is_optimum() || !row.misfit.empty()) continue;
         const PeakTriple peaks = triple(row.peaks);

@@ -12,8 +12,8 @@
 #include "studies/comparison.hpp"
 
 #include <array>
-#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +46,9 @@ struct LawLosses {
     bool complete = false;  ///< not stopped
 };
 
-/// Throws as compare() does. Empty where a reference peak is missing or infinite.
-[[nodiscard]] LawLosses law_losses(const Scene& scene, const SolveControl& control = {});
+/// known: peaks of motions that this scene allows, such as the rows of a sweep of its weights: they save
+/// solves. Throws as compare() does. Empty where a reference peak is missing or infinite.
+[[nodiscard]] LawLosses law_losses(const Scene& scene, const SolveControl& control = {},
+                                   std::span<const PeakTriple> known = {});
 
 }  // namespace camopt

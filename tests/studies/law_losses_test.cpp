@@ -137,6 +137,24 @@ TEST_F(LawLossesOfDrd, TheLossAtTheScenesWeightsIsThatOfTheComparison) {
     }
 }
 
+TEST_F(LawLossesOfDrd, KnownMotionsSaveSolvesAndChangeNothing) {
+    std::vector<PeakTriple> known;
+    for (int i = 1; i <= 8; ++i) {
+        for (int j = 1; i + j <= 9; ++j) {
+            Scene scene = paper_objective(MotionType::drd, 3, 24);
+            scene.objective.velocity = i / 10.0;
+            scene.objective.acceleration = j / 10.0;
+            scene.objective.jerk = (10 - i - j) / 10.0;
+            const Peaks peaks = solve(scene).peaks;
+            known.push_back({peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value});
+        }
+    }
+    const LawLosses again = law_losses(paper_objective(MotionType::drd, 3, 24), {}, known);
+    EXPECT_LT(again.solves, losses().solves);
+    for (const LawLoss& loss : again.laws)
+        EXPECT_NEAR(loss.closest->loss_percent, law(loss.key).closest->loss_percent, 5e-4) << loss.key;
+}
+
 TEST(LawLosses, StoppedTheyAreIncomplete) {
     const SolveControl control{[] { return true; }, {}};
     EXPECT_FALSE(law_losses(paper_objective(MotionType::drd, 3, 12), control).complete);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pareto_run.hpp"
+
+#include "apps/interrupt.hpp"
+#include "apps/progress.hpp"
+#include "apps/scene_loading.hpp"
+#include "apps/sweep_request.hpp"
+#include "core/errors.hpp"
+#include "output/pareto_csv.hpp"
+#include "output/pareto_svg.hpp"
+#include "output/result_folder.hpp"
+#include "output/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace camopt::apps {
+
+namespace {
+
+FrontRequest front_request(const ParetoWords& words, const Scene& scene) {
+    const std::size_t comma = words.goals.find(',');
+    if (comma == std::string::npos)
+        throw InputError(
+            fmt::format("--pareto {}: found one name; allowed: two, with a comma between them, for "
+                        "example velocity,acceleration",
+                        words.goals));
+    FrontRequest request;
+    request.goals = {front_goal(words.goals.substr(0, comma), scene),
+                     front_goal(words.goals.substr(comma + 1), scene)};
+    if (words.points) request.points = *words.points;
+    request.spacing = words.spacing;
+    if (words.cut_off) request.cut_off = *words.cut_off;
+    request.keep_weights = words.keep_weights;
+    request.validate(scene);
+    return request;
+}
+
+void refuse_other_sweeps(const SweepRequest& request) {
+    if (request.weights.empty() && request.vary.empty() && request.shard.empty() && !request.resume) return;
+    throw InputError(
+        "--pareto: found --weights, --vary, --shard or --resume beside it; allowed: one or the other");
+}
+
+/// With the scene's own dimensions in force: where it has no optimum the laws stand there all the same.
+Comparison laws_of(const Scene& scene) {
+    return compare(scene, {InterruptWatch::interrupted, {}});
+}
+
+ExitCode exit_code_of(const ParetoFront& front) {
+    if (InterruptWatch::interrupted()) return interrupted;
+    if (front.points.empty()) return failure;
+    const auto verdict_is = [&](Verdict verdict) {
+        return std::ranges::any_of(front.points, [&](const FrontPoint& point) {
+            return point.solution.certificate.verdict == verdict;
+        });
+    };
+    if (verdict_is(Verdict::failed)) return failure;
+    if (front.complete) return success;
+    return verdict_is(Verdict::infeasible) ? proved_infeasible : failure;
+}
+
+}  // namespace
+
+ExitCode pareto_run(const SweepRequest& request) {
+    if (request.out.empty())
+        throw InputError(
+            "--out is missing: camopt sweep SCENE --pareto A,B --out DIR; see camopt sweep --help");
+    refuse_other_sweeps(request);
+    const Scene scene = load_scene(request.scene, sweep_settings(request));
+    const FrontRequest wanted = front_request(request.pareto, scene);
+    prepare_folder(request.out);
+    const InterruptWatch watch;
+    const auto progress = terminal_progress();
+    const ParetoFront front =
+        pareto_front(scene, wanted, {InterruptWatch::interrupted, {}}, [&](const FrontPoint& point) {
+            if (progress) progress(fmt::format("front: {} solves", point.number + 1));
+        });
+    end_progress();
+    const ExitCode code = exit_code_of(front);
+    const Comparison laws = laws_of(scene);
+    const ParetoPicture picture{front, scene, &laws};
+    const std::filesystem::path folder = request.out;
+    write_text_file(folder / "pareto.csv", pareto_csv(front));
+    write_text_file(folder / "pareto.svg", pareto_svg(picture));
+    write_text_file(folder / "pareto.html", pareto_html(picture));
+    std::fputs(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture),
+                           (folder / "pareto.csv").string())
+                   .c_str(),
+               stdout);
+    if (code == interrupted)
+        std::fputs("camopt: interrupted; the points that are finished are written\n", stderr);
+    return code;
+}
+
+}  // namespace camopt::apps
