@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The quick rows of the stability table, group by group, and the judge of the table itself: it must see what
+// is wrong.
+#include "benchmarks/stability/condition_number.hpp"
+#include "benchmarks/stability/local_polynomial.hpp"
+#include "benchmarks/stability/motion_audit.hpp"
+#include "benchmarks/stability/stability_cases.hpp"
+#include "benchmarks/stability/stability_scenes.hpp"
+#include "core/errors.hpp"
+#include "studies/cost_scale.hpp"
+#include "studies/delivered_conditions.hpp"
+#include "studies/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace camopt::stability {
+namespace {
+
+struct Group {
+    const char* name;
+    std::vector<StabilityCase> (*cases)();
+};
+
+class StabilityGroup : public testing::TestWithParam<Group> {};
+
+TEST_P(StabilityGroup, HasNoWrongVerdict) {
+    int run = 0;
+    int absent = 0;
+    for (const StabilityCase& one : GetParam().cases()) {
+        if (!one.quick) continue;
+        const StabilityRow row = one.run();
+        ++(row.judgement == Judgement::absent ? absent : run);
+        EXPECT_NE(row.judgement, Judgement::wrong)
+            << row.group << ": " << row.name << ", " << row.backend << ": " << row.why;
+        if (row.backend == "structured" && !row.expected.may_give_up) {
+            EXPECT_EQ(row.judgement, Judgement::ok) << row.name << ": " << row.why;
+        }
+    }
+    EXPECT_GT(run, 0);
+    RecordProperty("rows_of_absent_backends", absent);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, StabilityGroup,
+                         testing::Values(Group{"design_vectors", design_vector_cases},
+                                         Group{"scaling", scaling_cases}, Group{"weights", weight_cases},
+                                         Group{"breakpoints", breakpoint_cases},
+                                         Group{"exact_points", exact_point_cases},
+                                         Group{"limits", limit_cases}, Group{"degenerate", degenerate_cases},
+                                         Group{"claims", claim_cases}),
+                         [](const auto& group) { return std::string(group.param.name); });
+
+Solution solved_twelve() {
+    return solve(study_scene(MotionType::drd, 3, 12));
+}
+
+/// The solution with one number of its motion changed.
+Solution with_bent_piece(Solution solution, int power, double by) {
+    Eigen::MatrixXd pieces = solution.curve->pieces();
+    pieces(power, 4) += by;
+    solution.curve = SplineCurve(solution.curve->space(), pieces);
+    return solution;
+}
+
+TEST(MotionAudit, FindsWhatTheLibraryReports) {
+    const Solution solution = solved_twelve();
+    const MotionAudit report = audit(solution);
+    EXPECT_NEAR(static_cast<double>(report.velocity), 12.0 / 7, 1e-8);
+    EXPECT_NEAR(static_cast<double>(report.acceleration), 36.0 / 7, 1e-8);
+    EXPECT_NEAR(static_cast<double>(report.jerk), 432.0 / 7, 1e-7);
+    EXPECT_NEAR(static_cast<double>(report.objective), solution.certificate.objective, 1e-13);
+    EXPECT_LE(report.violation, 1e-12L);
+}
+
+TEST(MotionAudit, SeesAJumpOfEveryOrder) {
+    const Solution solution = solved_twelve();
+    for (int power = 0; power <= 2; ++power)
+        EXPECT_GT(audit(with_bent_piece(solution, power, 1e-6)).violation, 1e-8L) << power;
+}
+
+TEST(MotionAudit, SeesBrokenDemands) {
+    Solution capped = solved_twelve();
+    capped.scene.limits.velocity = PeakLimit{1.5, "limits.velocity", 1.5, ""};
+    EXPECT_NEAR(static_cast<double>(audit(capped).violation), 12.0 / 7 / 1.5 - 1.0, 1e-8);
+    Solution missed = solved_twelve();
+    missed.scene.motion.via = {{0.25, 0.9, {}, {}}};
+    EXPECT_GT(audit(missed).violation, 0.1L);
+    EXPECT_THROW(static_cast<void>(audit(Solution{})), InputError);
+}
+
+TEST(MotionAudit, SeesABrokenPressureAngle) {
+    Solution solution = solve(scene_of_file("cam_smallest.toml"));
+    EXPECT_LE(audit(solution).violation, 1e-9L);
+    solution.scene.limits.pressure_angle->value *= 0.99;
+    EXPECT_GT(audit(solution).violation, 5e-3L);
+}
+
+TEST(StabilityRow, CallsAFalseFigureWrong) {
+    const Scene scene = study_scene(MotionType::drd, 3, 12);
+    const double optimum = study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7);
+    EXPECT_EQ(solved_row(scene, exactly(optimum, "")).judgement, Judgement::ok);
+    EXPECT_EQ(solved_row(scene, exactly(optimum * (1.0 - 1e-7), "")).judgement, Judgement::wrong);
+    EXPECT_EQ(solved_row(scene, exactly(optimum * (1.0 + 1e-7), "")).judgement, Judgement::wrong);
+    Expectation impossible;
+    impossible.verdicts = {Verdict::infeasible};
+    EXPECT_EQ(solved_row(scene, impossible).judgement, Judgement::wrong);
+    EXPECT_EQ(refused_row([] {}, "").judgement, Judgement::wrong);
+}
+
+TEST(LocalPolynomial, FindsRootsAndPeaks) {
+    // (u − 1/4)(u − 1/2)(u − 3/4)
+    const LocalPolynomial cubic = {-3.0L / 32, 11.0L / 16, -1.5L, 1.0L};
+    const std::vector<long double> roots = sign_changes(cubic);
+    ASSERT_EQ(roots.size(), 3u);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(static_cast<double>(roots[k]), 0.25 * (k + 1), 1e-15);
+    EXPECT_NEAR(static_cast<double>(largest_magnitude(cubic)), 3.0 / 32, 1e-18);
+    EXPECT_NEAR(static_cast<double>(largest_magnitude({0.0L, 4.0L, -4.0L})), 1.0, 1e-15);
+}
+
+TEST(ConditionNumber, GrowsSlowestForStates) {
+    for (const int order : {2, 3}) {
+        const Scene scene = study_scene(MotionType::drd, 3, 32);
+        const double states = condition_number(scene, DesignKind::states, order);
+        EXPECT_GT(states, 1.0);
+        EXPECT_LT(10.0 * states, condition_number(scene, DesignKind::ordinates, order));
+        EXPECT_LT(2.0 * states, condition_number(scene, DesignKind::coefficients, order));
+    }
+    // One freedom: every map is a column, and perfectly conditioned.
+    EXPECT_NEAR(condition_number(study_scene(MotionType::drd, 3, 4), DesignKind::ordinates, 2), 1.0, 1e-12);
+}
+
+TEST(CostScale, LeavesScenesNearOneAlone) {
+    const Scene scene = study_scene(MotionType::drd, 3, 12);
+    EXPECT_TRUE(CostScale(scene, solved_twelve().reference_peaks).is_idle());
+}
+
+TEST(CostScale, TheProofIsThatOfTheScene) {
+    Scene scene = study_scene(MotionType::drd, 3, 12);
+    scene.objective.velocity *= 1e-9;
+    scene.objective.acceleration *= 1e-9;
+    scene.objective.jerk *= 1e-9;
+    const Solution solution = solve(scene);
+    const Certificate& certificate = solution.certificate;
+    const double optimum = 1e-9 * study_objective(12.0 / 7, 36.0 / 7, 432.0 / 7);
+    ASSERT_EQ(certificate.verdict, Verdict::optimal);
+    EXPECT_NEAR(certificate.objective, optimum, 1e-9 * optimum);
+    ASSERT_TRUE(certificate.proof);
+    EXPECT_EQ(recomputed_bound(*certificate.proof), *certificate.lower_bound);
+    EXPECT_NEAR(*certificate.lower_bound, optimum, 1e-7 * optimum);
+    EXPECT_NEAR(solution.any_curve_limit->objective, 0.9371963699e-9, 1e-18);
+    EXPECT_EQ(solution.scene.objective.velocity, scene.objective.velocity);
+}
+
+TEST(DeliveredConditions, AJumpIsAFailureWithAName) {
+    Solution solution = solved_twelve();
+    judge_delivered_joints(solution);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    Solution bent = with_bent_piece(solution, 1, 1e-4);
+    EXPECT_NEAR(worst_joint_jump(*bent.curve).at, 4.0 / 12, 1e-12);
+    EXPECT_EQ(worst_joint_jump(*bent.curve).order, 1);
+    judge_delivered_joints(bent);
+    EXPECT_EQ(bent.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(bent.certificate.reason, "breakpoints_too_close");
+    ASSERT_FALSE(bent.notes.empty());
+}
+
+}  // namespace
+}  // namespace camopt::stability
