@@ -64,7 +64,7 @@ struct SweepRequest {
     std::optional<int> workers;         ///< none: one a core
     std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep_run.hpp)
     ParetoWords pareto;
-    std::string shard;                  ///< "i/N"; empty: the whole
+    std::string shard;  ///< "i/N"; empty: the whole
     bool resume = false;
 };
 [[nodiscard]] ExitCode sweep_command(const SweepRequest& request);
