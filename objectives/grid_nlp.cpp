@@ -107,8 +107,45 @@ void GridNlp::add_rows() {
 }
 
 void GridNlp::add_sample_row(int sample) {
+    if (model_->rules[samples_[sample].rule]->linear())
+        add_linear_row(sample);
+    else
+        add_curved_row(sample);
+}
+
+/// Multiplied out, with the derivatives and entries alone that the rule is made of.
+void GridNlp::add_linear_row(int sample) {
     const RuleSample& place = samples_[sample];
     const PointRule& rule = *model_->rules[place.rule];
+    const RuleValue affine = rule.evaluate(
+        {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
+    AffineRow sum{affine.value, {}, {}};
+    for (int order = 0; order < 4; ++order) {
+        const double factor = affine.gradient[order];
+        if (factor == 0.0) continue;
+        AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        for (double& weight : derivative.weights) weight *= factor;
+        derivative.offset *= factor;
+        sum = sum.columns.empty() ? AffineRow{sum.offset + derivative.offset, std::move(derivative.columns),
+                                              std::move(derivative.weights)}
+                                  : combined(sum, 1.0, derivative);
+    }
+    Row row;
+    row.offset = sum.offset;
+    for (std::size_t k = 0; k < sum.columns.size(); ++k) {
+        if (sum.weights[k] == 0.0) continue;
+        row.columns.push_back(sum.columns[k]);
+        row.weights.push_back(sum.weights[k] * variable_scale(*model_, sum.columns[k]));
+    }
+    for (std::size_t k = 0; k < rule.parameters().size(); ++k) {
+        row.columns.push_back(design_size() + rule.parameters()[k]);
+        row.weights.push_back(affine.gradient[4 + static_cast<Eigen::Index>(k)]);
+    }
+    rows_.push_back(std::move(row));
+}
+
+void GridNlp::add_curved_row(int sample) {
+    const RuleSample& place = samples_[sample];
     Row row;
     row.sample = sample;
     for (int order = 0; order < 4; ++order) {
@@ -123,18 +160,8 @@ void GridNlp::add_sample_row(int sample) {
         }
         row.map_offset[order] = derivative.offset;
     }
-    for (const int parameter : rule.parameters()) row.columns.push_back(design_size() + parameter);
-    if (rule.linear()) {
-        const RuleValue affine = rule.evaluate(
-            {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
-        const Eigen::VectorXd weights = row.map.transpose() * affine.gradient.head<4>();
-        row.weights.assign(weights.begin(), weights.end());
-        const Eigen::VectorXd by_parameter = affine.gradient.tail(affine.gradient.size() - 4);
-        row.weights.insert(row.weights.end(), by_parameter.begin(), by_parameter.end());
-        row.offset = affine.value + affine.gradient.head<4>().dot(row.map_offset);
-        row.map.resize(0, 0);
-        row.sample = -1;
-    }
+    for (const int parameter : model_->rules[place.rule]->parameters())
+        row.columns.push_back(design_size() + parameter);
     rows_.push_back(std::move(row));
 }
 
@@ -202,6 +229,7 @@ double GridNlp::cost(const ConstVectorRef& x) const {
 
 void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
     out = linear_cost_;
+    if (rms_.empty() && !energy_) return;
     const Eigen::VectorXd design = x.head(design_size());
     for (const RmsTerm& term : rms_) {
         const double q = x[term.variable];

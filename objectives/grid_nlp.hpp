@@ -55,6 +55,8 @@ class GridNlp final : public Nlp {
 
     void add_rows();
     void add_sample_row(int sample);
+    void add_linear_row(int sample);
+    void add_curved_row(int sample);
     void add_cost_terms();
     void fix_patterns();
     [[nodiscard]] RuleValue rule_value(const Row& row, const ConstVectorRef& x) const;

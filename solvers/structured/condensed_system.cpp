@@ -18,46 +18,6 @@ constexpr double shift_growth = 1e3;    // a breakdown is rare; few retries matt
 constexpr int most_refinements = 6;
 constexpr double worthwhile = 0.3;  // a refinement that gains less is the last
 
-/// Places in the lower triangle that are not 0 for ever, found column by column without sorting triplets.
-class PatternBuilder {
- public:
-    explicit PatternBuilder(int size) : rows_(static_cast<std::size_t>(size)) {}
-    void add(int row, int column) {
-        rows_[static_cast<std::size_t>(std::min(row, column))].push_back(std::max(row, column));
-    }
-    SymmetricFactor::Matrix matrix() {
-        const auto size = static_cast<Index>(rows_.size());
-        SymmetricFactor::Matrix result(size, size);
-        Index entries = 0;
-        for (std::vector<int>& column : rows_) {
-            std::sort(column.begin(), column.end());
-            column.erase(std::unique(column.begin(), column.end()), column.end());
-            entries += static_cast<Index>(column.size());
-        }
-        result.resizeNonZeros(entries);
-        Index next = 0;
-        for (Index j = 0; j < size; ++j) {
-            result.outerIndexPtr()[j] = static_cast<int>(next);
-            for (const int row : rows_[static_cast<std::size_t>(j)]) {
-                result.innerIndexPtr()[next] = row;
-                result.valuePtr()[next++] = 0.0;
-            }
-        }
-        result.outerIndexPtr()[size] = static_cast<int>(next);
-        return result;
-    }
-
- private:
-    std::vector<std::vector<int>> rows_;
-};
-
-int slot_of(const SymmetricFactor::Matrix& lower, int row, int column) {
-    const int low = std::max(row, column), high = std::min(row, column);
-    const int* begin = lower.innerIndexPtr() + lower.outerIndexPtr()[high];
-    const int* end = lower.innerIndexPtr() + lower.outerIndexPtr()[high + 1];
-    return static_cast<int>(std::lower_bound(begin, end, low) - lower.innerIndexPtr());
-}
-
 }  // namespace
 
 CondensedSystem::CondensedSystem(const ConvexModel& model, FactorKind kind, double shift)
@@ -76,53 +36,84 @@ CondensedSystem::CondensedSystem(const ConvexModel& model, FactorKind kind, doub
     shifts_.resize(lower_.rows());
 }
 
+/// The entries of one column after the other, and what they are made of.
 void CondensedSystem::find_pattern() {
     const auto n = static_cast<int>(model_.variables());
-    equality_.assign(static_cast<std::size_t>(model_.constraints()), -1);
-    int size = n;
-    for (Index i = 0; i < model_.constraints(); ++i)
-        if (model_.is_equality(i)) {
-            equality_[static_cast<std::size_t>(i)] = size++;
-            equality_rows_.push_back(static_cast<int>(i));
-        }
     const RowMajor rows = model_.rows;
     rows_ = CompressedRows(rows);
     columns_ = CompressedRows(RowMajor(model_.rows.transpose()));
-    PatternBuilder pattern(size);
-    for (int i = 0; i < size; ++i) pattern.add(i, i);
-    const SparsityPattern& hessian = model_.hessian;
-    for (std::size_t e = 0; e < hessian.rows.size(); ++e) pattern.add(hessian.rows[e], hessian.columns[e]);
-    std::size_t terms = 0;
-    for (Index i = 0; i < rows.rows(); ++i) {
-        const int equality = equality_[static_cast<std::size_t>(i)];
-        for (RowMajor::InnerIterator a(rows, i); a; ++a) {
-            if (equality >= 0) {
-                pattern.add(equality, static_cast<int>(a.col()));
-                continue;
+    const int size = n + number_equalities();
+    const std::vector<std::vector<int>> curved = hessian_by_column();
+    std::vector<int> entries, owner(static_cast<std::size_t>(size), -1), slot(owner), inner, outer{0};
+    const auto claim = [&](int row, int column) {
+        if (owner[static_cast<std::size_t>(row)] == column) return;
+        owner[static_cast<std::size_t>(row)] = column;
+        entries.push_back(row);
+    };
+    diagonal_.resize(static_cast<std::size_t>(size));
+    hessian_slot_.resize(model_.hessian.rows.size());
+    for (int j = 0; j < size; ++j) {
+        entries.clear();
+        claim(j, j);
+        const auto each_entry = [&](auto&& of_equality, auto&& of_pair) {
+            if (j >= n) return;
+            for (ConvexModel::Matrix::InnerIterator own(model_.rows, j); own; ++own) {
+                const int equality = equality_[static_cast<std::size_t>(own.row())];
+                if (equality >= 0) {
+                    of_equality(equality, own.value());
+                    continue;
+                }
+                for (RowMajor::InnerIterator other(rows, own.row()); other; ++other)
+                    if (other.col() >= j)
+                        of_pair(static_cast<int>(other.col()), static_cast<int>(own.row()),
+                                own.value() * other.value());
             }
-            for (RowMajor::InnerIterator b(rows, i); b && b.col() <= a.col(); ++b, ++terms)
-                pattern.add(static_cast<int>(a.col()), static_cast<int>(b.col()));
+        };
+        each_entry([&](int row, double) { claim(row, j); }, [&](int row, int, double) { claim(row, j); });
+        for (const int e : curved[static_cast<std::size_t>(j)])
+            claim(model_.hessian.rows[static_cast<std::size_t>(e)], j);
+        std::ranges::sort(entries);
+        for (const int row : entries) {
+            slot[static_cast<std::size_t>(row)] = static_cast<int>(inner.size());
+            inner.push_back(row);
         }
+        constant_.resize(inner.size(), 0.0);
+        diagonal_[static_cast<std::size_t>(j)] = slot[static_cast<std::size_t>(j)];
+        each_entry(
+            [&](int row, double value) {
+                constant_[static_cast<std::size_t>(slot[static_cast<std::size_t>(row)])] = value;
+            },
+            [&](int row, int source, double product) {
+                terms_.push_back({slot[static_cast<std::size_t>(row)], source, product});
+            });
+        for (const int e : curved[static_cast<std::size_t>(j)])
+            hessian_slot_[static_cast<std::size_t>(e)] =
+                slot[static_cast<std::size_t>(model_.hessian.rows[static_cast<std::size_t>(e)])];
+        outer.push_back(static_cast<int>(inner.size()));
     }
-    lower_ = pattern.matrix();
-    terms_.reserve(terms);
-    for (Index i = 0; i < rows.rows(); ++i) {
-        const int equality = equality_[static_cast<std::size_t>(i)];
-        for (RowMajor::InnerIterator a(rows, i); a; ++a) {
-            const auto column = static_cast<int>(a.col());
-            if (equality >= 0) {
-                lower_.valuePtr()[slot_of(lower_, equality, column)] = a.value();
-                continue;
-            }
-            for (RowMajor::InnerIterator b(rows, i); b && b.col() <= a.col(); ++b)
-                terms_.push_back({slot_of(lower_, column, static_cast<int>(b.col())), static_cast<int>(i),
-                                  a.value() * b.value()});
-        }
+    lower_ = Eigen::Map<const SymmetricFactor::Matrix>(size, size, static_cast<Index>(inner.size()),
+                                                       outer.data(), inner.data(), constant_.data());
+}
+
+/// Gives every equality its row in the matrix; how many there are.
+int CondensedSystem::number_equalities() {
+    equality_.assign(static_cast<std::size_t>(model_.constraints()), -1);
+    for (Index i = 0; i < model_.constraints(); ++i) {
+        if (!model_.is_equality(i)) continue;
+        equality_[static_cast<std::size_t>(i)] =
+            static_cast<int>(model_.variables()) + static_cast<int>(equality_rows_.size());
+        equality_rows_.push_back(static_cast<int>(i));
     }
-    constant_.assign(lower_.valuePtr(), lower_.valuePtr() + lower_.nonZeros());
-    for (int i = 0; i < size; ++i) diagonal_.push_back(slot_of(lower_, i, i));
-    for (std::size_t e = 0; e < hessian.rows.size(); ++e)
-        hessian_slot_.push_back(slot_of(lower_, hessian.rows[e], hessian.columns[e]));
+    return static_cast<int>(equality_rows_.size());
+}
+
+/// Entries of ∇²f whose column is j, for every row of the matrix.
+std::vector<std::vector<int>> CondensedSystem::hessian_by_column() const {
+    std::vector<std::vector<int>> curved(static_cast<std::size_t>(model_.variables()) +
+                                         equality_rows_.size());
+    for (std::size_t e = 0; e < model_.hessian.columns.size(); ++e)
+        curved[static_cast<std::size_t>(model_.hessian.columns[e])].push_back(static_cast<int>(e));
+    return curved;
 }
 
 bool CondensedSystem::factorize(const std::vector<double>& hessian, const VectorXd& sigma,

@@ -58,6 +58,8 @@ class CondensedSystem {
         double product;
     };
     void find_pattern();
+    int number_equalities();
+    [[nodiscard]] std::vector<std::vector<int>> hessian_by_column() const;
     void apply_factor(const Eigen::VectorXd& p, const Eigen::VectorXd& q, NewtonUnknowns& out);
     double residual(const Eigen::VectorXd& p, const Eigen::VectorXd& q, const NewtonUnknowns& at);
 

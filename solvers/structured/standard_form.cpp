@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace camopt::structured {
 namespace {
@@ -70,6 +71,36 @@ class ScaledCost final : public ConvexCost {
     mutable VectorXd full_point_, full_gradient_;
 };
 
+/// The Jacobian by columns, rows ascending; entries named twice are added.
+Matrix matrix_of(const NlpShape& shape, const std::vector<double>& values) {
+    const SparsityPattern& pattern = shape.jacobian;
+    std::vector<int> next(static_cast<std::size_t>(shape.variables()) + 1, 0);
+    bool ascending = true;
+    for (std::size_t e = 0; e < values.size(); ++e) {
+        ++next[static_cast<std::size_t>(pattern.columns[e]) + 1];
+        ascending = ascending &&
+                    (e == 0 || pattern.rows[e] > pattern.rows[e - 1] ||
+                     (pattern.rows[e] == pattern.rows[e - 1] && pattern.columns[e] > pattern.columns[e - 1]));
+    }
+    Matrix matrix(shape.constraints(), shape.variables());
+    if (!ascending) {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t e = 0; e < values.size(); ++e)
+            entries.emplace_back(pattern.rows[e], pattern.columns[e], values[e]);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        return matrix;
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    matrix.resizeNonZeros(static_cast<Index>(values.size()));
+    std::ranges::copy(next, matrix.outerIndexPtr());
+    for (std::size_t e = 0; e < values.size(); ++e) {
+        const int place = next[static_cast<std::size_t>(pattern.columns[e])]++;
+        matrix.innerIndexPtr()[place] = pattern.rows[e];
+        matrix.valuePtr()[place] = values[e];
+    }
+    return matrix;
+}
+
 }  // namespace
 
 StandardForm::StandardForm(const Nlp& problem, const VectorXd& start) : problem_(problem) {
@@ -101,11 +132,7 @@ void StandardForm::read(const VectorXd& start) {
 
     std::vector<double> values(static_cast<std::size_t>(shape.jacobian.size()));
     problem_.jacobian(start, values);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t e = 0; e < values.size(); ++e)
-        entries.emplace_back(shape.jacobian.rows[e], shape.jacobian.columns[e], values[e]);
-    full_.resize(shape.constraints(), shape.variables());
-    full_.setFromTriplets(entries.begin(), entries.end());
+    full_ = matrix_of(shape, values);
     VectorXd at_start(shape.constraints());
     problem_.constraints(start, at_start);
     constant_ = at_start - full_ * start;
@@ -144,21 +171,21 @@ void StandardForm::keep_rows() {
         row_index[static_cast<std::size_t>(kept_rows_[k])] = static_cast<int>(k);
     const auto rows = static_cast<Index>(kept_rows_.size()),
                columns = static_cast<Index>(kept_variables_.size());
-    std::vector<Eigen::Triplet<double>> entries;
     model_.x_lower.resize(columns);
     model_.x_upper.resize(columns);
+    model_.rows.resize(rows, columns);
+    model_.rows.reserve(full_.nonZeros());
     for (Index k = 0; k < columns; ++k) {
         const int j = kept_variables_[static_cast<std::size_t>(k)];
         model_.x_lower[k] = shape.x_lower[j];
         model_.x_upper[k] = shape.x_upper[j];
+        model_.rows.startVec(k);
         for (Matrix::InnerIterator entry(full_, j); entry; ++entry) {
             const int row = row_index[static_cast<std::size_t>(entry.row())];
-            if (row >= 0 && entry.value() != 0.0)
-                entries.emplace_back(row, static_cast<int>(k), entry.value());
+            if (row >= 0 && entry.value() != 0.0) model_.rows.insertBack(row, k) = entry.value();
         }
     }
-    model_.rows.resize(rows, columns);
-    model_.rows.setFromTriplets(entries.begin(), entries.end());
+    model_.rows.finalize();
     model_.row_lower.resize(rows);
     model_.row_upper.resize(rows);
     for (Index k = 0; k < rows; ++k) {
