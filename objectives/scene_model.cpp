@@ -44,8 +44,7 @@ std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& refere
         {Kind::peak, 2, objective.acceleration, &limits.acceleration,
          finite_or(reference.acceleration.value, fallback.acceleration.value)},
         {Kind::peak, 3, objective.jerk, &limits.jerk, finite_or(reference.jerk.value, fallback.jerk.value)},
-        {Kind::torque, 2, objective.torque, &none,
-         finite_or(reference.torque.value, fallback.torque.value)},
+        {Kind::torque, 2, objective.torque, &none, finite_or(reference.torque.value, fallback.torque.value)},
         {Kind::rms, 2, objective.rms_acceleration, &none,
          finite_or(reference.rms_acceleration, fallback.rms_acceleration)},
         {Kind::rms, 3, objective.rms_jerk, &none, finite_or(reference.rms_jerk, fallback.rms_jerk)},
@@ -124,12 +123,8 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
             ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
             : SplineSpace(spline.degree, spline.smoothness(), spline.breakpoints);
     const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
-    return {std::move(space),
-            kind,
-            {0.0, 0.0, 0.0},
-            {rise ? 1.0 : 0.0, 0.0, 0.0},
-            scene_conditions(scene),
-            symmetry};
+    return {std::move(space),        kind,    {0.0, 0.0, 0.0}, {rise ? 1.0 : 0.0, 0.0, 0.0},
+            scene_conditions(scene), symmetry};
 }
 
 double dimension_unit(const Scene& scene) {

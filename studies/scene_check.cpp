@@ -2,6 +2,7 @@
 #include "studies/scene_check.hpp"
 
 #include "objectives/cam_problem.hpp"
+#include "objectives/free_knot_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/registry.hpp"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace camopt {
@@ -23,7 +25,7 @@ constexpr double agreement = 1e-6;  // a wrong formula is off by far more, round
 constexpr int most_columns = 400;   // of a large problem so many variables are checked, spread evenly
 
 /// A point off every special place, so that a wrong formula cannot agree by chance; seeded, hence repeatable.
-Eigen::VectorXd check_point(const CamProblem& problem) {
+Eigen::VectorXd check_point(const ContinuousProblem& problem) {
     Eigen::VectorXd x = problem.completed(problem.start());
     std::mt19937_64 generator(1);
     std::uniform_real_distribution<double> shift(0.01, 0.1);
@@ -150,12 +152,15 @@ SceneCheck check_scene(const Scene& scene) {
         check.redundant.push_back(conflict.condition);
     for (const ConditionConflict& conflict : problem.model().design.contradictions())
         check.contradictions.push_back(conflict.condition);
-    const NlpShape& shape = problem.grid().shape();
+    std::optional<FreeKnotProblem> free;  // what the search over breakpoints sees
+    if (scene.spline.free_knots) free.emplace(scene, reference_peaks(scene));
+    const ContinuousProblem& solved = free ? static_cast<const ContinuousProblem&>(*free) : problem;
+    const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
     check.convex = shape.convex;
     check.limits = limit_shapes(problem.model());
-    check.derivatives = Checker(problem.grid()).run(check_point(problem));
+    check.derivatives = Checker(solved.grid()).run(check_point(solved));
     check.derivatives_agree =
         std::all_of(check.derivatives.begin(), check.derivatives.end(),
                     [](const DerivativeError& error) { return error.error <= agreement; });

@@ -130,13 +130,6 @@ void judge_freely(Solution& solution, const Search& search, const Scene& scene) 
             "no motion was found on any breakpoints tried; that there is none is not proved");
         return;
     }
-    if (gap && *gap <= scene.solver.gap) {
-        solution.notes.push_back(
-            fmt::format("proved: no spline of these breakpoints is better (gap {:.1e}); over all breakpoints "
-                        "the search is "
-                        "a local one",
-                        *gap));
-    }
     certificate.stationarity = search.best.stationarity;
     if (solution.any_curve_limit) {
         const double limit = solution.any_curve_limit->objective;
@@ -146,6 +139,18 @@ void judge_freely(Solution& solution, const Search& search, const Scene& scene) 
     }
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
     settle_verdict(certificate, search.best.termination, judge);
+    if (gap && *gap <= scene.solver.gap && certificate.verdict != Verdict::optimal) {
+        solution.notes.push_back(
+            fmt::format("no spline of these breakpoints is better, and that is proved (gap {:.1e}); that "
+                        "other breakpoints "
+                        "are not is what is left open",
+                        *gap));
+    }
+    if (!solution.solver.choice.empty()) {
+        solution.solver.choice =
+            "the breakpoints are free: the structured solver moves them, and for given breakpoints: " +
+            solution.solver.choice;
+    }
 }
 
 void report_breakpoints(Solution& solution) {
