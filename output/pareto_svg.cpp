@@ -189,6 +189,10 @@ std::string count_sentence(const ParetoFront& front) {
                                   : "not as even as asked");
 }
 
+bool is_attained(const FrontPoint& point) {
+    return point.end == FrontEnd::attained;
+}
+
 std::string end_sentence(const ParetoFront& front) {
     std::string text;
     for (const FrontPoint& point : front.points) {
@@ -203,7 +207,8 @@ std::string end_sentence(const ParetoFront& front) {
                                 short_text(shown(front, point, 1), 5));
     }
     if (front.spacing.jumps > 0) text += fmt::format("Jumps in the front: {}. ", front.spacing.jumps);
-    return text.empty() ? "Both ends are attained." : text;
+    if (!text.empty()) return text;
+    return std::ranges::any_of(front.points, is_attained) ? "Both ends are attained." : "There is no front.";
 }
 
 }  // namespace
