@@ -122,6 +122,7 @@ void set_weight(Scene& scene, const FrontGoal& goal, double weight) {
 
 void scale_weights(Scene& scene, double factor) {
     for (const FigureEntry& entry : figure_entries()) scene.objective.*entry.weight *= factor;
+    scene.objective.torque *= factor;
     for (double& weight : scene.objective.dimensions) weight *= factor;
 }
 

@@ -275,6 +275,19 @@ TEST(ParetoFront, StoppedItKeepsWhatIsFinished) {
     EXPECT_GE(spaced(front).size(), 3U);
 }
 
+TEST(FrontGoal, NoWeightIsLeftOut) {
+    Scene scene;
+    ObjectiveSpec& objective = scene.objective;
+    objective.velocity = objective.acceleration = objective.jerk = objective.torque = 2.0;
+    objective.rms_acceleration = objective.rms_jerk = 2.0;
+    objective.dimensions.fill(2.0);
+    scale_weights(scene, 0.5);
+    for (const double weight : {objective.velocity, objective.acceleration, objective.jerk, objective.torque,
+                                objective.rms_acceleration, objective.rms_jerk, objective.dimensions[0],
+                                objective.dimensions[dimension_count - 1]})
+        EXPECT_EQ(weight, 1.0);
+}
+
 TEST(ParetoFront, RefusesWhatIsNoFront) {
     const Scene scene = cubic_12();
     const auto refused = [&](const FrontRequest& request) {
