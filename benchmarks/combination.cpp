@@ -62,11 +62,11 @@ std::vector<Combination> combinations() {
     std::vector<Combination> all;
     for (const SolverEntry& entry : solver_entries()) {
         if (std::ranges::find(backends, entry.name) == std::end(backends)) continue;
-        for (const double tolerance : {1e-9, 1e-6})
-            for (const MotionKind kind :
-                 {MotionKind{MotionType::drd, 3}, {MotionType::drd, 5}, {MotionType::rr, 3}})
-                for (const DesignKind design :
-                     {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates})
+        for (const MotionKind kind :
+             {MotionKind{MotionType::drd, 3}, {MotionType::rr, 3}, {MotionType::drd, 5}})
+            for (const DesignKind design :
+                 {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates})
+                for (const double tolerance : {1e-9, 1e-6})
                     for (const int segments : segments_of(entry.name, design, tolerance))
                         all.push_back({entry.name, kind.degree, kind.motion, design, segments, tolerance});
     }

@@ -372,7 +372,8 @@ def section_algebra(page):
     for n in dict.fromkeys((row["degree"], row["n"]) for row in rows):
         own = {row["factorization"]: row for row in rows if (row["degree"], row["n"]) == n}
         times = {name: number(row, "seconds_median") for name, row in own.items() if number(row, "seconds_median") and
-                 abs(number(row, "relative_error") or 1) <= ACCURATE}
+                 number(row, "relative_error") is not None and
+                 abs(number(row, "relative_error")) <= ACCURATE}
         quickest = min(times, key=times.get) if times else "none"
         lines.append([*n] + [f"{seconds(times[name])}" if name in times else own.get(name, {}).get("status", "–")
                              for name in names] + [quickest])
