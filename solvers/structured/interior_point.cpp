@@ -34,6 +34,7 @@ class Iteration {
     bool take_step(Stop& reason);
     bool take_smooth_step(double target, Stop& reason);
     void add_correctors(double target);
+    void polish_multipliers(InteriorPointResult& result);
     [[nodiscard]] double target_after_affine() const;
     [[nodiscard]] double merit(const Residuals& rest, const Iterate& point) const;
     [[nodiscard]] bool looks_infeasible() const;
@@ -186,6 +187,35 @@ bool Iteration::take_step(Stop& reason) {
     return false;
 }
 
+/// What is left of the dual equations, put right in the multipliers alone: in a proof it is multiplied by the
+/// size of the box that holds an optimum.
+void Iteration::polish_multipliers(InteriorPointResult& result) {
+    constexpr int most = 2;
+    constexpr double rounding = 1e-15, most_shrunk = 0.9;
+    for (int k = 0; k < most && result.errors.dual > rounding; ++k) {
+        bool finite = true;
+        if (!newton_.prepare(point_, finite)) return;
+        tried_rest_ = rest_;
+        tried_rest_.equality.setZero();
+        tried_rest_.bound.setZero();
+        tried_rest_.mu = 0.0;
+        change_.setZero();
+        newton_.direction(point_, &tried_rest_, change_, direction_);
+        if (!direction_.finite) return;
+        for (const int i : bounds_.equalities) point_.lambda[i] += direction_.lambda[i];
+        for (Index b = 0; b < bounds_.size(); ++b) {
+            const double change = std::max(direction_.dual[b], -most_shrunk * point_.dual[b]);
+            point_.dual[b] += change;
+            if (b >= bounds_.of_variables) point_.lambda[bounds_.of[b]] -= bounds_.sign[b] * change;
+        }
+        newton_.residuals(point_, rest_);
+        const Errors now = errors();
+        if (!(now.dual < result.errors.dual) || now.worst() > limits_.tolerance) return;
+        result.best = point_;
+        result.errors = now;
+    }
+}
+
 double Iteration::merit(const Residuals& rest, const Iterate& point) const {
     return std::sqrt(rest.dual.squaredNorm() + rest.equality.squaredNorm() + rest.bound.squaredNorm() +
                      point.gap.cwiseProduct(point.dual).squaredNorm());
@@ -240,9 +270,10 @@ InteriorPointResult Iteration::run(const VectorXd& start, const SolveControl& co
             result.best = point_;
             result.errors = now;
         }
-        if (result.errors.worst() <= limits_.tolerance)
+        if (result.errors.worst() <= limits_.tolerance) {
             result.stop = Stop::converged;
-        else if (since_best > limits_.patience)
+            polish_multipliers(result);
+        } else if (since_best > limits_.patience)
             result.stop = Stop::stagnated;
         else if (result.iterations >= limits_.max_iterations)
             result.stop = Stop::iteration_limit;

@@ -8,8 +8,8 @@
 namespace camopt::structured {
 namespace {
 
-// A direction may leave this part of what is wrong now, or of the tolerance.
-constexpr double inexactness = 1e-3, share_of_tolerance = 0.01;
+// A direction may leave this part of what is wrong, and need not be more exact than rounding allows.
+constexpr double inexactness = 1e-3, finest = 1e-16;
 // Relative residual above which a direction is not trusted.
 constexpr double good_residual = 1e-8;
 // The careful system pivots on free variables too, which the condensed one never does.
@@ -60,8 +60,7 @@ NewtonStep::NewtonStep(const ConvexModel& model, const BoundList& bounds, const 
       p_(model.variables()),
       q_(model.constraints()),
       image_(model.constraints()),
-      solution_{VectorXd(model.variables()), VectorXd(model.constraints()), VectorXd(model.constraints())},
-      tolerance_(limits.tolerance) {}
+      solution_{VectorXd(model.variables()), VectorXd(model.constraints()), VectorXd(model.constraints())} {}
 
 void NewtonStep::residuals(const Iterate& point, Residuals& out) {
     model_.cost->gradient(point.x, out.gradient);
@@ -91,7 +90,7 @@ bool NewtonStep::prepare(const Iterate& point, bool& finite) {
         d_[bounds_.of[b]] += point.dual[b] * inverse_gap_[b];
     for (Index i = 0; i < d_.size(); ++i)
         if (d_[i] > 0.0) d_[i] = 1.0 / d_[i];
-    careful_is_current_ = factor_is_poor_ = false;
+    careful_is_current_ = false;
     return system_.factorize(hessian_, sigma_, d_) || prepare_careful();
 }
 
@@ -106,9 +105,8 @@ void NewtonStep::solve(double goal) {
     CondensedSystem::Accuracy accuracy{infinity, false};
     if (!careful_is_current_) accuracy = system_.solve(p_, q_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
-    factor_is_poor_ = !accuracy.reached;
     const double size = std::max(largest(p_), largest(q_));
-    if (accuracy.residual <= good_residual * size) return;
+    if (accuracy.reached || accuracy.residual <= good_residual * size) return;
     if (!careful_is_current_ && !prepare_careful()) return;
     const KktSystem::Step careful = careful_->solve(p_, q_);
     if (!careful.finite || careful.residual * size >= accuracy.residual) return;
@@ -130,15 +128,14 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
     for (Index b = bounds_.of_variables; b < bounds_.size(); ++b) force_row_[bounds_.of[b]] += force(b);
     p_ = force_x_;
     q_ = d_.cwiseProduct(force_row_);
-    double goal = infinity;
     if (residuals != nullptr) {
         p_ -= residuals->dual;
         q_ -= residuals->equality;
         const double wrong =
             std::max({largest(residuals->dual), largest(residuals->equality), residuals->mu});
-        goal = std::max(inexactness * wrong, share_of_tolerance * tolerance_);
+        goal_ = std::max(inexactness * wrong, finest);
     }
-    solve(factor_is_poor_ && residuals == nullptr ? share_of_tolerance * tolerance_ : goal);
+    solve(goal_);  // a correction must be as exact as what it corrects: what it leaves over stays
     out.x = solution_.x;
     out.lambda = solution_.lambda;
     // Δt of a row two ways: exact for the row where its gap is far from 0, exact for the multiplier

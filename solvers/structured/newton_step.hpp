@@ -44,8 +44,7 @@ class NewtonStep {
     /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
     /// `finite`).
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
-    /// The products g_b z_b are to change by `change`, to first order. With `residuals` null they alone, and
-    /// only as accurately as the factor is.
+    /// The products g_b z_b are to change by `change`, to first order. With `residuals` null they alone.
     void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
                    Direction& out);
 
@@ -58,11 +57,11 @@ class NewtonStep {
     double shift_;
     CondensedSystem system_;
     std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate
-    bool careful_is_current_ = false, factor_is_poor_ = false;
+    bool careful_is_current_ = false;
     std::vector<double> hessian_;
     Eigen::VectorXd inverse_gap_, sigma_, d_, force_x_, force_row_, p_, q_, image_;
     NewtonUnknowns solution_;
-    double tolerance_;
+    double goal_ = 0.0;  ///< largest entry that the residual of a direction may have
     bool solved_ = false;
 };
 
