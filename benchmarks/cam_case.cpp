@@ -23,8 +23,11 @@ Scene empty_scene(int segments) {
     scene.objective.velocity = paper::weights[0];
     scene.objective.acceleration = paper::weights[1];
     scene.objective.jerk = paper::weights[2];
-    scene.objective.reference = {
-        "", paper::velocity_reference, paper::acceleration_reference, paper::jerk_reference, {}, {}, true};
+    Reference& reference = scene.objective.reference;
+    reference.numeric = true;
+    reference.velocity = paper::velocity_reference;
+    reference.acceleration = paper::acceleration_reference;
+    reference.jerk = paper::jerk_reference;
     scene.objective.tie_break = TieBreak::none;
     scene.cam.emplace();
     return scene;

@@ -93,6 +93,9 @@ std::vector<int> columns_to_chain(const NlpShape& shape, const BackendOptions& o
     return dense_columns(shape);
 }
 
+// About 1000 cubic segments.
+constexpr int many_variables = 3000;
+
 void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& shape,
                        const BackendOptions& options, bool predictor_corrector) {
     Settings settings(application);
@@ -103,9 +106,9 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
     // Problems arrive scaled; Ipopt's own scaling loosens the tolerances by a factor it does not tell.
     settings.require("nlp_scaling_method", "none");
     settings.require("mu_strategy", "adaptive");
-    // MUMPS pairs the rows of chained columns, and of dense ones from about 2000 knots on, in a way that at
-    // least doubles its time; the matrices are scaled well enough without.
-    settings.require("mumps_permuting_scaling", 0);
+    // In large problems MUMPS pairs the rows in a way that at least doubles its time; in small ones the pairs
+    // are worth the last digits.
+    if (shape.variables() >= many_variables) settings.require("mumps_permuting_scaling", 0);
     set_tolerances(settings, options);
 
     const Linearity linear = linearity_of(shape);

@@ -8,8 +8,14 @@
 namespace camopt::structured {
 namespace {
 
-// A direction may leave this part of what is wrong, and need not be more exact than rounding allows.
-constexpr double inexactness = 1e-3, finest = 1e-16;
+// A direction may leave this part of what is wrong, and need not be more exact than rounding allows; where
+// the tolerance asks for the last digits, it must be more exact.
+double inexactness(double tolerance) {
+    return std::min(1e-3, 1e7 * tolerance);
+}
+double finest(double tolerance) {
+    return std::min(1e-16, 1e-3 * tolerance);
+}
 // Relative residual above which a direction is not trusted.
 constexpr double good_residual = 1e-8;
 // The careful system pivots on free variables too, which the condensed one never does.
@@ -49,6 +55,7 @@ Direction& Direction::operator+=(const Direction& other) {
 NewtonStep::NewtonStep(const ConvexModel& model, const BoundList& bounds, const InteriorPointLimits& limits)
     : model_(model),
       bounds_(bounds),
+      tolerance_(limits.tolerance),
       shift_(limits.shift),
       system_(model, limits.factor, limits.shift),
       hessian_(static_cast<std::size_t>(model.hessian.size())),
@@ -133,7 +140,7 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
         q_ -= residuals->equality;
         const double wrong =
             std::max({largest(residuals->dual), largest(residuals->equality), residuals->mu});
-        goal_ = std::max(inexactness * wrong, finest);
+        goal_ = std::max(inexactness(tolerance_) * wrong, finest(tolerance_));
     }
     solve(goal_);  // a correction must be as exact as what it corrects: what it leaves over stays
     out.x = solution_.x;

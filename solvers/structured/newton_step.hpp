@@ -54,6 +54,7 @@ class NewtonStep {
 
     const ConvexModel& model_;
     const BoundList& bounds_;
+    double tolerance_;
     double shift_;
     CondensedSystem system_;
     std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate

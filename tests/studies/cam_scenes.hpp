@@ -17,7 +17,11 @@ inline WrittenLimit millimetres(double value, const char* key) {
 inline void paper_weights(Scene& scene) {
     scene.objective.velocity = scene.objective.acceleration = 0.4;
     scene.objective.jerk = 0.2;
-    scene.objective.reference = {"", 1.76, 5.53, 69.0, {}, {}, true};
+    Reference& reference = scene.objective.reference;
+    reference.numeric = true;
+    reference.velocity = 1.76;
+    reference.acceleration = 5.53;
+    reference.jerk = 69.0;
 }
 
 /// MATH.md §5: rise 60°, lift 20 mm, |φ| <= 30°, cubic, roller of 10 mm on the cam axis.
