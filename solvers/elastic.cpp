@@ -116,13 +116,15 @@ bool ElasticProblem::convex(double) const {
     return base_.convex(infinity);
 }
 
-Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
-                          const SolveControl& control) {
-    ElasticProblem elastic(problem);
+namespace {
+
+// A least violation close to the tolerance is proved only by multipliers that are exact beyond it.
+constexpr double second_look = 1e-2;
+
+Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eigen::VectorXd& start,
+                 const ExchangeOptions& options, const SolveControl& control) {
     const std::unique_ptr<Solver> solver = make_structured_solver();
-    ExchangeOptions own = options;
-    own.backend.native.clear();  // they belong to the backend the user chose
-    const ExchangeResult result = minimize_by_exchange(elastic, *solver, elastic.start(), own, control);
+    const ExchangeResult result = minimize_by_exchange(elastic, *solver, start, options, control);
     Feasibility found;
     found.termination = result.termination;
     if (result.best.x.size() == 0) return found;
@@ -135,6 +137,27 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
                                            elastic.box(result.best.objective, 0.0), "least_common_violation");
         if (proof.bound > 0.0) found.proof = std::move(proof);
     }
+    return found;
+}
+
+}  // namespace
+
+Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
+                          const SolveControl& control) {
+    ElasticProblem elastic(problem);
+    ExchangeOptions own = options;
+    own.backend.native.clear();  // they belong to the backend the user chose
+    Feasibility found = look(problem, elastic, elastic.start(), own, control);
+    const bool open = found.point.violation > options.tolerance && !found.proof;
+    if (found.point.x.size() == 0 || !open || control.stopped()) return found;
+    own.tolerance *= second_look;
+    own.backend.tolerance *= second_look;
+    Eigen::VectorXd start(found.point.x.size() + 1);
+    start << found.point.x, found.point.violation;
+    Feasibility again = look(problem, elastic, start, own, control);
+    if (again.point.violation <= options.tolerance) again.proof.reset();
+    if (again.point.x.size() > 0 && (again.proof || again.point.violation < found.point.violation))
+        return again;
     return found;
 }
 
