@@ -28,26 +28,46 @@ struct WeightedPeak {
     double reference;
 };
 
-double finite_or(double value, double fallback) {
-    return std::isfinite(value) && value > 0.0 ? value : fallback;
-}
+/// References as they are, and where one is missing that of the fallback law, whose peaks are sought only
+/// then.
+class Units {
+ public:
+    [[nodiscard]] double of(double value, double (*of_law)(const Peaks&)) {
+        if (std::isfinite(value) && value > 0.0) return value;
+        if (!fallback_) fallback_ = make_law(fallback_law)->peaks();
+        return of_law(*fallback_);
+    }
+    /// Of a term that needs no unit while it has no weight.
+    [[nodiscard]] double of_term(double weight, double value, double (*of_law)(const Peaks&)) {
+        return weight > 0.0 ? of(value, of_law) : 1.0;
+    }
+
+ private:
+    std::optional<Peaks> fallback_;
+};
 
 std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& reference) {
     static const std::optional<PeakLimit> none;
     const ObjectiveSpec& objective = scene.objective;
     const LimitSpec& limits = scene.limits;
-    const Peaks fallback = make_law(fallback_law)->peaks();
+    Units units;
     using Kind = Parameter::Kind;
     return {
         {Kind::peak, 1, objective.velocity, &limits.velocity,
-         finite_or(reference.velocity.value, fallback.velocity.value)},
+         units.of(reference.velocity.value, [](const Peaks& law) { return law.velocity.value; })},
         {Kind::peak, 2, objective.acceleration, &limits.acceleration,
-         finite_or(reference.acceleration.value, fallback.acceleration.value)},
-        {Kind::peak, 3, objective.jerk, &limits.jerk, finite_or(reference.jerk.value, fallback.jerk.value)},
-        {Kind::torque, 2, objective.torque, &none, finite_or(reference.torque.value, fallback.torque.value)},
+         units.of(reference.acceleration.value, [](const Peaks& law) { return law.acceleration.value; })},
+        {Kind::peak, 3, objective.jerk, &limits.jerk,
+         units.of(reference.jerk.value, [](const Peaks& law) { return law.jerk.value; })},
+        {Kind::torque, 2, objective.torque, &none,
+         units.of_term(objective.torque, reference.torque.value,
+                       [](const Peaks& law) { return law.torque.value; })},
         {Kind::rms, 2, objective.rms_acceleration, &none,
-         finite_or(reference.rms_acceleration, fallback.rms_acceleration)},
-        {Kind::rms, 3, objective.rms_jerk, &none, finite_or(reference.rms_jerk, fallback.rms_jerk)},
+         units.of_term(objective.rms_acceleration, reference.rms_acceleration,
+                       [](const Peaks& law) { return law.rms_acceleration; })},
+        {Kind::rms, 3, objective.rms_jerk, &none,
+         units.of_term(objective.rms_jerk, reference.rms_jerk,
+                       [](const Peaks& law) { return law.rms_jerk; })},
     };
 }
 

@@ -118,14 +118,15 @@ BackendChoice choose_backend(const Scene& scene) {
 namespace {
 
 /// A scene whose objective is near one (CostScale).
-Solution solve_scaled(const Scene& scene, const SolveControl& control, GridMemory* memory) {
+Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
+                      GridMemory* memory) {
     const Clock::time_point begin = Clock::now();
     Solution solution;
     solution.scene = scene;
     const BackendChoice choice = choose_backend(scene);
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
-    solution.reference_peaks = reference_peaks(scene);
+    solution.reference_peaks = reference;
     solution.any_curve_limit = limit_of(scene, solution.reference_peaks);
     solution.solver.name = choice.solver;
     solution.solver.choice = choice.reason;
@@ -169,8 +170,11 @@ Solution solve_without_explaining(const Scene& scene, const SolveControl& contro
     validate(scene);
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
-    Solution solution = scene.spline.free_knots ? solve_free_knots(scale.scaled(), control)
-                                                : solve_scaled(scale.scaled(), control, memory);
+    Solution solution =
+        scene.spline.free_knots
+            ? solve_free_knots(scale.scaled(), control)
+            : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
+                           control, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
     return solution;
 }
