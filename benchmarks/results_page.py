@@ -165,6 +165,9 @@ def section_error(page):
     rows = page.rows("error_against_time.csv")
     if not rows:
         return
+    for row in rows:
+        if row["status"] == "unsupported":  # the start, handed back: neither a result nor a time
+            row["verdict"] = row["relative_error"] = row["seconds_median"] = ""
     page.say("## Error against run time", "")
     page.picture("error_against_time.svg", pictures.error_against_time(rows, page.machine), "Error against run time")
     lines = []
@@ -178,12 +181,16 @@ def section_error(page):
         largest = max((int(row["n"]) for row in proved), default=0)
         lines.append([backend, len(own), len(ran), len(proved), short(worst), largest, len(wrong),
                       sum(row["status"] == "time_limit" for row in ran),
-                      sum(row["status"].startswith("killed") for row in own), len(own) - len(ran)])
+                      sum(row["status"].startswith("killed") for row in own),
+                      sum(row["status"] == "unsupported" for row in own),
+                      sum(not row["verdict"] and row["status"] != "unsupported" for row in own)])
     page.say(*table(["backend", "rows", "ran", "proved", "worst error of the proved", "largest n proved",
-                     "says converged, 1e-6 off", "out of time", "hung, killed", "without a result"], lines))
+                     "says converged, 1e-6 off", "out of time", "hung, killed", "unsupported", "without a result"],
+                    lines))
     wrong = [row for row in rows if row["status"] == "converged" and (number(row, "relative_error") or 0) > 1e-6]
     false = [row for row in wrong if row["verdict"] == "optimal" and number(row, "relative_error") > 1e-5]
-    page.say("Seconds are those of the exchange on a problem made beforehand. A series ends where a solve runs out of its "
+    page.say("Seconds are those of the exchange on a problem made beforehand. `unsupported`: the method takes no equality "
+             "rows, and nearly all but DRD `coefficients` have some. A series ends where a solve runs out of its "
              "time (structured 6 s, Ipopt 2 s, NLopt 0.6 s); references are exact fractions or the structured solver's "
              "at tolerance 1e-10, proved to 1e-8 or better. Every solve runs in a process of its own: one that does not come "
              "back is killed and its row says so. "
