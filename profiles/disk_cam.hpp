@@ -26,6 +26,7 @@
 #pragma once
 
 #include "core/cam_spec.hpp"
+#include "core/follower_state.hpp"
 
 #include <Eigen/Core>
 
@@ -33,11 +34,6 @@
 #include <string>
 
 namespace camopt {
-
-/// Displacement and its derivatives by the cam angle, SI.
-struct FollowerState {
-    double s = 0.0, velocity = 0.0, acceleration = 0.0;  ///< s, s', s''
-};
 
 /// A cam with all its dimensions fixed.
 struct DiskCam {
