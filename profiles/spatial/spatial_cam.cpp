@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/spatial/spatial_cam.hpp"
+
+#include "profiles/spatial/spatial_formulas.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using Eigen::Vector3d;
+using enum SpatialDimension;
+
+/// The vector seen from the cam that has turned by `angle`.
+Vector3d turned_back(const Vector3d& fixed, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x(), fixed.z()};
+}
+
+/// In the fixed frame.
+RollerAxis standing_axis(const SpatialCam& cam, double q) {
+    const double c = std::cos(q), s = std::sin(q);
+    switch (cam.follower) {
+        case SpatialFollower::barrel:
+            return {{cam[arm_length] * c - cam[lateral_offset], cam[center_distance],
+                     -cam[arm_length] * s - cam.axial_offset},
+                    -Vector3d::UnitY(),
+                    {-s, 0.0, -c}};
+        case SpatialFollower::cylindrical_rotating:
+            return {{cam[lateral_offset], cam[center_distance] - cam[arm_length] * c,
+                     cam.axial_offset + cam[arm_length] * s},
+                    {0.0, -c, s},
+                    {0.0, s, c}};
+        case SpatialFollower::cylindrical_translating:
+            break;
+    }
+    return {{cam[lateral_offset], cam[center_distance], cam.axial_offset + q},
+            -Vector3d::UnitY(),
+            Vector3d::UnitZ()};
+}
+
+spatial_formulas::Variables<double> variables_of(const SpatialCam& cam, const FollowerState& state) {
+    return {cam.start + state.s, state.velocity,       state.acceleration, cam[roller_radius],
+            cam[arm_length],     cam[center_distance], cam[lateral_offset]};
+}
+
+}  // namespace
+
+const char* name_of(SpatialFollower value) {
+    switch (value) {
+        case SpatialFollower::barrel:
+            return "barrel";
+        case SpatialFollower::cylindrical_rotating:
+            return "cylindrical_rotating";
+        case SpatialFollower::cylindrical_translating:
+            break;
+    }
+    return "cylindrical_translating";
+}
+
+const char* name_of(SpatialDimension value) {
+    switch (value) {
+        case roller_radius:
+            return "roller_radius";
+        case arm_length:
+            return "arm_length";
+        case center_distance:
+            return "center_distance";
+        case lateral_offset:
+            break;
+    }
+    return "lateral_offset";
+}
+
+RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {
+    RollerAxis axis = standing_axis(cam, cam.start + s);
+    const double turn = sense_of(cam.rotation) * theta;
+    for (Vector3d* vector : {&axis.foot, &axis.direction, &axis.travel}) *vector = turned_back(*vector, turn);
+    return axis;
+}
+
+SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
+                           const RollerStation& station) {
+    const RollerAxis axis = roller_axis(cam, theta, state.s);
+    const auto motion = spatial_formulas::axis_motion(cam, variables_of(cam, state), station.height);
+    const double speed = std::hypot(motion.across_travel, motion.along_b);
+    const double side = station.flank > 0 ? 1.0 : -1.0;
+    const Vector3d across = axis.travel.cross(axis.direction);
+    SpatialPoint point;
+    point.center = axis.foot + station.height * axis.direction;
+    point.normal = side / speed * (motion.across_travel * across - motion.along_b * axis.travel);
+    point.contact = point.center + cam[roller_radius] * point.normal;
+    point.pressure_angle =
+        std::atan2(motion.across_travel, spatial_formulas::sign_of_b(cam) * motion.along_b);
+    point.undercut = spatial_formulas::undercut(motion, cam[roller_radius], station.flank);
+    return point;
+}
+
+}  // namespace camopt

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Three-dimensional cams whose follower carries a cylindrical roller: the kinematics of the roller's axis.
+//
+// Frames. The cam's axis is z. In the frame that stands still the cam turns by σθ about +z, with σ = +1
+// counterclockwise, −1 clockwise; θ is the cam angle of the motion. Cam frame = Rot_z(−σθ) · fixed. The
+// roller's axis is the line C(θ, h) = c(θ) + h e(θ), h >= 0 along the roller from its near end. Its place in
+// the fixed frame follows from the follower's position q = start + s alone:
+//   barrel                    (q = a, index radius r_i, l1, l2, l3; the index turns about y)
+//     C = (r_i cos q − l1, l3 − h, −r_i sin q − l2),      e = (0, −1, 0)
+//   cylindrical_rotating      (q = θ_f, follower length f_l, dx, dy, dz; the follower turns about x)
+//     C = (dx, dy − (f_l + h) cos q, dz + (f_l + h) sin q), e = (0, −cos q, sin q)
+//   cylindrical_translating   (the follower slides along z, q = s)
+//     C = (dx, ρ0 − h, z0 + q),                            e = (0, −1, 0)
+// With u the unit direction in which the axis travels (q' > 0), b = u × e, V = ∂C/∂θ in the cam frame,
+// V_u = V·u, V_b = V·b and W² = V_u² + V_b², the roller touches the flank σ_f = ±1 at C + r n,
+//   n = σ_f V × e / W = σ_f (V_u b − V_b u) / W,
+// which is both the envelope of the roller and the relative-velocity condition n · V = 0.
+//
+// Pressure angle tan φ = V_u / |V_b|, positive while the follower moves on:
+//   barrel (r_i q' − σ ρ sin q) / (ρ cos q), rotating (ρ q' − σ dx sin q) / (dy − ρ cos q), translating s'/ρ.
+// Undercut function g = (1 − r k1)(1 − r k2) of the offset of the axis surface; the flank is regular where
+// g > 0 and cut away beyond its edge g = 0. It is a local condition: see interference.hpp for the global one.
+//   g = 1 − r (L − 2FM)/W² − r² M²/W²,  F = V·e,  L = C_θθ·n,  M = e_θ·n.
+//
+// s, s', s'' are by the cam angle: m, m/rad, m/rad² for the translating follower, else rad, 1, 1/rad.
+// Lengths m. Where W = 0 (the axis does not move across itself) n and g are not defined: NaN.
+// Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
+#pragma once
+
+#include "core/cam_spec.hpp"
+#include "core/follower_state.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace camopt {
+
+enum class SpatialFollower { barrel, cylindrical_rotating, cylindrical_translating };
+[[nodiscard]] const char* name_of(SpatialFollower value);
+
+/// The dimensions that limits depend on. m.
+enum class SpatialDimension {
+    roller_radius,
+    arm_length,  ///< barrel: index radius r_i; rotating: f_l, pivot to the roller's near end; else unused
+    center_distance,  ///< barrel: l3; rotating: dy; translating: ρ0, from the cam's axis to the near end
+    lateral_offset    ///< barrel: l1; else dx
+};
+inline constexpr int spatial_dimension_count = 4;
+[[nodiscard]] const char* name_of(SpatialDimension value);  ///< "roller_radius", …
+
+/// A cam with all its dimensions fixed.
+struct SpatialCam {
+    SpatialFollower follower = SpatialFollower::barrel;
+    Rotation rotation = Rotation::counterclockwise;
+    std::array<double, spatial_dimension_count> dimensions{};  ///< by SpatialDimension
+    double axial_offset = 0.0;   ///< l2, dz, z0: shifts the cam along its axis and changes nothing else
+    double start = 0.0;          ///< q = start + s; rad, m
+    double roller_length = 0.0;  ///< stations 0 <= h <= roller_length
+
+    [[nodiscard]] double operator[](SpatialDimension index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+    [[nodiscard]] double& operator[](SpatialDimension index) {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// Why this cam cannot be built (a dimension not positive, the axis at or beyond the cam's axis, a barrel's
+/// arm beyond a right angle, …); empty: it can. `least`, `most`: the extremes of s.
+[[nodiscard]] std::string geometry_fault(const SpatialCam& cam, double least, double most);
+
+/// A place on the roller: distance h from its near end, and which of the two flanks it touches there.
+struct RollerStation {
+    double height = 0.0;  ///< h, m
+    int flank = 1;        ///< σ_f: +1 or −1
+};
+
+/// The roller's axis at one cam angle; vectors of the cam frame.
+struct RollerAxis {
+    Eigen::Vector3d foot;       ///< c: the near end, h = 0
+    Eigen::Vector3d direction;  ///< e, unit: from the near to the far end
+    Eigen::Vector3d travel;     ///< u, unit: where the axis goes with growing s
+};
+[[nodiscard]] RollerAxis roller_axis(const SpatialCam& cam, double theta, double s);
+
+/// What the cam is at one cam angle and one station.
+struct SpatialPoint {
+    Eigen::Vector3d center;       ///< C: of the roller's axis, cam frame
+    Eigen::Vector3d contact;      ///< C + r n: a point of the flank, cam frame
+    Eigen::Vector3d normal;       ///< n, unit, from the roller's axis into the cam's material, cam frame
+    double pressure_angle = 0.0;  ///< signed, rad; of both flanks
+    double undercut = 0.0;        ///< g
+};
+[[nodiscard]] SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
+                                         const RollerStation& station);
+
+/// What limits are made of.
+enum class SpatialQuantity {
+    pressure_numerator,    ///< tan φ = numerator / denominator; m
+    pressure_denominator,  ///< m; > 0 in a cam without geometry_fault
+    undercut               ///< g
+};
+
+/// Variables of the partials: (s, s', s'', dimensions by SpatialDimension).
+inline constexpr int spatial_variables = 3 + spatial_dimension_count;
+[[nodiscard]] constexpr int column_of(SpatialDimension dimension) {
+    return 3 + static_cast<int>(dimension);
+}
+
+/// A quantity with exact first and second partials (automatic differentiation of the formulas above).
+struct SpatialValue {
+    double value = 0.0;
+    Eigen::Matrix<double, spatial_variables, 1> gradient;
+    Eigen::Matrix<double, spatial_variables, spatial_variables> hessian;
+};
+[[nodiscard]] SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state,
+                                            const RollerStation& station, SpatialQuantity which);
+
+}  // namespace camopt

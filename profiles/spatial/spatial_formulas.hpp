@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Private to profiles/spatial/: how the roller's axis moves in the cam frame, in components along
+// u (travel), b = u × e and e, generic over the scalar: double gives points, automatic differentiation
+// partials. Derived from the positions in spatial_cam.hpp with C_θ = C' − σ z × C,
+// C_θθ = C'' − 2σ z × C' + z × (z × C), e_θ = e' − σ z × e.
+#pragma once
+
+#include "profiles/spatial/spatial_cam.hpp"
+
+#include <cmath>
+
+namespace camopt::spatial_formulas {
+
+/// The variables of a formula, in the order of the partials.
+template <class T>
+struct Variables {
+    T position, velocity, acceleration, roller_radius, arm_length, center_distance, lateral_offset;
+};
+
+/// V = ∂C/∂θ, the parts of A = C_θθ and of e_θ across the axis.
+template <class T>
+struct AxisMotion {
+    T across_travel, along_b, along_axis;  ///< V·u, V·b, V·e
+    T turn_u, turn_b;                      ///< A·u, A·b
+    T tilt_u, tilt_b;                      ///< e_θ·u, e_θ·b
+};
+
+template <class T>
+[[nodiscard]] AxisMotion<T> barrel_motion(const Variables<T>& v, double sense, double height) {
+    using std::cos, std::sin;
+    const T sine = sin(v.position), cosine = cos(v.position);
+    const T rho = v.center_distance - height;
+    const T lateral = v.arm_length * cosine - v.lateral_offset;
+    AxisMotion<T> m;
+    m.across_travel = v.arm_length * v.velocity - sense * rho * sine;
+    m.along_b = -sense * rho * cosine;
+    m.along_axis = sense * lateral;
+    m.turn_u = v.arm_length * v.acceleration + lateral * sine;
+    m.turn_b = v.arm_length * v.velocity * v.velocity + lateral * cosine;
+    m.tilt_u = sense * sine;
+    m.tilt_b = sense * cosine;
+    return m;
+}
+
+template <class T>
+[[nodiscard]] AxisMotion<T> rotating_motion(const Variables<T>& v, double sense, double height) {
+    using std::cos, std::sin;
+    const T sine = sin(v.position), cosine = cos(v.position);
+    const T rho = v.arm_length + height;
+    const T radial = v.center_distance - rho * cosine;
+    AxisMotion<T> m;
+    m.across_travel = rho * v.velocity - sense * v.lateral_offset * sine;
+    m.along_b = sense * radial;
+    m.along_axis = sense * v.lateral_offset * cosine;
+    m.turn_u = rho * v.acceleration - radial * sine;
+    m.turn_b = 2.0 * sense * rho * v.velocity * sine - v.lateral_offset;
+    m.tilt_u = v.velocity;
+    m.tilt_b = -sense * cosine;
+    return m;
+}
+
+template <class T>
+[[nodiscard]] AxisMotion<T> translating_motion(const Variables<T>& v, double sense, double height) {
+    AxisMotion<T> m;
+    m.across_travel = v.velocity;
+    m.along_b = sense * T(v.center_distance - height);
+    m.along_axis = sense * v.lateral_offset;
+    m.turn_u = v.acceleration;
+    m.turn_b = -v.lateral_offset;
+    // A zero that has the derivatives of a zero.
+    m.tilt_u = 0.0 * v.velocity;
+    m.tilt_b = m.tilt_u - sense;
+    return m;
+}
+
+template <class T>
+[[nodiscard]] AxisMotion<T> axis_motion(const SpatialCam& cam, const Variables<T>& variables, double height) {
+    const double sense = sense_of(cam.rotation);
+    switch (cam.follower) {
+        case SpatialFollower::barrel:
+            return barrel_motion(variables, sense, height);
+        case SpatialFollower::cylindrical_rotating:
+            return rotating_motion(variables, sense, height);
+        case SpatialFollower::cylindrical_translating:
+            break;
+    }
+    return translating_motion(variables, sense, height);
+}
+
+/// Which sign makes V·b positive in a cam without fault.
+[[nodiscard]] inline double sign_of_b(const SpatialCam& cam) {
+    const double sense = sense_of(cam.rotation);
+    return cam.follower == SpatialFollower::barrel ? -sense : sense;
+}
+
+/// g = 1 − r (L − 2FM)/W² − r² M²/W². With n_u = −σ_f V_b/W, n_b = σ_f V_u/W the products with n are
+/// written over W, so that one root is taken.
+template <class T>
+[[nodiscard]] T undercut(const AxisMotion<T>& m, const T& roller_radius, int flank) {
+    using std::sqrt;
+    const T squared = m.across_travel * m.across_travel + m.along_b * m.along_b;
+    const T inverse = T(1.0) / squared;
+    const T turn = m.turn_b * m.across_travel - m.turn_u * m.along_b;
+    const T tilt = m.tilt_b * m.across_travel - m.tilt_u * m.along_b;
+    const T bend = T(turn - 2.0 * m.along_axis * tilt) * inverse / T(sqrt(squared));
+    const T twist = roller_radius * tilt * inverse;
+    const double side = flank > 0 ? 1.0 : -1.0;
+    return T(1.0 - side * roller_radius * bend) - twist * twist;
+}
+
+}  // namespace camopt::spatial_formulas
