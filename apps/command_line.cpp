@@ -5,10 +5,12 @@
 #include "apps/pareto_run.hpp"
 #include "core/errors.hpp"
 #include "output/version.hpp"
+#include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep_run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -36,6 +38,7 @@ const char* examples =
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
+    "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
     "\n"
     "Exit codes: 0 optimal, local or feasible; 1 failed; 2 wrong input; 3 proved infeasible; 130 a sweep was "
     "interrupted.\n";
@@ -49,6 +52,7 @@ struct Words {
     CheckRequest check;
     ListRequest list;
     TableRequest table;
+    ReproduceRequest reproduce;
     SweepRequest sweep;
     SweepMergeRequest sweep_merge;
 };
@@ -121,6 +125,21 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
     command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the picture here")
         ->type_name("DIR");
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
+    return command;
+}
+
+CLI::App& add_reproduce(CLI::App& program, ReproduceRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "reproduce", "A paper's tables and figures computed again, beside the printed");
+    std::vector<std::string> ids;
+    for (const PaperInfo& paper : paper_catalogue()) ids.emplace_back(paper.id);
+    command.add_option("PAPER", request.paper, fmt::format("{}", fmt::join(ids, ", ")))
+        ->type_name("")
+        ->required()
+        ->check(CLI::IsMember(ids));
+    command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the pictures here")
+        ->type_name("DIR");
+    command.add_flag("--json", request.json, "Print the report as JSON and nothing else");
     return command;
 }
 
@@ -266,6 +285,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& check = add_check(program, parsed.check);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
+    const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
     CLI::App& sweep = add_sweep(program, parsed.sweep);
     const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
     try {
@@ -290,6 +310,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
         return check_command(parsed.check);
     }
     if (table.parsed()) return table_command(parsed.table);
+    if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
         find_scene(parsed.sweep.scene, parsed.sweep.settings);

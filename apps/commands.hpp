@@ -82,4 +82,11 @@ struct TableRequest {
 };
 [[nodiscard]] ExitCode table_command(const TableRequest& request);
 
+struct ReproduceRequest {
+    std::string paper;  ///< "000" … "004"
+    std::string out;    ///< folder; empty: nothing is written
+    bool json = false;
+};
+[[nodiscard]] ExitCode reproduce_command(const ReproduceRequest& request);
+
 }  // namespace camopt::apps

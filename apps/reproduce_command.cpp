@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// camopt reproduce: a paper's tables and figures beside ours.
+#include "apps/commands.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/progress.hpp"
+#include "output/paper_figure_svg.hpp"
+#include "output/paper_report_csv.hpp"
+#include "output/paper_report_json.hpp"
+#include "output/paper_report_text.hpp"
+#include "output/result_folder.hpp"
+#include "output/text_file.hpp"
+#include "studies/papers/paper_catalogue.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+namespace camopt::apps {
+
+namespace {
+
+struct ReportRun {
+    PaperReport report;
+    bool interrupted = false;
+};
+
+ReportRun computed_report(const PaperInfo& paper) {
+    const InterruptWatch watch;
+    const auto progress = terminal_progress();
+    const auto finished = [&](const std::string& what) {
+        if (progress) progress(what);
+    };
+    ReportRun run{paper.report({InterruptWatch::interrupted, {}}, finished), false};
+    end_progress();
+    run.interrupted = InterruptWatch::interrupted();
+    return run;
+}
+
+void write_report_folder(const std::filesystem::path& folder, const PaperReport& report) {
+    write_text_file(folder / "report.json", paper_report_json(report));
+    write_text_file(folder / "report.md", paper_report_markdown(report));
+    for (const PaperTable& table : report.tables)
+        write_text_file(folder / (table.key + ".csv"), paper_table_csv(table));
+    for (const PaperFigure& figure : report.figures) {
+        write_text_file(folder / (figure.key + ".csv"), paper_figure_csv(figure));
+        write_text_file(folder / (figure.key + ".svg"), paper_figure_svg(figure));
+    }
+}
+
+}  // namespace
+
+ExitCode reproduce_command(const ReproduceRequest& request) {
+    const PaperInfo& paper = find_paper(request.paper);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const ReportRun run = computed_report(paper);
+    if (run.interrupted) {
+        std::fputs("camopt: interrupted; the report is incomplete and was not written\n", stderr);
+        return failure;
+    }
+    if (!request.out.empty()) write_report_folder(request.out, run.report);
+    const std::string text = request.json ? paper_report_json(run.report) : paper_report_text(run.report);
+    std::fputs(text.c_str(), stdout);
+    return run.report.faults.empty() ? success : failure;
+}
+
+}  // namespace camopt::apps

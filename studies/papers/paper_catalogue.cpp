@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "studies/papers/paper_catalogue.hpp"
+
+#include "core/errors.hpp"
+#include "studies/papers/paper_004.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace camopt {
+
+std::span<const PaperInfo> paper_catalogue() {
+    static constexpr std::array papers = {
+        PaperInfo{"004", "optimum cam curves by cubic splines, 1994", paper_004},
+    };
+    return papers;
+}
+
+const PaperInfo& find_paper(std::string_view id) {
+    const auto papers = paper_catalogue();
+    const auto found = std::ranges::find(papers, id, &PaperInfo::id);
+    if (found != papers.end()) return *found;
+    std::string known;
+    for (const PaperInfo& paper : papers) {
+        if (!known.empty()) known += ", ";
+        known += paper.id;
+    }
+    throw InputError(fmt::format("paper '{}' is not known; known are {}", id, known));
+}
+
+}  // namespace camopt
