@@ -17,6 +17,11 @@ MAY_INCLUDE = {
     "studies": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
     "output": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
+# Mechanisms beside the disk cams: leaves, none of which knows another, so that each can be linked alone.
+LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
+for user in ("objectives", "studies", "output"):
+    MAY_INCLUDE[user] |= LEAVES
+MAY_INCLUDE |= {leaf: {"core"} for leaf in LEAVES}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")
@@ -24,6 +29,14 @@ MAY_INCLUDE |= {
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
 MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps"}
 MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
+
+
+def module_of(path):
+    """The module a file belongs to: its folder, or the leaf below it ("profiles/inverse")."""
+    parts = pathlib.PurePosixPath(path).parts
+    leaf = "/".join(parts[:2])
+    return leaf if len(parts) > 2 and leaf in MAY_INCLUDE else parts[0]
+
 
 CODE = {".cpp", ".hpp"}
 LEFT_OUT = ("build", "out", "node_modules", "__pycache__", ".")
