@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/cam_spec.hpp"
+#include "core/mechanism_spec.hpp"
 
 #include <array>
 #include <map>
@@ -142,8 +143,9 @@ struct Scene {
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;
-    std::optional<CamSpec> cam;       ///< none: no profile exists and no profile code runs
-    std::optional<ForceSpec> forces;  ///< needs a cam and a speed
+    std::optional<CamSpec> cam;              ///< a disk cam; none: no profile exists and no profile code runs
+    std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
+    std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
     SolverSpec solver;
 };

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Any mechanism between a cam and its output, as the optimizer sees it: one state of the output and the
+// mechanism's dimensions make the quantities that limits are made of.
+//
+// Implemented by the leaves of profiles/ (remote, …); objectives/ turns it into rules and knows no more. A
+// mechanism is a formula: its numbers (dimensions) come with every call, in the order of its MechanismSpec.
+// Stations are places along the contact that each keep the limits by themselves: one in a planar cam, heights
+// and flanks of a roller in a spatial one.
+//
+// SI: m, rad, s' and s'' by the cam angle. A state or dimensions out of the mechanism's reach give NaN, never
+// a throw; `fault` says in words what does not reach.
+#pragma once
+
+#include "core/follower_state.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+enum class MechanismQuantity {
+    pressure_numerator,    ///< tan φ = numerator / denominator; m
+    pressure_denominator,  ///< > 0 where the mechanism moves; m
+    pitch_curvature,       ///< of the roller centre's path, 1/m, > 0 where the cam is convex; planar cams
+    regularity             ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
+};
+
+/// Value with first and second partials by (s, s', s'', the active dimensions in their order).
+struct MechanismValue {
+    double value = 0.0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+};
+
+/// One state of one mechanism.
+struct MechanismState {
+    std::span<const double> dimensions;
+    FollowerState output;
+};
+
+/// One point of the cam at one station. Planar: z = 0.
+struct MechanismPoint {
+    double theta = 0.0;
+    Eigen::Vector3d pitch, contact;  ///< roller centre (axis) and a point of the cam's surface, cam frame
+    Eigen::Vector3d normal;          ///< outward unit normal of the cam there, cam frame
+    double pressure_angle = 0.0;     ///< signed, rad
+    double pitch_curvature = 0.0;    ///< 1/m; NaN where the mechanism has none
+    double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
+    double regularity = 0.0;
+};
+
+/// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
+struct MechanismShape {
+    enum class Kind { link, circle, pivot, guide };
+    Kind kind = Kind::link;
+    std::string name;                     ///< "lever", "roller", …
+    std::vector<Eigen::Vector2d> points;  ///< link, guide: its line; circle, pivot: the centre
+    double radius = 0.0;                  ///< circle
+};
+
+class CamMechanism {
+ public:
+    virtual ~CamMechanism() = default;
+
+    [[nodiscard]] virtual std::string type() const = 0;  ///< "remote"
+    [[nodiscard]] virtual int stations() const = 0;
+    [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
+    /// Where in the dimensions the roller's radius stands.
+    [[nodiscard]] virtual int roller_radius() const = 0;
+    /// Planar: it has a pitch curve with a curvature, and can be drawn.
+    [[nodiscard]] virtual bool planar() const = 0;
+    /// A length by which geometry is made dimensionless, m.
+    [[nodiscard]] virtual double length(std::span<const double> dimensions) const = 0;
+    /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
+    [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
+                                            double most) const = 0;
+    /// active: which dimensions the partials are by.
+    [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
+                                                  int station, std::span<const int> active) const = 0;
+    [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
+                                               int station) const = 0;
+    /// Its links at one output; empty where it cannot be drawn.
+    [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
+
+ protected:
+    CamMechanism() = default;
+    CamMechanism(const CamMechanism&) = default;
+    CamMechanism& operator=(const CamMechanism&) = default;
+};
+
+}  // namespace camopt
