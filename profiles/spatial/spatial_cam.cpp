@@ -41,11 +41,6 @@ RollerAxis standing_axis(const SpatialCam& cam, double q) {
             Vector3d::UnitZ()};
 }
 
-spatial_formulas::Variables<double> variables_of(const SpatialCam& cam, const FollowerState& state) {
-    return {cam.start + state.s, state.velocity,       state.acceleration, cam[roller_radius],
-            cam[arm_length],     cam[center_distance], cam[lateral_offset]};
-}
-
 }  // namespace
 
 const char* name_of(SpatialFollower value) {
@@ -84,7 +79,8 @@ RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {
 SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
                            const RollerStation& station) {
     const RollerAxis axis = roller_axis(cam, theta, state.s);
-    const auto motion = spatial_formulas::axis_motion(cam, variables_of(cam, state), station.height);
+    const auto motion =
+        spatial_formulas::axis_motion(cam, spatial_formulas::variables_of(cam, state), station.height);
     const double speed = std::hypot(motion.across_travel, motion.along_b);
     const double side = station.flank > 0 ? 1.0 : -1.0;
     const Vector3d across = axis.travel.cross(axis.direction);

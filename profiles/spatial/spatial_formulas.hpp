@@ -17,6 +17,12 @@ struct Variables {
     T position, velocity, acceleration, roller_radius, arm_length, center_distance, lateral_offset;
 };
 
+[[nodiscard]] inline Variables<double> variables_of(const SpatialCam& cam, const FollowerState& state) {
+    using enum SpatialDimension;
+    return {cam.start + state.s, state.velocity,       state.acceleration, cam[roller_radius],
+            cam[arm_length],     cam[center_distance], cam[lateral_offset]};
+}
+
 /// V = ∂C/∂θ, the parts of A = C_θθ and of e_θ across the axis.
 template <class T>
 struct AxisMotion {
@@ -93,19 +99,29 @@ template <class T>
     return cam.follower == SpatialFollower::barrel ? -sense : sense;
 }
 
-/// g = 1 − r (L − 2FM)/W² − r² M²/W². With n_u = −σ_f V_b/W, n_b = σ_f V_u/W the products with n are
-/// written over W, so that one root is taken.
+/// g = 1 − σ_f r bend − (r twist)², with bend = σ_f (L − 2FM)/W² and twist = σ_f M/W.
+/// n_u = −σ_f V_b/W and n_b = σ_f V_u/W put in; the products are written over W, so that one root is taken.
 template <class T>
-[[nodiscard]] T undercut(const AxisMotion<T>& m, const T& roller_radius, int flank) {
+struct UndercutTerms {
+    T bend, twist;
+};
+
+template <class T>
+[[nodiscard]] UndercutTerms<T> undercut_terms(const AxisMotion<T>& m) {
     using std::sqrt;
     const T squared = m.across_travel * m.across_travel + m.along_b * m.along_b;
     const T inverse = T(1.0) / squared;
     const T turn = m.turn_b * m.across_travel - m.turn_u * m.along_b;
     const T tilt = m.tilt_b * m.across_travel - m.tilt_u * m.along_b;
-    const T bend = T(turn - 2.0 * m.along_axis * tilt) * inverse / T(sqrt(squared));
-    const T twist = roller_radius * tilt * inverse;
+    return {T(turn - 2.0 * m.along_axis * tilt) * inverse / T(sqrt(squared)), tilt * inverse};
+}
+
+template <class T>
+[[nodiscard]] T undercut(const AxisMotion<T>& m, const T& roller_radius, int flank) {
+    const UndercutTerms<T> terms = undercut_terms(m);
+    const T twisted = roller_radius * terms.twist;
     const double side = flank > 0 ? 1.0 : -1.0;
-    return T(1.0 - side * roller_radius * bend) - twist * twist;
+    return T(1.0 - side * roller_radius * terms.bend) - twisted * twisted;
 }
 
 }  // namespace camopt::spatial_formulas

@@ -27,6 +27,8 @@ SpatialValue expanded(const SecondOrder& result) {
     value.value = result.value().value();
     value.gradient = result.value().derivatives();
     for (int i = 0; i < n; ++i) value.hessian.col(i) = result.derivatives()(i).derivatives();
+    // Mixed partials differ by rounding in the order they are taken.
+    value.hessian = (0.5 * (value.hessian + value.hessian.transpose())).eval();
     return value;
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Whether a cutter that moves like the roller takes away what it should leave.
+//
+// g > 0 is a local condition and only where it is asked. Here a flank's points are held against the whole
+// sweep of a cutter of the roller's radius, from `cutter.from` to `cutter.to` along the roller's axis: a
+// point lies by d inside the cutter at cam angle θ', when
+//   d = min(r − distance from the cutter's axis, its distance from either end of the cutter) > 0.
+// The largest d over all θ' of the motion is found between samples too. A sound flank is touched, never
+// entered: d = 0 to rounding (1e-13 m). Where g changes sign on the flank, its grid folds: the triangle of
+// neighbouring points turns its back, counted by `folded_cells`.
+// Lengths m, angles rad.
+#pragma once
+
+#include "profiles/spatial/flank_grid.hpp"
+#include "profiles/spatial/spatial_extremes.hpp"
+
+namespace camopt {
+
+struct InterferenceOptions {
+    HeightRange cutter = {};  ///< its two ends along the roller's axis; to = 0: the roller
+    HeightRange flank = {};   ///< the stretch of the flanks that is checked; to = 0: the roller
+    int sections = 9;         ///< of that stretch; >= 1 (one: its far end)
+    int angles = 361;         ///< at which flank points are taken; >= 2
+    int cutter_angles = 721;  ///< of the sweep, before refinement; >= 3
+
+    void validate() const;  ///< throws InputError
+};
+
+struct Interference {
+    double depth = 0.0;         ///< the largest d
+    double theta = 0.0;         ///< where the flank's point is made
+    double cutter_theta = 0.0;  ///< where the cutter takes it away
+    double height = 0.0;        ///< h of the flank's point
+    int flank = 1;
+    long points = 0;  ///< flank points checked
+};
+
+/// Of both flanks.
+[[nodiscard]] Interference interference(const SpatialCam& cam, const FollowerMotion& motion,
+                                        const InterferenceOptions& options);
+/// Of one flank's points at given cam angles, against the cutter while it passes the whole motion.
+[[nodiscard]] Interference interference(const SpatialCam& cam, const FollowerMotion& motion,
+                                        const InterferenceOptions& options, const FlankGrid& grid);
+
+/// Cells of the grid in which σ_f (R_θ × R_h) · n, by differences of the points, has the wrong sign.
+[[nodiscard]] int folded_cells(const FlankGrid& grid, int flank);
+
+}  // namespace camopt
