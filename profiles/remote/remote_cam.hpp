@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Disk cam whose roller lever moves an output through a linkage (remote follower): the motion is prescribed
+// at the output, limits hold at the cam.
+//
+// The linkage is followed backwards, from the output s to the lever, dyad by dyad in closed form; ψ(s) and
+// its derivatives by implicit differentiation, ψ' = ψ_s s', ψ'' = ψ_ss s'² + ψ_s s''. With u the direction of
+// the roller's arm, t = z × u, A the lever's pivot seen from the cam's centre, l the roller's arm and σ the
+// cam's sense the roller's centre is C = A + l u, and
+//   tan φ = (C·u − σ l ψ') / C·t                 at the roller's centre (the roller turns freely),
+//   tan φ = (C·u − σ l ψ' − r |V|/l) / C·t       at the contact point taken as fixed to the lever,
+//   |V|² = (C·u − σ l ψ')² + (C·t)²              speed of the roller's centre against the cam.
+// φ turns from t, the way of the roller while the lever turns counterclockwise.
+// Numerator and denominator are given the sign that makes the denominator positive in this mechanism.
+// Frames and signs otherwise as in profiles/disk_cam.hpp; coordinates are those of the scene.
+// Linkages, dimensions and branches: core/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has the words.
+// Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
+#pragma once
+
+#include "core/cam_mechanism.hpp"
+#include "core/remote_spec.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+class RemoteCam final : public CamMechanism {
+ public:
+    /// Takes type, sense and branches from the spec; of the dimensions only their middles, to tell on which
+    /// side of the cam the lever works. Throws InputError for a choice it does not know.
+    explicit RemoteCam(const MechanismSpec& spec);
+
+    [[nodiscard]] std::string type() const override { return "remote"; }
+    [[nodiscard]] int stations() const override { return 1; }
+    [[nodiscard]] std::string station_name(int) const override { return {}; }
+    [[nodiscard]] int roller_radius() const override {
+        return static_cast<int>(RemoteDimension::roller_radius);
+    }
+    [[nodiscard]] bool planar() const override { return true; }
+    [[nodiscard]] double length(std::span<const double> dimensions) const override;
+    [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
+                                    double most) const override;
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) const override;
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+
+    /// Of the roller's arm: its angle from +x in (−π, π], and its derivatives by the cam angle.
+    struct LeverState {
+        double angle = 0.0, velocity = 0.0, acceleration = 0.0;
+    };
+    [[nodiscard]] LeverState lever(const MechanismState& state) const;
+
+    [[nodiscard]] RemoteLinkage linkage() const { return linkage_; }
+    [[nodiscard]] Rotation rotation() const { return rotation_; }
+    [[nodiscard]] PressurePoint pressure_point() const { return pressure_point_; }
+    /// The same mechanism, its pressure angle measured elsewhere.
+    [[nodiscard]] RemoteCam measured_at(PressurePoint where) const;
+
+ private:
+    RemoteLinkage linkage_;
+    Rotation rotation_;
+    PressurePoint pressure_point_;
+    double lever_branch_, rocker_branch_;
+    double side_ = 1.0;  ///< sign of C·t
+
+    template <class T>
+    friend struct RemoteEvaluation;
+};
+
+/// The linkage run forwards, by positions alone: lever -> output. For checks that must not know ψ(s).
+class RemoteLinkageForward {
+ public:
+    /// The branches are those of `cam` at output s = 0.
+    RemoteLinkageForward(const RemoteCam& cam, std::span<const double> dimensions);
+
+    /// s for an angle of the roller's arm from +x; NaN where the linkage does not reach.
+    [[nodiscard]] double output(double angle) const;
+
+ private:
+    RemoteLinkage linkage_;
+    std::vector<double> dimensions_;
+    double far_branch_ = 1.0, slider_branch_ = 1.0;
+
+    [[nodiscard]] Eigen::Vector2d lever_joint(double angle) const;
+    [[nodiscard]] double slid(const Eigen::Vector2d& joint, double coupler) const;
+};
+
+}  // namespace camopt
