@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "output/nc/block_angles.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr int most_halvings = 16;     // of the pieces a section begins with
+constexpr int first_pieces = 8;       // so that no wave of the path hides between the quarters
+constexpr double longest_step = 0.1;  // rad: beyond, half a turn of an axis is no longer certain
+
+class Subdivision {
+ public:
+    Subdivision(const ToolPath& path, const Machine& machine, const BlockOptions& options)
+        : path_(path), machine_(machine), options_(options) {}
+
+    void add_even(double begin, double end, int count) {
+        for (int i = 0; i < count; ++i)
+            add(begin + (end - begin) * i / count, begin + (end - begin) * (i + 1) / count, 0);
+    }
+    void add_within_tolerance(double begin, double end) {
+        const int pieces = std::max(first_pieces, static_cast<int>(std::ceil((end - begin) / longest_step)));
+        for (int i = 0; i < pieces; ++i)
+            add(begin + (end - begin) * i / pieces, begin + (end - begin) * (i + 1) / pieces, most_halvings);
+    }
+    [[nodiscard]] BlockAngles finish() && { return std::move(result_); }
+
+ private:
+    void add(double begin, double end, int halvings) {
+        const double deviation = chord_deviation(begin, end);
+        if (deviation > options_.chord_tolerance && halvings > 0) {
+            const double middle = 0.5 * (begin + end);
+            add(begin, middle, halvings - 1);
+            add(middle, end, halvings - 1);
+            return;
+        }
+        if (result_.theta.empty()) result_.theta.push_back(begin);
+        result_.theta.push_back(end);
+        result_.chord_deviation = std::max(result_.chord_deviation, deviation);
+    }
+
+    [[nodiscard]] double chord_deviation(double begin, double end) const {
+        const Eigen::VectorXd first = machine_.values(path_(begin));
+        const Eigen::VectorXd last = nearest_turn(machine_, machine_.values(path_(end)), first);
+        double worst = 0.0;
+        for (const double share : {0.25, 0.5, 0.75}) {
+            const ToolPose wanted = path_(begin + share * (end - begin));
+            const ToolPose found = machine_.pose(first + share * (last - first));
+            const Eigen::Vector3d tip = found.tip - wanted.tip;
+            const Eigen::Vector3d back = tip - options_.working_length * (found.axis - wanted.axis);
+            worst = std::max({worst, tip.norm(), back.norm()});
+        }
+        return worst;
+    }
+
+    const ToolPath& path_;
+    const Machine& machine_;
+    const BlockOptions& options_;
+    BlockAngles result_;
+};
+
+void check_knots(std::span<const double> knots) {
+    if (knots.size() < 2) throw InputError("blocks need at least two knots: begin and end");
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        if (!(knots[i] > knots[i - 1]) || !std::isfinite(knots[i] - knots[i - 1]))
+            throw InputError(fmt::format("the knots of a cutter path must ascend; found {} after {}",
+                                         knots[i], knots[i - 1]));
+}
+
+}  // namespace
+
+void BlockOptions::validate() const {
+    if (count && *count < 1) throw InputError(fmt::format("blocks: must be >= 1, found {}", *count));
+    if (!(std::isfinite(chord_tolerance) && chord_tolerance > 0.0))
+        throw InputError(fmt::format("chord tolerance: must be > 0 m, found {:g}", chord_tolerance));
+    if (!(std::isfinite(working_length) && working_length >= 0.0))
+        throw InputError(fmt::format("working length: must be >= 0 m, found {:g}", working_length));
+}
+
+BlockAngles block_angles(const ToolPath& path, const Machine& machine, std::span<const double> knots,
+                         const BlockOptions& options) {
+    options.validate();
+    check_knots(knots);
+    Subdivision subdivision(path, machine, options);
+    if (options.count) {
+        subdivision.add_even(knots.front(), knots.back(), *options.count);
+    } else {
+        for (std::size_t i = 1; i < knots.size(); ++i)
+            subdivision.add_within_tolerance(knots[i - 1], knots[i]);
+    }
+    return std::move(subdivision).finish();
+}
+
+}  // namespace camopt

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// At which cam angles a program has its blocks.
+//
+// A control moves all axes in proportion between two blocks. The cutter leaves the true path by the chord
+// deviation: the largest distance, at either end of its working length, between where the axes put it and
+// where it belongs. It is of the second order in the step. m and rad.
+#pragma once
+
+#include "output/nc/machine.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace camopt {
+
+struct BlockOptions {
+    std::optional<int> count = {};  ///< >= 1: so many blocks, evenly over all knots; none: by the tolerance
+    double chord_tolerance = 1e-6;  ///< m, > 0
+    double working_length = 0.0;    ///< m, >= 0: from the tip back along the cutter
+
+    void validate() const;  ///< throws InputError
+};
+
+struct BlockAngles {
+    std::vector<double> theta;  ///< ascending; one more than there are blocks
+    /// m: the largest found at the quarters of each block. Above the tolerance only where a block was halved
+    /// as often as it may be (the path jumps), or a count was asked for.
+    double chord_deviation = 0.0;
+};
+
+/// knots: ascending, at least two: begin, angles where the motion changes its formula, end. Without a count
+/// every knot starts a block. Throws InputError for wrong options and knots.
+[[nodiscard]] BlockAngles block_angles(const ToolPath& path, const Machine& machine,
+                                       std::span<const double> knots, const BlockOptions& options);
+
+}  // namespace camopt

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "output/nc/nc_writer.hpp"
+
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace camopt {
+
+NcWriter::NcWriter(const Machine& machine, const PostProcessor& post)
+    : machine_(machine), post_(post), last_words_(machine.axes().size()), block_(post.first_block) {}
+
+void NcWriter::line(const std::string& words) {
+    if (post_.block_step > 0 && words != "%") {
+        text_ += fmt::format("N{} ", block_);
+        block_ += post_.block_step;
+    }
+    text_ += words + "\n";
+}
+
+void NcWriter::comment(std::string_view words) {
+    std::string plain;
+    for (const char letter : words)  // brackets end comments, and a control reads ASCII
+        plain +=
+            letter == '(' || letter == ')' || letter == ';' || letter < ' ' || letter > '~' ? ' ' : letter;
+    text_ += fmt::format("{}{}{}\n", post_.comment_begin, plain, post_.comment_end);
+}
+
+/// G93 or G94 where it changes.
+void NcWriter::mode(std::string_view word) {
+    if (feed_mode_ == word) return;
+    feed_mode_ = word;
+    line(std::string(word));
+}
+
+/// Every known {word} replaced; what stands for it is not searched again.
+std::string NcWriter::placed(const std::string& text) const {
+    std::string result;
+    for (std::size_t place = 0; place < text.size();) {
+        const std::size_t end = text[place] == '{' ? text.find('}', place) : std::string::npos;
+        const auto found = end == std::string::npos ? placeholders_.end()
+                                                    : placeholders_.find(text.substr(place, end + 1 - place));
+        if (found == placeholders_.end()) {
+            result += text[place++];
+            continue;
+        }
+        result += found->second;
+        place = end + 1;
+    }
+    return result;
+}
+
+std::string NcWriter::number(double value, int decimals) const {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);  // no -0.000
+    return text;
+}
+
+std::string NcWriter::axis_word(std::size_t axis, double value, bool always) {
+    const MachineAxis& kind = machine_.axes()[axis];
+    const PostAxis& post = post_axis(post_, kind);
+    const int decimals = kind.kind == AxisKind::linear ? post_.linear_decimals : post_.angle_decimals;
+    const double printed = (post.sign * value + post.offset) / printed_unit(post_, kind.kind);
+    std::string word = " " + post.letter + number(printed, decimals);
+    if (!always && post_.modal && word == last_words_[axis]) return {};
+    last_words_[axis] = word;
+    return word;
+}
+
+std::string NcWriter::axis_words(const Eigen::VectorXd& values) {
+    std::string words;
+    for (std::size_t i = 0; i < machine_.axes().size(); ++i)
+        words += axis_word(i, values(static_cast<Eigen::Index>(i)), false);
+    return words.empty() ? axis_word(0, values(0), true) : words;  // a block that rests is a block too
+}
+
+void NcWriter::begin(const NcJob& job) {
+    placeholders_ = {{"{title}", job.title},
+                     {"{tool}", job.tool},
+                     {"{post}", post_.name},
+                     {"{machine}", machine_.name()},
+                     {"{spindle_rpm}", fmt::format("{:.0f}", job.spindle_rpm)}};
+    for (const std::string& words : post_.header) line(placed(words));
+    const bool inch = post_.unit == LengthUnit::inch;
+    const char* const length = inch ? "inch" : "mm";
+    comment(job.title);
+    comment(fmt::format("tool: {}", job.tool));
+    comment(fmt::format("machine: {}, post-processor: {}", machine_.name(), post_.name));
+    std::string letters;
+    for (const MachineAxis& axis : machine_.axes())
+        letters += fmt::format("{}{} = {} in {}", letters.empty() ? "" : ", ", post_axis(post_, axis).letter,
+                               axis.key, axis.kind == AxisKind::linear ? length : "deg");
+    comment(letters);
+    comment(post_.feed_mode == FeedMode::inverse_time
+                ? "feed: G93, F = 1 / minutes of the block, plunging: G94"
+                : fmt::format("feed: G94, {} / min", length));
+    for (const std::string& remark : job.remarks) comment(remark);
+    line(fmt::format("{} G90 G94", inch ? "G20" : "G21"));
+    feed_mode_ = "G94";
+    if (job.spindle_rpm > 0.0 && !post_.spindle_on.empty()) line(placed(post_.spindle_on));
+}
+
+void NcWriter::approach(std::string_view name, const NcStep& first, double height) {
+    comment(fmt::format("pass: {}", name));
+    line("G0" + axis_word(2, height, true));
+    std::string words;
+    for (std::size_t i = 0; i < machine_.axes().size(); ++i)
+        if (i != 2) words += axis_word(i, first.values(static_cast<Eigen::Index>(i)), true);
+    line("G0" + words);
+}
+
+void NcWriter::plunge(const NcStep& first, double feed) {
+    mode("G94");
+    const double per_minute = feed * 60.0 / metres_of(post_.unit);
+    line("G1" + axis_word(2, first.values(2), true) + " F" + number(per_minute, post_.feed_decimals));
+}
+
+void NcWriter::cut(const NcStep& step, double seconds, double feed) {
+    const bool by_time = post_.feed_mode == FeedMode::inverse_time;
+    mode(by_time ? "G93" : "G94");
+    const double word = by_time ? 60.0 / seconds : feed * 60.0 / metres_of(post_.unit);
+    line("G1" + axis_words(step.values) + " F" + number(word, post_.feed_decimals));
+}
+
+void NcWriter::retract(double height) {
+    mode("G94");
+    line("G0" + axis_word(2, height, true));
+}
+
+std::string NcWriter::finish() {
+    for (const std::string& words : post_.footer) line(placed(words));
+    return std::move(text_);
+}
+
+}  // namespace camopt

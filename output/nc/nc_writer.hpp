@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Private to output/nc/: G-code line by line.
+#pragma once
+
+#include "output/nc/nc_program.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+struct NcStep {
+    ToolPose pose;
+    Eigen::VectorXd values;
+};
+
+class NcWriter {
+ public:
+    NcWriter(const Machine& machine, const PostProcessor& post);
+
+    /// Header, what the numbers mean, units and modes.
+    void begin(const NcJob& job);
+    /// Rapid: up, over the first pose, the rotary axes turned.
+    void approach(std::string_view name, const NcStep& first, double height);
+    void plunge(const NcStep& first, double feed);
+    /// seconds: of the block; feed: m/s, where F is not a time.
+    void cut(const NcStep& step, double seconds, double feed);
+    void retract(double height);
+    /// The text, with the footer.
+    [[nodiscard]] std::string finish();
+
+ private:
+    void line(const std::string& words);
+    void comment(std::string_view words);
+    void mode(std::string_view word);
+    [[nodiscard]] std::string placed(const std::string& text) const;
+    [[nodiscard]] std::string axis_word(std::size_t axis, double value, bool always);
+    [[nodiscard]] std::string axis_words(const Eigen::VectorXd& values);
+    [[nodiscard]] std::string number(double value, int decimals) const;
+
+    const Machine& machine_;
+    const PostProcessor& post_;
+    std::map<std::string, std::string> placeholders_;
+    std::vector<std::string> last_words_;
+    std::string text_, feed_mode_;
+    int block_ = 0;
+};
+
+}  // namespace camopt
