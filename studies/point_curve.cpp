@@ -14,8 +14,6 @@ namespace camopt {
 
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr std::size_t stencil_points = 7;  // sixth order; more points amplify the rounding of the input
 constexpr int improvements = 2;            // of the parameter: each gains two orders
 constexpr double repeated = 1e-9;          // of the mean distance: a point this close repeats its predecessor
@@ -53,11 +51,13 @@ Weights derivative_weights(double at, std::span<const double> places) {
     return weights;
 }
 
+template <class Point>
 struct NodeDerivatives {
-    Vector2d first = Vector2d::Zero(), second = Vector2d::Zero();
+    Point first = Point::Zero(), second = Point::Zero();
 };
 
-double mean_distance(std::span<const Vector2d> points) {
+template <class Point>
+double mean_distance(std::span<const Point> points) {
     double sum = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
     return sum / static_cast<double>(points.size());
@@ -65,7 +65,8 @@ double mean_distance(std::span<const Vector2d> points) {
 
 }  // namespace
 
-PointCurve::PointCurve(std::span<const Vector2d> points, std::span<const int> breaks, bool closed)
+template <int dimension>
+PointCurveOf<dimension>::PointCurveOf(std::span<const Point> points, std::span<const int> breaks, bool closed)
     : closed_(closed) {
     std::set<std::size_t> wanted;
     for (const int index : breaks) {
@@ -96,13 +97,15 @@ PointCurve::PointCurve(std::span<const Vector2d> points, std::span<const int> br
     }
 }
 
-void PointCurve::set_chord_parameters() {
+template <int dimension>
+void PointCurveOf<dimension>::set_chord_parameters() {
     nodes_.assign(points_.size(), 0.0);
     for (std::size_t i = 1; i < points_.size(); ++i)
         nodes_[i] = nodes_[i - 1] + (points_[i] - points_[i - 1]).norm();
 }
 
-void PointCurve::set_arc_parameters() {
+template <int dimension>
+void PointCurveOf<dimension>::set_arc_parameters() {
     // Gauss-Legendre with five points on [0, 1]: exact far beyond the quintic's own error.
     static constexpr std::array<double, 5> places = {0.04691007703066800, 0.2307653449471585, 0.5,
                                                      0.7692346550528415, 0.9530899229693320};
@@ -111,7 +114,7 @@ void PointCurve::set_arc_parameters() {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         double length = 0.0;
         for (std::size_t k = 0; k < places.size(); ++k) {
-            Vector2d slope = Vector2d::Zero();
+            Point slope = Point::Zero();
             for (int power = 5; power > 0; --power) slope = slope * places[k] + power * pieces_[i].col(power);
             length += weights[k] * slope.norm();
         }
@@ -119,14 +122,16 @@ void PointCurve::set_arc_parameters() {
     }
 }
 
-void PointCurve::fit() {
+template <int dimension>
+void PointCurveOf<dimension>::fit() {
     pieces_.assign(points_.size() - 1, Quintic::Zero());
     for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) fit_section(breaks_[i], breaks_[i + 1]);
 }
 
-void PointCurve::fit_section(std::size_t first, std::size_t last) {
+template <int dimension>
+void PointCurveOf<dimension>::fit_section(std::size_t first, std::size_t last) {
     const std::size_t count = last - first + 1, width = std::min(stencil_points, count);
-    std::vector<NodeDerivatives> derivatives(count);
+    std::vector<NodeDerivatives<Point>> derivatives(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t left = first + std::min(i - std::min(i, width / 2), count - width);
         const Weights weights = derivative_weights(nodes_[first + i], std::span(nodes_).subspan(left, width));
@@ -137,9 +142,9 @@ void PointCurve::fit_section(std::size_t first, std::size_t last) {
     }
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const double step = nodes_[first + i + 1] - nodes_[first + i];
-        const Vector2d from = points_[first + i], rise = points_[first + i + 1] - from;
-        const Vector2d v0 = step * derivatives[i].first, v1 = step * derivatives[i + 1].first;
-        const Vector2d a0 = step * step * derivatives[i].second, a1 = step * step * derivatives[i + 1].second;
+        const Point from = points_[first + i], rise = points_[first + i + 1] - from;
+        const Point v0 = step * derivatives[i].first, v1 = step * derivatives[i + 1].first;
+        const Point a0 = step * step * derivatives[i].second, a1 = step * step * derivatives[i + 1].second;
         Quintic& piece = pieces_[first + i];
         piece.col(0) = from;
         piece.col(1) = v0;
@@ -150,14 +155,18 @@ void PointCurve::fit_section(std::size_t first, std::size_t last) {
     }
 }
 
-Vector2d PointCurve::at(double parameter) const {
+template <int dimension>
+auto PointCurveOf<dimension>::at(double parameter) const -> Point {
     if (closed_) parameter -= length() * std::floor(parameter / length());
     const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, parameter);
     const auto i = static_cast<std::size_t>(next - nodes_.begin()) - 1;
     const double t = std::clamp((parameter - nodes_[i]) / (nodes_[i + 1] - nodes_[i]), 0.0, 1.0);
-    Vector2d value = pieces_[i].col(5);
+    Point value = pieces_[i].col(5);
     for (int power = 4; power >= 0; --power) value = value * t + pieces_[i].col(power);
     return value;
 }
+
+template class PointCurveOf<2>;
+template class PointCurveOf<3>;
 
 }  // namespace camopt
