@@ -43,18 +43,6 @@ RollerAxis standing_axis(const SpatialCam& cam, double q) {
 
 }  // namespace
 
-const char* name_of(SpatialFollower value) {
-    switch (value) {
-        case SpatialFollower::barrel:
-            return "barrel";
-        case SpatialFollower::cylindrical_rotating:
-            return "cylindrical_rotating";
-        case SpatialFollower::cylindrical_translating:
-            break;
-    }
-    return "cylindrical_translating";
-}
-
 const char* name_of(SpatialDimension value) {
     switch (value) {
         case roller_radius:

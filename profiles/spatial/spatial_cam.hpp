@@ -29,6 +29,7 @@
 
 #include "core/cam_spec.hpp"
 #include "core/follower_state.hpp"
+#include "core/spatial_spec.hpp"
 
 #include <Eigen/Core>
 
@@ -37,9 +38,6 @@
 #include <string>
 
 namespace camopt {
-
-enum class SpatialFollower { barrel, cylindrical_rotating, cylindrical_translating };
-[[nodiscard]] const char* name_of(SpatialFollower value);
 
 /// The dimensions that limits depend on. m.
 enum class SpatialDimension {
