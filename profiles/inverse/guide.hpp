@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The guide of a curvilinear inverse cam: the path of the roller's centre, fixed to the swinging body.
+//
+// The body turns about the origin; the roller's centre moves along the +x axis of the fixed frame at (L, 0).
+// In the body's frame the guide is psi(L), the polar angle of its point at the distance L from the pivot, so
+// the body stands at theta = -psi(L). A guide is a chain of lines, arcs and polar splines along which L
+// grows. With tau the angle of the tangent (towards growing L) and mu = tau - psi the pressure angle,
+//   tan mu = L psi',   psi'' = (kappa - sin mu / L) / (L cos³ mu) - tan mu / L²
+// for any plane curve of curvature kappa; ' is d/dL. Where kappa jumps, psi'' jumps.
+// Lengths m, angles rad counterclockwise, kappa > 0 where the guide bends to the left.
+// Errors: InputError for pieces that do not meet, that pass the pivot, or on which L does not grow (the
+// roller would have two places: a branch), naming the piece; and for a distance that is not on the guide.
+// Source: J.-H. Shin, Y.-H. Choi, C.-S. Rho, Kinematic Analysis and Simulation of an Automatic Feeding
+// Mechanism Subjected by a Curvilinear Inverse Cam (I), eqs. 1 to 12, corrected (docs/papers/000.md).
+#pragma once
+
+#include "core/extremum.hpp"
+
+#include <Eigen/Core>
+
+#include <variant>
+#include <vector>
+
+namespace camopt {
+
+struct GuideLine {
+    Eigen::Vector2d begin, end;
+};
+
+struct GuideArc {
+    Eigen::Vector2d begin, end, center;  ///< the shorter of both arcs
+};
+
+/// psi at a distance, with its derivatives by the distance.
+struct PolarNode {
+    double distance = 0.0, angle = 0.0, slope = 0.0, bend = 0.0;  ///< L, psi, psi', psi''
+};
+
+/// Quintic between neighbouring nodes, taking over psi, psi', psi'' of both: C2. Nodes by growing distance,
+/// >= 2.
+struct GuidePolarSpline {
+    std::vector<PolarNode> nodes;
+};
+
+using GuidePiece = std::variant<GuideLine, GuideArc, GuidePolarSpline>;
+
+struct GuidePoint {
+    double distance = 0.0, angle = 0.0, slope = 0.0, bend = 0.0;  ///< L, psi, psi', psi''
+    double pressure_angle = 0.0;                                  ///< mu
+    double curvature = 0.0;                                       ///< kappa
+    Eigen::Vector2d position, tangent;                            ///< body's frame; unit tangent
+};
+
+enum class Reach { within, before_guide, beyond_guide };
+
+class Guide {
+ public:
+    explicit Guide(std::vector<GuidePiece> pieces);
+
+    [[nodiscard]] double begin() const { return joints_.front(); }  ///< least L
+    [[nodiscard]] double end() const { return joints_.back(); }     ///< largest L
+    /// L where pieces meet, begin and end included.
+    [[nodiscard]] const std::vector<double>& joints() const { return joints_; }
+    [[nodiscard]] Reach reach(double distance) const;
+    /// At a joint the piece on `side`. Throws InputError beyond the reach.
+    [[nodiscard]] GuidePoint at(double distance, Side side = Side::right) const;
+    /// Largest step of the tangent's angle at a joint: 0 for a G1 guide, but for round-off.
+    [[nodiscard]] double largest_kink() const;
+
+ private:
+    std::vector<GuidePiece> pieces_;
+    std::vector<double> joints_;
+};
+
+}  // namespace camopt
