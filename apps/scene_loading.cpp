@@ -4,6 +4,7 @@
 #include "input/scene_reader.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/text_file.hpp"
+#include "profiles/factory/mechanism_factory.hpp"
 #include "solvers/registry.hpp"
 
 namespace camopt::apps {
@@ -20,7 +21,9 @@ input::KnownNames known_names() {
 }  // namespace
 
 Scene load_scene(const std::string& file, const std::vector<std::string>& settings) {
-    return input::read_scene_file(file, known_names(), settings);
+    Scene scene = input::read_scene_file(file, known_names(), settings);
+    complete_mechanism(scene);
+    return scene;
 }
 
 SceneText read_scene_text(const std::string& file) {
@@ -28,7 +31,9 @@ SceneText read_scene_text(const std::string& file) {
 }
 
 Scene load_scene(const SceneText& scene, std::span<const std::string> settings) {
-    return input::read_scene(scene.text, scene.name, known_names(), settings);
+    Scene read = input::read_scene(scene.text, scene.name, known_names(), settings);
+    complete_mechanism(read);
+    return read;
 }
 
 }  // namespace camopt::apps

@@ -15,6 +15,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,11 +63,23 @@ struct MechanismShape {
     double radius = 0.0;                  ///< circle
 };
 
+/// What a check needs that runs a roller over finished points and knows nothing else of the mechanism: a
+/// lever that carries the roller, and its linkage run forwards. The frame that stands still; m, rad.
+struct RollerLever {
+    Eigen::Vector2d center, pivot;  ///< of the cam, of the lever
+    double arm = 0.0, roller_radius = 0.0;
+    double start = 0.0;  ///< angle of the roller's arm from +x at output 0
+    /// s for an angle of the roller's arm; NaN out of reach.
+    std::function<double(double)> output;
+};
+
 class CamMechanism {
  public:
     virtual ~CamMechanism() = default;
 
     [[nodiscard]] virtual std::string type() const = 0;  ///< "remote"
+    /// The output swings: the lift is an angle.
+    [[nodiscard]] virtual bool swings() const = 0;
     [[nodiscard]] virtual int stations() const = 0;
     [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
     /// Where in the dimensions the roller's radius stands.
@@ -84,6 +98,9 @@ class CamMechanism {
                                                int station) const = 0;
     /// Its links at one output; empty where it cannot be drawn.
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
+    /// None where no lever carries the roller.
+    [[nodiscard]] virtual std::optional<RollerLever> roller_lever(
+        std::span<const double> dimensions) const = 0;
 
  protected:
     CamMechanism() = default;

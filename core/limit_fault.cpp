@@ -42,7 +42,7 @@ Fault missing_table_fault(const Scene& scene) {
     for (const CamLimit& row : cam_limits) {
         if (!(scene.limits.*row.limit)) continue;
         const std::string member = fmt::format("limits.{}", row.name);
-        if (!scene.cam)
+        if (!scene.cam && !scene.mechanism)
             return SceneFault{member, "a limit of a cam without a cam", "only together with a [cam] table"};
         if (row.needs_forces && !scene.forces)
             return SceneFault{member, "a limit of a force without forces",

@@ -134,6 +134,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = breakpoint_fault(scene)) return fault;
     if (Fault fault = free_knot_fault(scene)) return fault;
     if (Fault fault = cam_fault(scene)) return fault;
+    if (Fault fault = mechanism_fault(scene)) return fault;
     if (Fault fault = objective_fault(scene)) return fault;
     if (Fault fault = force_fault(scene)) return fault;
     return limit_fault(scene);

@@ -18,6 +18,7 @@ inline constexpr double same_place = 1e-12;
 [[nodiscard]] Fault program_fault(const MotionSpec& motion);  ///< segments; type program only
 [[nodiscard]] Fault cam_fault(const Scene& scene);            ///< dimensions of the follower, geometry
 [[nodiscard]] Fault cam_geometry_fault(const CamSpec& cam);   ///< some cam within the ranges can be built
+[[nodiscard]] Fault mechanism_fault(const Scene& scene);      ///< the same of any other kind of cam
 [[nodiscard]] Fault force_fault(const Scene& scene);
 [[nodiscard]] Fault limit_fault(const Scene& scene);
 

@@ -19,8 +19,9 @@ constexpr auto needs_forces = Availability::needs_forces;
 // A row is read as a row.
 // clang-format off
 std::vector<KeyRow> cam_rows() {
-    return {
-        {"cam", "type", text, plain, any, {"disk"}, "required", "The kind of cam."},
+    std::vector<KeyRow> rows = {
+        {"cam", "type", text, plain, any, {"disk", "remote"}, "required",
+         "The kind of cam: a disk cam with its follower, or one whose lever moves the output through a linkage."},
         {"cam", "follower", text, plain, any,
          {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller",
           "oscillating_flat"},
@@ -30,7 +31,7 @@ std::vector<KeyRow> cam_rows() {
          "Radius of the base circle, on which the follower rests at displacement 0; the prime circle is base + "
          "roller."},
         {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
-         "Radius of the roller; `translating_roller` and `oscillating_roller` only."},
+         "Radius of the roller; `translating_roller`, `oscillating_roller` and `remote` only."},
         {"cam", "offset", number_or_range, length, any, {}, "0",
          "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam "
          "turns counterclockwise. `translating_roller` and `translating_knife` only."},
@@ -46,6 +47,9 @@ std::vector<KeyRow> cam_rows() {
         {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
          "The sense in which the cam turns."},
     };
+    for (KeyRow& row : rows)
+        if (row.name != "type" && row.name != "roller_radius" && row.name != "rotation") row.cam_type = "disk";
+    return rows;
 }
 
 std::vector<KeyRow> force_rows() {

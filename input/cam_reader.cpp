@@ -84,7 +84,8 @@ std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_vi
 
 std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion) {
     const Node* table = source.table("cam");
-    if (!table) return std::nullopt;
+    const auto type = source.find("cam", "type");
+    if (!table || !type || type->value().text != "disk") return std::nullopt;
     CamSpec cam;
     source.read_choice("cam", "follower", followers, cam.follower);
     source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);

@@ -51,12 +51,31 @@ class KeyCheck {
             if (!match.row) refuse_unknown(member, table, key);
             const Given given{&member, match.row, match.spelling};
             refuse_second_spelling(node, given, path);
+            refuse_other_cam(given, key);
             check_value(given, key);
         }
         for (const KeyRow& row : scene_keys())
-            if (row.table == table && row.required() && !SceneSource::find_in(node, table, row.name))
+            if (row.table == table && row.required() && is_of_this_cam(row) &&
+                !SceneSource::find_in(node, table, row.name))
                 source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
                              fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
+    }
+
+    /// cam.type as it is written; empty where it is not.
+    [[nodiscard]] std::string_view cam_type() const {
+        const auto type = source_.find("cam", "type");
+        return type ? std::string_view(type->value().text) : std::string_view{};
+    }
+    [[nodiscard]] bool is_of_this_cam(const KeyRow& row) const {
+        return row.cam_type.empty() || row.cam_type == cam_type();
+    }
+    void refuse_other_cam(const Given& given, const std::string& key) const {
+        if (is_of_this_cam(*given.row)) return;
+        // Without a type the missing type is what is wrong.
+        if (given.row->table == "cam" && cam_type().empty()) return;
+        source_.fail(given.member->place, key,
+                     fmt::format("found a key for cams of type \"{}\"; allowed: only with cam.type = \"{}\"",
+                                 given.row->cam_type, given.row->cam_type));
     }
 
     [[noreturn]] void refuse_unknown(const Member& member, std::string_view table,

@@ -80,6 +80,7 @@ std::string markdown_row(const KeyRow& row) {
     std::string later;
     if (!row.later_choice.empty()) later = fmt::format(" *`\"{}\"` is not available yet.*", row.later_choice);
     if (!row.instead_of.empty()) later += fmt::format(" Instead of `{}`.", row.instead_of);
+    if (!row.cam_type.empty() && row.table == "cam") later += fmt::format(" *Type `{}` only.*", row.cam_type);
     return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_name(row), unit_text(row),
                        range_text(row), row.default_text, row.meaning, later, remark(row));
 }

@@ -32,6 +32,9 @@ Rows top_level() {
         {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
         {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
+        {"", "linkage", table, plain, any, {}, "no linkage",
+         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.",
+         Availability::needs_cam, {}, {}, "remote"},
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
@@ -170,8 +173,9 @@ Rows solver() {
 const std::vector<KeyRow>& scene_keys() {
     static const std::vector<KeyRow> rows = [] {
         Rows all;
-        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
-                                 reference(), cam_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
+        for (const Rows& part :
+             {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
+              remote_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

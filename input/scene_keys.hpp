@@ -52,6 +52,7 @@ struct KeyRow {
     Availability availability = Availability::now;
     std::string_view later_choice = {};  ///< a text of the contract that is not available yet
     std::string_view instead_of = {};    ///< another key of the table that must not stand beside it
+    std::string_view cam_type = {};      ///< only where cam.type is this; empty: whatever it is
 
     [[nodiscard]] bool required() const { return default_text == "required"; }
     [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"

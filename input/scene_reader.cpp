@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "input/cam_reader.hpp"
 #include "input/key_check.hpp"
+#include "input/mechanism_reader.hpp"
 #include "input/motion_reader.hpp"
 #include "input/overrides.hpp"
 #include "input/peak_limits.hpp"
@@ -31,6 +32,7 @@ class SceneReader {
         scene.spline = read_spline();
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion);
+        scene.mechanism = read_mechanism(source_, scene.motion);
         scene.forces = read_forces(source_, scene);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);

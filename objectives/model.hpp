@@ -9,6 +9,7 @@
 
 #include "core/nlp.hpp"
 #include "objectives/cam_rule.hpp"
+#include "objectives/mechanism_rule.hpp"
 #include "objectives/point_rule.hpp"
 #include "splines/motion_family.hpp"
 
@@ -79,8 +80,9 @@ struct CamModel {
     std::vector<ParameterRow> parameter_rows;
     /// What dimensions that are numbers add to the cost.
     double cost_constant = 0.0;
-    /// Set where the scene has a cam.
+    /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
+    std::shared_ptr<const MechanismVariables> mechanism;
     /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
     double energy_weight = 0.0;
     double jerk_reference = 1.0;

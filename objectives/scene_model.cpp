@@ -298,6 +298,32 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
 }
 
+void add_mechanism(CamModel& model, const Scene& scene) {
+    if (!scene.mechanism) return;
+    const MechanismSpec& spec = *scene.mechanism;
+    if (!spec.formulas)
+        throw InputError(
+            fmt::format("mechanism: a cam of type \"{}\" without its formulas; allowed: a scene that "
+                        "profiles/factory, or "
+                        "the program itself, has completed",
+                        spec.type));
+    auto mechanism = std::make_shared<MechanismVariables>();
+    mechanism->formulas = spec.formulas;
+    mechanism->dimensions = spec.middle();
+    mechanism->scale = {scene.motion.lift, scene.motion.unit_angle()};
+    for (std::size_t d = 0; d < spec.dimensions.size(); ++d) {
+        const Dimension& dimension = spec.dimensions[d].value;
+        if (!dimension.is_variable()) continue;
+        const double reference = std::max(std::abs(dimension.low), std::abs(dimension.high));
+        const int index = static_cast<int>(model.parameters.size());
+        model.parameters.push_back({spec.dimensions[d].name, Parameter::Kind::dimension, 0, reference, 0.0,
+                                    dimension.low / reference, dimension.high / reference});
+        mechanism->variables.push_back({static_cast<int>(d), index, reference});
+    }
+    model.mechanism = mechanism;
+    for (const auto& rule : mechanism_limits(scene, mechanism)) model.rules.emplace_back(rule);
+}
+
 }  // namespace
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference) {
@@ -306,6 +332,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
     add_cam(model, scene);
+    add_mechanism(model, scene);
     return model;
 }
 

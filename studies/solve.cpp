@@ -65,7 +65,7 @@ std::string general_solver() {
 }
 
 bool is_general(const Scene& scene) {
-    return (scene.cam || scene.objective.torque > 0.0) &&
+    return (scene.cam || scene.mechanism || scene.objective.torque > 0.0) &&
            needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
 }
 
@@ -157,6 +157,8 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     solution.solver.proof_source = result.proof_source;
     solution.evaluations = solver.counts();
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
+    if (problem.model().mechanism)
+        solution.evaluations.profile_points = *problem.model().mechanism->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     judge_delivered_joints(solution);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);

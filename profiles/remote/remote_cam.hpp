@@ -32,6 +32,7 @@ class RemoteCam final : public CamMechanism {
     explicit RemoteCam(const MechanismSpec& spec);
 
     [[nodiscard]] std::string type() const override { return "remote"; }
+    [[nodiscard]] bool swings() const override { return output_swings(linkage_); }
     [[nodiscard]] int stations() const override { return 1; }
     [[nodiscard]] std::string station_name(int) const override { return {}; }
     [[nodiscard]] int roller_radius() const override {
@@ -45,6 +46,8 @@ class RemoteCam final : public CamMechanism {
                                           std::span<const int> active) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+
+    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double> dimensions) const override;
 
     /// Of the roller's arm: its angle from +x in (−π, π], and its derivatives by the cam angle.
     struct LeverState {

@@ -22,6 +22,8 @@ LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
 for user in ("objectives", "studies", "output"):
     MAY_INCLUDE[user] |= LEAVES
 MAY_INCLUDE |= {leaf: {"core"} for leaf in LEAVES}
+# The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
+MAY_INCLUDE["profiles/factory"] = {"core"} | LEAVES
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")

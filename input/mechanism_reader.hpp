@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Cams that are not of type "disk": their numbers and choices. Internal to input/.
+#pragma once
+
+#include "core/scene.hpp"
+#include "input/scene_source.hpp"
+
+namespace camopt::input {
+
+/// None where there is no cam, or a disk cam. Without formulas: profiles/factory brings them.
+[[nodiscard]] std::optional<MechanismSpec> read_mechanism(const SceneSource& source,
+                                                          const MotionSpec& motion);
+
+}  // namespace camopt::input
