@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "studies/inverse/inverse_forward.hpp"
+
+#include "core/errors.hpp"
+#include "studies/point_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr int most_steps = 60;
+
+void validate(const GuideCheckInput& input) {
+    if (input.points.size() < 3)
+        throw InputError(
+            fmt::format("{} points of the guide were given; it needs at least 3", input.points.size()));
+    if (input.places < 2 || !(input.end > input.begin) || !input.designed)
+        throw InputError(
+            "the check of a guide needs 2 places or more, between a begin and a larger end, and the design");
+    for (const Vector2d& point : input.points)
+        if (!point.allFinite()) throw InputError("a point of the guide is not a finite number");
+}
+
+double angle_of(const Vector2d& point) {
+    return std::atan2(point.y(), point.x());
+}
+
+/// Runs over the places; `found` gives psi there from the one before, NaN where there is none.
+template <class Found>
+GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
+    const auto begin = std::chrono::steady_clock::now();
+    GuideCheckResult result;
+    result.points = static_cast<int>(input.points.size());
+    double angle = input.designed(input.begin);
+    for (int i = 0; i < input.places; ++i) {
+        const double distance = input.begin + (input.end - input.begin) * i / (input.places - 1);
+        angle = found(distance, angle);
+        const double deviation = std::abs(angle - input.designed(distance));
+        if (deviation <= result.deviation) continue;
+        result.deviation = std::isnan(deviation) ? nowhere : deviation;
+        result.distance = distance;
+        if (std::isnan(deviation)) break;
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+/// Where the circle of this radius about the pivot crosses the polyline first.
+double polyline_angle(std::span<const Vector2d> points, double distance) {
+    const auto beyond = std::ranges::find_if(points, [&](const Vector2d& p) { return p.norm() >= distance; });
+    if (beyond == points.end()) return std::nan("");
+    if (beyond == points.begin()) return beyond->norm() == distance ? angle_of(*beyond) : std::nan("");
+    const Vector2d &from = *(beyond - 1), run = *beyond - from;
+    const double a = run.squaredNorm(), b = from.dot(run), c = from.squaredNorm() - distance * distance;
+    const double part =
+        -c / (b + std::sqrt(b * b - a * c));  // c <= 0: the positive root without cancellation
+    return angle_of(from + part * run);
+}
+
+/// The wall under a roller: how far the roller's centre is from it, near the contact of before.
+class Wall {
+ public:
+    explicit Wall(const GuideCheckInput& input) : curve_(input.points, input.breaks, false) {
+        reach_ = 4.0 * curve_.length() / static_cast<double>(input.points.size());
+        near_ = nearest_node(input.begin * Vector2d(std::cos(input.designed(input.begin)),
+                                                    std::sin(input.designed(input.begin))));
+    }
+
+    [[nodiscard]] double distance_to(const Vector2d& center) {
+        // Walk until the least distance lies inside the bracket, then narrow it down by the golden section.
+        constexpr double golden = 0.6180339887498949, narrow = 1e-9;  // relative: the distance is flat there
+        double low = near_ - reach_, high = near_ + reach_;
+        double a = high - golden * (high - low), b = low + golden * (high - low);
+        double at_a = gap(center, a), at_b = gap(center, b);
+        while (high - low > narrow * curve_.length()) {
+            if (at_a < at_b) {
+                high = b;
+                b = a;
+                at_b = at_a;
+                a = high - golden * (high - low);
+                at_a = gap(center, a);
+            } else {
+                low = a;
+                a = b;
+                at_a = at_b;
+                b = low + golden * (high - low);
+                at_b = gap(center, b);
+            }
+        }
+        last_ = 0.5 * (low + high);
+        return std::sqrt(std::min(at_a, at_b));
+    }
+
+    /// The next contact is searched around the last one.
+    void keep() { near_ = last_; }
+    void widen(double by) { reach_ = std::max(reach_, by); }
+
+ private:
+    [[nodiscard]] double gap(const Vector2d& center, double parameter) const {
+        return (curve_.at(parameter) - center).squaredNorm();
+    }
+
+    [[nodiscard]] double nearest_node(const Vector2d& center) const {
+        double best = nowhere, place = 0.0;
+        for (const double node : curve_.nodes()) {
+            const double here = gap(center, node);
+            if (here >= best) continue;
+            best = here;
+            place = node;
+        }
+        return place;
+    }
+
+    PointCurve curve_;
+    double reach_ = 0.0, near_ = 0.0, last_ = 0.0;
+};
+
+/// psi at which the roller touches: secant from the angle before.
+double contact_angle(Wall& wall, double distance, double before, double radius) {
+    constexpr double settled = 1e-15;
+    const auto miss = [&](double angle) {
+        return wall.distance_to(distance * Vector2d(std::cos(angle), std::sin(angle))) - radius;
+    };
+    double a = before, b = before + 1e-4 * radius / distance, at_a = miss(a), at_b = miss(b);
+    for (int step = 0; step < most_steps; ++step) {
+        if (at_a == at_b) break;
+        const double next = b - at_b * (b - a) / (at_b - at_a);
+        a = b;
+        at_a = at_b;
+        b = next;
+        at_b = miss(b);
+        if (std::abs(b - a) < settled) break;
+    }
+    wall.keep();
+    constexpr double touching = 1e-9;  // of the radius: else no contact was found
+    return std::abs(at_b) < touching * radius ? b : std::nan("");
+}
+
+}  // namespace
+
+GuideCheckResult polyline_check(const GuideCheckInput& input) {
+    validate(input);
+    return checked(input, [&](double distance, double) { return polyline_angle(input.points, distance); });
+}
+
+GuideCheckResult slot_check(const GuideCheckInput& input) {
+    validate(input);
+    if (!(input.roller_radius > 0.0))
+        throw InputError(fmt::format("the roller's radius is {} m; it must be > 0", input.roller_radius));
+    Wall wall(input);
+    wall.widen(2.0 * (input.end - input.begin) / (input.places - 1));
+    return checked(input, [&](double distance, double before) {
+        return contact_angle(wall, distance, before, input.roller_radius);
+    });
+}
+
+}  // namespace camopt
