@@ -2,6 +2,8 @@
 #include "studies/papers/paper_catalogue.hpp"
 
 #include "core/errors.hpp"
+#include "studies/papers/paper_001.hpp"
+#include "studies/papers/paper_002.hpp"
 #include "studies/papers/paper_004.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +15,8 @@ namespace camopt {
 
 std::span<const PaperInfo> paper_catalogue() {
     static constexpr std::array papers = {
+        PaperInfo{"001", "open cylindrical cam with a rotating follower (OCRF)", paper_001},
+        PaperInfo{"002", "barrel cam of a machine that makes paper cups, 2011", paper_002},
         PaperInfo{"004", "optimum cam curves by cubic splines, 1994", paper_004},
     };
     return papers;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The reports of papers 001 and 002: what they say is what was found independently.
+#include "studies/papers/paper_001.hpp"
+#include "studies/papers/paper_002.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace {
+
+const PaperTable& table_of(const PaperReport& report, const std::string& key) {
+    return *std::ranges::find(report.tables, key, &PaperTable::key);
+}
+double number(const PaperTable& table, std::size_t row, const std::string& column) {
+    const auto place = std::ranges::find(table.columns, column, &PaperColumn::key) - table.columns.begin();
+    return std::get<double>(table.rows.at(row).at(static_cast<std::size_t>(place)));
+}
+
+const PaperReport& barrel() {
+    static const PaperReport report = paper_002();
+    return report;
+}
+const PaperReport& rotating() {
+    static const PaperReport report = paper_001();
+    return report;
+}
+
+TEST(Paper002, TheIndexTurnsOneSeventhWithinThePrintedRounding) {
+    const PaperTable& given = table_of(barrel(), "given");
+    EXPECT_NEAR(number(given, 0, "ours"), 360.0 / 7.0, 1e-11);
+    EXPECT_LT(std::abs(number(given, 0, "difference")), 0.005);
+    EXPECT_NEAR(number(given, 5, "ours"), 14.660765716752, 1e-12);
+    EXPECT_NEAR(number(given, 7, "ours"), 857.1429, 5e-5);
+    EXPECT_NEAR(number(given, 8, "ours"), 0.190476190476, 1e-12);
+    EXPECT_NEAR(number(given, 9, "ours"), 8.291935606, 1e-8);
+    EXPECT_NEAR(number(given, 10, "ours"), 136.761891, 1e-6);
+    EXPECT_TRUE(barrel().faults.empty());
+}
+
+TEST(Paper002, PrintedLawEndsAtTheWrongPlace) {
+    const PaperTable& law = table_of(barrel(), "modified_sine");
+    const std::size_t last = law.rows.size() - 1;
+    EXPECT_NEAR(number(law, last, "printed"), 0.3699, 5e-5);
+    for (std::size_t i = 0; i <= last; ++i)
+        EXPECT_NEAR(number(law, i, "corrected"), number(law, i, "catalogue"), 1e-15);
+}
+
+TEST(Paper002, ContactAnglesAndPoints) {
+    const PaperTable& points = table_of(barrel(), "points_280");
+    // Rows: + near, + far, − near, − far.
+    EXPECT_NEAR(number(points, 2, "theta_r_rad"), 1.0169753167658479, 1e-14);
+    EXPECT_NEAR(number(points, 1, "theta_r_rad"), -2.2629248173952397, 1e-14);
+    EXPECT_NEAR(number(points, 2, "x_mm"), -143.41135814182, 1e-11);
+    EXPECT_NEAR(number(points, 1, "z_mm"), -24.443988626445, 1e-11);
+}
+
+TEST(SpatialPapers, ForwardChecksAreWithinTheirClaim) {
+    for (const PaperReport* report : {&barrel(), &rotating()}) {
+        const PaperTable& check = table_of(*report, "forward_check");
+        for (std::size_t i = 0; i < check.rows.size(); ++i) {
+            if (number(check, i, "points") < 1601) continue;
+            EXPECT_LT(number(check, i, "deviation_positive_rad"), 1e-8);
+            EXPECT_LT(number(check, i, "deviation_negative_rad"), 1e-8);
+        }
+    }
+}
+
+TEST(Paper001, PrintedFormulasFailAndCorrectedOnesHold) {
+    const PaperTable& formulas = table_of(rotating(), "formulas");
+    EXPECT_NEAR(number(formulas, 0, "as_printed"), 1.1e-2, 5e-4);
+    EXPECT_LT(number(formulas, 0, "corrected"), 1e-14);
+    EXPECT_LT(number(formulas, 1, "as_printed"), 1e-14);
+    EXPECT_EQ(number(formulas, 2, "as_printed"), 179.0);
+    EXPECT_EQ(number(formulas, 2, "corrected"), 0.0);
+    EXPECT_NEAR(number(formulas, 3, "as_printed"), -1.0, 1e-15);
+    EXPECT_NEAR(number(formulas, 3, "corrected"), 1.0, 1e-15);
+}
+
+TEST(Paper001, OnePositionToTheDigitsGiven) {
+    const PaperTable& points = table_of(rotating(), "points_240");
+    const auto expect_row = [&](std::size_t row, double x, double y, double z, double tolerance) {
+        EXPECT_NEAR(number(points, row, "x"), x, tolerance);
+        EXPECT_NEAR(number(points, row, "y"), y, tolerance);
+        EXPECT_NEAR(number(points, row, "z"), z, tolerance);
+    };
+    expect_row(3, 52.6706073834329, -31.9137075983702, -16.9246486812652, 1e-12);
+    expect_row(4, -0.845782789417134, 0.488312921145936, -0.21494642162105, 1e-14);
+    expect_row(5, -29.7635020353842, 1.30277781742056, -63.5061236562194, 1e-12);
+    EXPECT_NEAR(number(points, 7, "x"), -1.0471975511966, 1e-13);
+    EXPECT_NEAR(number(points, 7, "y"), 0.216636968809034, 1e-14);
+}
+
+}  // namespace
+}  // namespace camopt
