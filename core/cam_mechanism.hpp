@@ -11,6 +11,7 @@
 // a throw; `fault` says in words what does not reach.
 #pragma once
 
+#include "core/cam_spec.hpp"
 #include "core/follower_state.hpp"
 
 #include <Eigen/Core>
@@ -80,8 +81,15 @@ class CamMechanism {
     [[nodiscard]] virtual std::string type() const = 0;  ///< "remote"
     /// The output swings: the lift is an angle.
     [[nodiscard]] virtual bool swings() const = 0;
+    [[nodiscard]] virtual Rotation rotation() const = 0;  ///< of the cam
     [[nodiscard]] virtual int stations() const = 0;
     [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
+    /// Whether a limit on the quantity has to be kept at this station: not where other stations imply it.
+    [[nodiscard]] virtual bool binds(MechanismQuantity which, int station) const {
+        static_cast<void>(which);
+        static_cast<void>(station);
+        return true;
+    }
     /// Where in the dimensions the roller's radius stands.
     [[nodiscard]] virtual int roller_radius() const = 0;
     /// Planar: it has a pitch curve with a curvature, and can be drawn.

@@ -145,6 +145,38 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
     all.push_back(std::move(lower));
 }
 
+/// Of a coordinate or an angle that happens to be 0.
+double least_mechanism_size(const Scene& scene, std::size_t index) {
+    constexpr double least_angle = 0.5, least_length = 0.05;
+    return scene.mechanism->dimensions[index].is_angle ? least_angle : least_length;
+}
+
+/// Each may have to move either way; a change is judged by the mechanism's reach too.
+void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) {
+    if (!scene.mechanism) return;
+    for (std::size_t i = 0; i < scene.mechanism->dimensions.size(); ++i) {
+        const Dimension& dimension = scene.mechanism->dimensions[i].value;
+        if (dimension.key.empty() || dimension.is_variable()) continue;
+        const double size = std::max(std::abs(dimension.high), least_mechanism_size(scene, i));
+        const double farthest_value = farthest * size / dimension.unit;
+        Adjustment adjustment{dimension.key,
+                              as_written(dimension.low / dimension.unit),
+                              first_change * size / dimension.unit,
+                              true,
+                              true,
+                              -farthest_value,
+                              farthest_value,
+                              {}};
+        adjustment.with = [scene, i, unit = dimension.unit](double value) {
+            Scene changed = scene;
+            Dimension& own = changed.mechanism->dimensions[i].value;
+            own.low = own.high = value * unit;
+            return changed;
+        };
+        all.push_back(std::move(adjustment));
+    }
+}
+
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
     const double given = as_written(*scene.cam->face_half_width / units::millimetre);
@@ -164,6 +196,7 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
     add_limits(all, scene);
     add_rise(all, scene);
+    add_mechanism_dimensions(all, scene);
     if (!scene.cam) return all;
     for (int d = 0; d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);

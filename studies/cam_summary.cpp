@@ -11,11 +11,6 @@ namespace camopt {
 
 namespace {
 
-// Samples between two breakpoints of the motion; the best of them is then refined.
-constexpr int samples = 24;
-constexpr int refinements = 60;
-constexpr double golden = 0.38196601125010515;
-
 struct Place {
     ProfilePoint point;
     FollowerState state;
@@ -27,39 +22,11 @@ class Turn {
     Turn(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
         : cam_(cam), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
 
-    /// The largest value and its place; NaN (nothing to say there) counts as nothing. Where there is nothing
-    /// at all: -infinity.
     [[nodiscard]] CamExtreme largest(const Figure& figure) const {
-        CamExtreme best{-std::numeric_limits<double>::infinity(), points_.front()};
-        const auto see = [&](double value, double at) {
-            if (value > best.value) best = {value, at};
-        };
-        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-            const double width = (points_[i + 1] - points_[i]) / samples;
-            std::vector<double> values;
-            for (int k = 0; k <= samples; ++k) {
-                const double x = k == samples ? points_[i + 1] : points_[i] + k * width;
-                values.push_back(value_at(figure, x, k == samples ? Side::left : Side::right));
-                see(values.back(), x);
-            }
-            for (int k = 1; k < samples; ++k) {
-                if (!(values[k] >= values[k - 1] && values[k] >= values[k + 1])) continue;
-                const CamExtreme top =
-                    refined(figure, points_[i] + (k - 1) * width, points_[i] + (k + 1) * width);
-                see(top.value, top.at);
-            }
-            // The maximum may hide beside an end.
-            for (const int k : {0, samples - 1}) {
-                const CamExtreme top = refined(figure, points_[i] + k * width, points_[i] + (k + 1) * width);
-                see(top.value, top.at);
-            }
-        }
-        return best;
+        return largest_along(points_, [&](double x, Side side) { return value_at(figure, x, side); });
     }
     [[nodiscard]] CamExtreme least(const Figure& figure) const {
-        CamExtreme found = largest([&](const Place& place) { return -figure(place); });
-        found.value = -found.value;
-        return found;
+        return least_along(points_, [&](double x, Side side) { return value_at(figure, x, side); });
     }
 
  private:
@@ -71,28 +38,6 @@ class Turn {
     [[nodiscard]] double value_at(const Figure& figure, double x, Side side) const {
         const FollowerState state = state_of(motion_.at(x, side), scale_);
         return figure({profile_point(cam_, x * scale_.unit_angle, state), state});
-    }
-
-    /// Golden section: a place to the root of rounding, a value to rounding.
-    [[nodiscard]] CamExtreme refined(const Figure& figure, double left, double right) const {
-        double a = left + golden * (right - left), b = right - golden * (right - left);
-        double at_a = value_at(figure, a, Side::right), at_b = value_at(figure, b, Side::right);
-        for (int k = 0; k < refinements && right - left > 0.0; ++k) {
-            if (at_a >= at_b) {
-                right = b;
-                b = a;
-                at_b = at_a;
-                a = left + golden * (right - left);
-                at_a = value_at(figure, a, Side::right);
-            } else {
-                left = a;
-                a = b;
-                at_a = at_b;
-                b = right - golden * (right - left);
-                at_b = value_at(figure, b, Side::right);
-            }
-        }
-        return at_a >= at_b ? CamExtreme{at_a, a} : CamExtreme{at_b, b};
     }
 };
 

@@ -5,16 +5,11 @@
 #include "core/motion.hpp"
 #include "core/scene.hpp"
 #include "profiles/sampling.hpp"
+#include "studies/extremes_along.hpp"
 
 #include <optional>
 
 namespace camopt {
-
-/// A value in SI and rad, and the x where it is reached.
-struct CamExtreme {
-    double value = 0.0;
-    double at = 0.0;
-};
 
 struct ForceSummary {
     CamExtreme least_force, largest_force;     ///< F (N) or M (N m), see ForceSpec

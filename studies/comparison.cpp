@@ -5,6 +5,7 @@
 #include "objectives/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/law_motion.hpp"
+#include "studies/mechanism_report.hpp"
 #include "studies/scene_limits.hpp"
 #include "studies/solution_report.hpp"
 #include "studies/solve_without_explaining.hpp"
@@ -24,6 +25,7 @@ struct Bench {
     std::vector<Stroke> strokes;
     std::optional<DiskCam> cam;
     bool limits_cam = false;
+    std::vector<double> mechanism_dimensions = {};
 };
 
 double dimension_of(const Bench& bench, int parameter) {
@@ -81,6 +83,12 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
         for (const ConstraintReport& reached : cam_constraints(bench.scene, report))
             row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     }
+    if (bench.scene.mechanism) {
+        const std::vector<double> dimensions = bench.mechanism_dimensions;
+        const MechanismReport report = mechanism_report(bench.scene, dimensions, *row.motion);
+        for (const ConstraintReport& reached : mechanism_constraints(bench.scene, report))
+            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+    }
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
     if (!bench.limits_cam) return;
     std::string broken = broken_without_cam(row, of_motion);
@@ -135,7 +143,10 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<Stroke> strokes = strokes_of(scene, model, solution.motion.get());
     const bool limits_cam = model.cam && !cam_limits(scene, model.cam).empty();
-    const Bench bench{scene, std::move(model), std::move(strokes), comparison.cam, limits_cam};
+    Bench bench{scene, std::move(model), std::move(strokes), comparison.cam, limits_cam};
+    if (scene.mechanism)
+        bench.mechanism_dimensions =
+            solution.mechanism ? solution.mechanism->mechanism.dimensions : scene.mechanism->middle();
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));

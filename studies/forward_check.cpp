@@ -70,8 +70,7 @@ class Simulation {
                 continue;
             }
             ++result.angles;
-            const double found = std::abs(contact.lift - follower_.start() - input_.designed(theta));
-            const double deviation = found < infinity ? found : infinity;  // NaN is no contact either
+            const double deviation = deviation_of(contact, theta);
             if (deviation > result.deviation) {
                 result.deviation = deviation;
                 result.theta = theta;
@@ -87,7 +86,13 @@ class Simulation {
         parameters_.push_back(parameter);
         places_.push_back(curve_.at(parameter));
     }
+    [[nodiscard]] double deviation_of(const Contact& contact, double theta) const {
+        const double lift = contact.lift - follower_.start();
+        const double found = std::abs((input_.output ? input_.output(lift) : lift) - input_.designed(theta));
+        return found < infinity ? found : infinity;  // NaN is no contact either
+    }
     [[nodiscard]] double relative(double deviation) const {
+        if (input_.output) return deviation / input_.output_size;
         const DiskCam& cam = input_.cam;
         const double roller = has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
         return deviation * follower_.lever() / (cam[DimensionIndex::base_radius] + roller);
@@ -98,8 +103,8 @@ class Simulation {
         if (!whole) {
             climb(turn);
             const Contact contact = refined(turn);
-            const double deviation = std::abs(contact.lift - follower_.start() - input_.designed(theta));
-            if (relative(deviation) < suspicious && !cuts_anywhere(turn, contact.lift)) return contact;
+            if (relative(deviation_of(contact, theta)) < suspicious && !cuts_anywhere(turn, contact.lift))
+                return contact;
         }
         search(turn);
         return refined(turn);

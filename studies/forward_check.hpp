@@ -27,7 +27,11 @@ struct ForwardCheckInput {
     std::vector<int> breaks;              ///< indices of points where the motion changes its formula
     bool closed = true;                   ///< false: a sector, between its first and its last point
     DiskCam cam;                          ///< its numbers only
-    std::function<double(double theta)> designed;      ///< s, m or rad
+    std::function<double(double theta)> designed;  ///< s, m or rad
+    /// Where the follower drives an output: from its own s (NaN: out of reach) to the output's, which then is
+    /// what is designed and compared; and a size of the output.
+    std::function<double(double lift)> output = {};
+    double output_size = 1.0;
     double begin = 0.0, end = 2.0 * std::numbers::pi;  ///< cam angles checked
     int angles = 4001;                                 ///< so many, evenly inside (begin, end); >= 1
 
@@ -38,8 +42,8 @@ struct ForwardCheckResult {
     double deviation =
         0.0;             ///< largest |s found − s designed|, m or rad; infinite where no contact was found
     double theta = 0.0;  ///< there
-    double relative =
-        0.0;  ///< deviation at the contact (rad times arm; flat: centre distance) / prime radius
+    double relative = 0.0;  ///< deviation at the contact (rad times arm; flat: centre distance) / prime
+                            ///< radius; output / size
     int points = 0, angles = 0;
     int beyond = 0;        ///< angles left out, their contact being the end of an open cam
     double seconds = 0.0;  ///< of wall time

@@ -190,7 +190,7 @@ std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& cont
         }
         found.push_back(std::move(relaxation));
     }
-    if (!scene.cam) return found;
+    if (!scene.cam && !scene.mechanism) return found;
     const Budget budget(scene.solver.max_seconds, control);
     const double given = least_violation(scene, budget);
     for (const Adjustment& adjustment : adjustments(scene)) {

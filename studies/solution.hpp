@@ -10,6 +10,7 @@
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/cam_summary.hpp"
+#include "studies/mechanism_summary.hpp"
 
 #include <Eigen/Core>
 
@@ -82,6 +83,13 @@ struct CamReport {
     std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };
 
+/// A cam of any other mechanism that was made.
+struct MechanismReport {
+    DrivenMechanism mechanism;
+    MechanismSummary summary;
+    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
+};
+
 /// The free entries of the design vector: the numbers a user would type into another tool.
 struct DesignReport {
     DesignKind kind = DesignKind::automatic;
@@ -111,10 +119,11 @@ struct Solution {
     Certificate certificate;
     /// The delivered motion; none where nothing feasible was found.
     std::shared_ptr<const MotionChain> motion;
-    std::optional<SplineCurve> curve;     ///< the same as one spline: DRD and RR
-    std::vector<SegmentReport> segments;  ///< of a program
-    std::optional<CamReport> cam;         ///< where the scene has one and there is a motion
-    Peaks peaks;                          ///< of the delivered motion, exact, normalised
+    std::optional<SplineCurve> curve;          ///< the same as one spline: DRD and RR
+    std::vector<SegmentReport> segments;       ///< of a program
+    std::optional<CamReport> cam;              ///< where the scene has a disk cam and there is a motion
+    std::optional<MechanismReport> mechanism;  ///< the same for any other mechanism
+    Peaks peaks;                               ///< of the delivered motion, exact, normalised
     /// Of the motion in lifts and units of x: what physical peaks come from. The same but for a program.
     Peaks motion_peaks;
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)

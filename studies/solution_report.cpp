@@ -6,6 +6,7 @@
 #include "motions/smallest_cam.hpp"
 #include "objectives/cam_limits.hpp"
 #include "splines/extrema.hpp"
+#include "studies/mechanism_report.hpp"
 #include "studies/peak_arithmetic.hpp"
 
 #include <algorithm>
@@ -118,8 +119,14 @@ void report_peak_limits(Solution& solution) {
 
 void report_cam(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
-    if (!model.cam) return;
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
+    if (model.mechanism) {
+        solution.mechanism =
+            mechanism_report(solution.scene, model.mechanism->dimensions_at(parameters), *solution.motion);
+        const auto limits = mechanism_constraints(solution.scene, *solution.mechanism);
+        solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
+    }
+    if (!model.cam) return;
     solution.cam = cam_report(solution.scene, model.cam->cam_at(parameters), *solution.motion);
     const std::vector<ConstraintReport> constraints = cam_constraints(solution.scene, *solution.cam);
     solution.constraints.insert(solution.constraints.end(), constraints.begin(), constraints.end());
@@ -133,15 +140,6 @@ std::string plain_name(const std::string& key) {
         if (key.find(name) != std::string::npos) return name;
     }
     return key;
-}
-
-/// limit on a largest value (sign +1) or a least one (−1).
-ConstraintReport constraint(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
-    const double slack = sign * (limit.value - worst.value);
-    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
-    return {plain_name(limit.key),          limit.key,  limit.given(),
-            worst.value / limit.unit_value, limit.unit, worst.at,
-            slack <= active_limit * size};
 }
 
 std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& cam) {
@@ -159,6 +157,14 @@ std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& 
 
 }  // namespace
 
+ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
+    const double slack = sign * (limit.value - worst.value);
+    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
+    return {plain_name(limit.key),          limit.key,  limit.given(),
+            worst.value / limit.unit_value, limit.unit, worst.at,
+            slack <= active_limit * size};
+}
+
 CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
     return {cam, cam_summary(cam, motion, scene), smallest_of(scene, cam), {}};
 }
@@ -168,7 +174,7 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     const CamSummary& summary = report.summary;
     std::vector<ConstraintReport> all;
     const auto add = [&](const std::optional<WrittenLimit>& limit, const CamExtreme& worst, int sign) {
-        if (limit) all.push_back(constraint(*limit, worst, sign));
+        if (limit) all.push_back(limit_report(*limit, worst, sign));
     };
     const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
     if (!both_replaced) {
@@ -183,14 +189,14 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     add(limits.return_pressure_angle, summary.return_pressure_angle, 1);
     add(limits.cam_radius_min, summary.convex_radius, -1);
     if (limits.concave_radius_min) {
-        all.push_back(constraint(*limits.concave_radius_min,
-                                 summary.concave_radius.value_or(CamExtreme{infinity, 0.0}), -1));
+        all.push_back(limit_report(*limits.concave_radius_min,
+                                   summary.concave_radius.value_or(CamExtreme{infinity, 0.0}), -1));
     }
     add(limits.undercut_margin, summary.regularity, -1);
     if (scene.cam->face_half_width) {
         const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
                                  "mm"};
-        all.push_back(constraint(width, summary.contact_offset, 1));
+        all.push_back(limit_report(width, summary.contact_offset, 1));
         all.back().name = "face_half_width";
     }
     if (summary.forces) {

@@ -13,6 +13,9 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
 
+/// A limit on a largest value (sign +1) or a least one (−1), and what was reached.
+[[nodiscard]] ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign);
+
 /// The cam of a motion with the figures of it, and the smallest any motion would allow where that is known.
 [[nodiscard]] CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion);
 

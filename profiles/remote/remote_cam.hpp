@@ -33,6 +33,7 @@ class RemoteCam final : public CamMechanism {
 
     [[nodiscard]] std::string type() const override { return "remote"; }
     [[nodiscard]] bool swings() const override { return output_swings(linkage_); }
+    [[nodiscard]] Rotation rotation() const override { return rotation_; }
     [[nodiscard]] int stations() const override { return 1; }
     [[nodiscard]] std::string station_name(int) const override { return {}; }
     [[nodiscard]] int roller_radius() const override {
@@ -56,7 +57,6 @@ class RemoteCam final : public CamMechanism {
     [[nodiscard]] LeverState lever(const MechanismState& state) const;
 
     [[nodiscard]] RemoteLinkage linkage() const { return linkage_; }
-    [[nodiscard]] Rotation rotation() const { return rotation_; }
     [[nodiscard]] PressurePoint pressure_point() const { return pressure_point_; }
     /// The same mechanism, its pressure angle measured elsewhere.
     [[nodiscard]] RemoteCam measured_at(PressurePoint where) const;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The largest value of a smooth figure along a motion: samples between its breakpoints, the best refined.
+#pragma once
+
+#include "core/extremum.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace camopt {
+
+/// A value in SI and rad, and the x where it is reached.
+struct CamExtreme {
+    double value = 0.0;
+    double at = 0.0;
+};
+
+/// A figure at x; where the motion jumps, as seen from `side`.
+using FigureAlong = std::function<double(double x, Side side)>;
+
+/// breakpoints: ascending, at least two; between neighbours the figure is smooth. NaN (nothing to say there)
+/// counts as nothing; where there is nothing at all: -infinity.
+[[nodiscard]] CamExtreme largest_along(const std::vector<double>& breakpoints, const FigureAlong& figure);
+[[nodiscard]] CamExtreme least_along(const std::vector<double>& breakpoints, const FigureAlong& figure);
+
+}  // namespace camopt
