@@ -19,6 +19,7 @@ set(camopt_package_of_camopt_nlopt_package CamoptNLopt)
 set(camopt_package_of_camopt_ipopt_package CamoptIpopt)
 set(camopt_package_of_camopt_spqr_package CamoptSPQR)
 set(camopt_package_of_camopt_suitesparse_package CamoptSuiteSparse)
+set(camopt_package_of_camopt_opencascade_package CamoptOpenCascade)
 
 # camopt_link_line(<module> <components> <packages>): the folders and the packages that a module names itself.
 function(camopt_link_line module components packages)
@@ -73,7 +74,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/camoptConfig.cmake ${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
   DESTINATION ${camopt_package_dir})
 install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
-  cmake/FindCamoptSuiteSparse.cmake
+  cmake/FindCamoptSuiteSparse.cmake cmake/FindCamoptOpenCascade.cmake
   DESTINATION ${camopt_package_dir}/modules)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

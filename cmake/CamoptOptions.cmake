@@ -9,7 +9,7 @@ option(CAMOPT_BUILD_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.
-foreach(backend IPOPT NLOPT SPQR SUITESPARSE)
+foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE)
   set(CAMOPT_WITH_${backend} AUTO CACHE STRING "Use ${backend}: AUTO, ON or OFF")
   set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
