@@ -44,7 +44,7 @@ ExitCode check_command(const CheckRequest& request) {
                         check.rows, check.convex ? "convex: an optimum is global" : "not convex");
     text +=
         fmt::format("  solver: {}, design vector: {}\n", check.choice.solver, name_of(check.choice.design));
-    if (scene.cam) text += limits_text(check.limits);
+    if (scene.cam || scene.mechanism) text += limits_text(check.limits);
     for (const DerivativeError& error : check.derivatives)
         text +=
             fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind, short_text(error.error, 2),

@@ -9,6 +9,7 @@
 #include "output/result_json.hpp"
 #include "output/solution_text.hpp"
 #include "studies/check_cam.hpp"
+#include "studies/mechanism_report.hpp"
 #include "studies/solve.hpp"
 
 #include <fmt/format.h>
@@ -37,9 +38,10 @@ Solution solve_with_progress(const Scene& scene) {
 
 /// Runs a follower over the finished cam. Who pressed Ctrl-C waits for the files, not for this.
 void add_forward_check(Solution& solution) {
-    if (!solution.cam || InterruptWatch::interrupted()) return;
+    if (InterruptWatch::interrupted()) return;
     try {
-        solution.cam->forward_check = check_cam(solution);
+        if (solution.cam) solution.cam->forward_check = check_cam(solution);
+        if (solution.mechanism) solution.mechanism->forward_check = check_mechanism(solution);
     } catch (const InputError& error) {
         solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
     }

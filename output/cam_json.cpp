@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/cam_words.hpp"
+#include "output/mechanism_json.hpp"
 
 #include <optional>
 
@@ -67,6 +68,7 @@ Json forward_check_json(const Writer& writer, const Solution& solution) {
 
 Json dimensions_json(const Solution& solution) {
     Json json = Json::object();
+    if (solution.scene.mechanism) return mechanism_dimensions_json(solution);
     if (!solution.scene.cam) return json;
     for (const DimensionValue& dimension : cam_dimensions(solution))
         json[dimension.name + "_mm"] = number_json(dimension.millimetres);
@@ -74,6 +76,7 @@ Json dimensions_json(const Solution& solution) {
 }
 
 Json cam_json(const Solution& solution) {
+    if (solution.mechanism) return mechanism_json(solution);
     if (!solution.cam) return nullptr;
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;

@@ -6,6 +6,7 @@
 #include "output/display_scale.hpp"
 #include "output/infeasible_words.hpp"
 #include "output/key_words.hpp"
+#include "output/mechanism_words.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
 #include "output/segment_table.hpp"
@@ -34,6 +35,12 @@ std::string range_text(const Dimension& dimension) {
 }  // namespace
 
 std::string asked_cam(const Scene& scene) {
+    if (scene.mechanism) {
+        Solution asked;
+        asked.scene = scene;
+        return fmt::format("- Cam: {}, {}\n", mechanism_text(*scene.mechanism),
+                           mechanism_dimensions_text(asked));
+    }
     if (!scene.cam) return {};
     std::string text = fmt::format("- Cam: {}", follower_text(*scene.cam));
     for (int i = 0; i < dimension_count; ++i) {
@@ -44,7 +51,24 @@ std::string asked_cam(const Scene& scene) {
     return text + "\n";
 }
 
+namespace {
+
+std::string mechanism_section(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"", true}, {""}, {"at (deg)"}};
+    for (const CamFigure& figure : mechanism_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    return fmt::format(
+        "\n## The cam\n\n{}: {}.\n\n{}\n{}\n![Cam and linkage to scale](mechanism.svg)\n\n"
+        "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n",
+        mechanism_text(*solution.scene.mechanism), mechanism_dimensions_text(solution), markdown_text(table),
+        list_of(mechanism_remarks(solution)));
+}
+
+}  // namespace
+
 std::string cam_section(const Solution& solution) {
+    if (solution.mechanism) return mechanism_section(solution);
     if (!solution.cam) return {};
     std::string text = fmt::format("\n## The cam\n\n{}: {}.\n\n", follower_text(*solution.scene.cam),
                                    dimensions_text(solution));

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "output/cam_profile.hpp"
 #include "output/certificate_json.hpp"
+#include "output/mechanism_files.hpp"
 #include "output/motion_csv.hpp"
 #include "output/motion_svg.hpp"
 #include "output/report.hpp"
@@ -22,8 +23,9 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has.
-constexpr std::array optional_files = {"motion.csv",  "motion.svg",           "profile.csv",
-                                       "profile.svg", "profile_diagrams.svg", "profile.dxf"};
+constexpr std::array optional_files = {"motion.csv",    "motion.svg",           "profile.csv",
+                                       "profile.svg",   "profile_diagrams.svg", "profile.dxf",
+                                       "mechanism.svg", "pressure_angle.svg",   "curvature.svg"};
 
 class FolderWriter {
  public:
@@ -76,6 +78,13 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
         writer.write("profile.svg", profile.svg);
         writer.write("profile_diagrams.svg", profile.diagrams_svg);
         if (profile.dxf) writer.write("profile.dxf", *profile.dxf);
+    }
+    if (solution.mechanism && solution.mechanism->mechanism.formulas->planar()) {
+        const MechanismTexts texts = mechanism_texts(solution, options.points);
+        writer.write("profile.csv", texts.csv);
+        writer.write("mechanism.svg", texts.svg);
+        writer.write("pressure_angle.svg", texts.pressure_angle_svg);
+        writer.write("curvature.svg", texts.curvature_svg);
     }
     writer.remove_others();
     writer.write("report.md", report_markdown(solution, origin));

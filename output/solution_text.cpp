@@ -4,6 +4,7 @@
 #include "output/cam_remarks.hpp"
 #include "output/cam_words.hpp"
 #include "output/infeasible_words.hpp"
+#include "output/mechanism_words.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
 #include "output/segment_table.hpp"
@@ -70,7 +71,21 @@ std::string segment_lines(const Solution& solution) {
     return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
 }
 
+std::string mechanism_lines(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
+    for (const CamFigure& figure : mechanism_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    std::string text = fmt::format("  cam: {}\n", mechanism_text(*solution.scene.mechanism));
+    text += wrapped_text("dimensions: " + mechanism_dimensions_text(solution), "  ", line_width);
+    text += indented(aligned_text(table));
+    for (const std::string& remark : mechanism_remarks(solution))
+        text += wrapped_text(remark, "  ", line_width);
+    return text;
+}
+
 std::string cam_lines(const Solution& solution) {
+    if (solution.mechanism) return mechanism_lines(solution);
     if (!solution.cam) return {};
     TextTable table;
     table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
