@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "studies/papers/paper_001.hpp"
 #include "studies/papers/paper_002.hpp"
+#include "studies/papers/paper_000.hpp"
 #include "studies/papers/paper_004.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ namespace camopt {
 
 std::span<const PaperInfo> paper_catalogue() {
     static constexpr std::array papers = {
+        PaperInfo{"000", "curvilinear inverse cam and feeder", paper_000},
         PaperInfo{"001", "open cylindrical cam with a rotating follower (OCRF)", paper_001},
         PaperInfo{"002", "barrel cam of a machine that makes paper cups, 2011", paper_002},
         PaperInfo{"004", "optimum cam curves by cubic splines, 1994", paper_004},
