@@ -79,6 +79,14 @@ Fault spline_fault(const SplineSpec& spline) {
     return std::nullopt;
 }
 
+/// The dimension of this name that the scene's mechanism has; none where it has no such one.
+const MechanismDimension* dimension_of_mechanism(const Scene& scene, std::string_view name) {
+    if (!scene.mechanism) return nullptr;
+    for (const MechanismDimension& dimension : scene.mechanism->dimensions)
+        if (dimension.name == name) return &dimension;
+    return nullptr;
+}
+
 /// The weights of the cam's dimensions; `found`: one of them counts.
 Fault dimension_weight_fault(const Scene& scene, bool& found) {
     for (int i = 0; i < dimension_count; ++i) {
@@ -86,6 +94,10 @@ Fault dimension_weight_fault(const Scene& scene, bool& found) {
         const double weight = scene.objective.dimensions[static_cast<std::size_t>(i)];
         if (weight == 0.0) continue;
         const std::string member = fmt::format("objective.{}", name_of(index));
+        if (const MechanismDimension* const own = dimension_of_mechanism(scene, name_of(index))) {
+            if (own->value.is_variable()) found = true;
+            continue;
+        }
         if (!scene.cam)
             return SceneFault{member, fmt::format("{} without a cam", weight),
                               "0, or a [cam] table with this dimension"};

@@ -20,25 +20,29 @@ constexpr auto needs_forces = Availability::needs_forces;
 // clang-format off
 std::vector<KeyRow> cam_rows() {
     std::vector<KeyRow> rows = {
-        {"cam", "type", text, plain, any, {"disk", "remote"}, "required",
-         "The kind of cam: a disk cam with its follower, or one whose lever moves the output through a linkage."},
+        {"cam", "type", text, plain, any, {"disk", "remote", "barrel", "cylindrical"}, "required",
+         "The kind of cam: a disk cam with its follower, one whose lever moves the output through a linkage, a barrel "
+         "cam with its index, a cylindrical cam."},
         {"cam", "follower", text, plain, any,
          {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller",
-          "oscillating_flat"},
+          "oscillating_flat", "rotating", "translating"},
          "required",
-         "What touches the cam. The lift of an oscillating follower is an angle, that of the others a length."},
+         "`rotating` and `translating` are for cylindrical cams, the others for disks. "
+         "What touches the cam. The lift of an oscillating or rotating follower is an angle, that of the others a length."},
         {"cam", "base_radius", number_or_range, length, positive, {}, "required",
          "Radius of the base circle, on which the follower rests at displacement 0; the prime circle is base + "
          "roller."},
         {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
-         "Radius of the roller; `translating_roller`, `oscillating_roller` and `remote` only."},
+         "Radius of the roller; of disk cams `translating_roller` and `oscillating_roller` only."},
         {"cam", "offset", number_or_range, length, any, {}, "0",
          "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam "
          "turns counterclockwise. `translating_roller` and `translating_knife` only."},
         {"cam", "center_distance", number_or_range, length, positive, {}, "required for oscillating",
-         "From the cam's centre to the follower's pivot; oscillating followers only."},
-        {"cam", "arm_length", number_or_range, length, positive, {}, "required for oscillating_roller",
-         "From the pivot to the roller's centre; `oscillating_roller` only."},
+         "From the cam's centre to the follower's pivot: oscillating followers; cylindrical: a rotating one. Barrel: "
+         "from the cam's axis to the rollers' near end."},
+        {"cam", "arm_length", number_or_range, length, positive, {}, "required for oscillating_roller, rotating, barrel",
+         "From the pivot to the roller's centre: `oscillating_roller`; to its near end: `rotating`; barrel: the index "
+         "radius, from the index's axis to the rollers'."},
         {"cam", "face_offset", number_or_range, length, any, {}, "0",
          "Distance of the flat face from its parallel through the pivot, positive towards the cam's centre; "
          "`oscillating_flat` only."},
@@ -48,7 +52,12 @@ std::vector<KeyRow> cam_rows() {
          "The sense in which the cam turns."},
     };
     for (KeyRow& row : rows)
-        if (row.name != "type" && row.name != "roller_radius" && row.name != "rotation") row.cam_type = "disk";
+        if (row.name == "follower")
+            row.cam_type = "disk|cylindrical";
+        else if (row.name == "center_distance" || row.name == "arm_length")
+            row.cam_type = "disk|barrel|cylindrical";
+        else if (row.name != "type" && row.name != "roller_radius" && row.name != "rotation")
+            row.cam_type = "disk";
     return rows;
 }
 

@@ -87,6 +87,12 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
     const auto type = source.find("cam", "type");
     if (!table || !type || type->value().text != "disk") return std::nullopt;
     CamSpec cam;
+    if (const auto given = source.find("cam", "follower"))
+        if (const std::string& word = given->value().text; word == "rotating" || word == "translating")
+            refuse_key(source, *given,
+                       fmt::format("found \"{}\" for a cam of type \"disk\"; allowed: only with cam.type = "
+                                   "\"cylindrical\"",
+                                   word));
     source.read_choice("cam", "follower", followers, cam.follower);
     source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);
     if (is_oscillating(cam.follower) != motion.lift_is_angle)

@@ -66,16 +66,14 @@ class KeyCheck {
         const auto type = source_.find("cam", "type");
         return type ? std::string_view(type->value().text) : std::string_view{};
     }
-    [[nodiscard]] bool is_of_this_cam(const KeyRow& row) const {
-        return row.cam_type.empty() || row.cam_type == cam_type();
-    }
+    [[nodiscard]] bool is_of_this_cam(const KeyRow& row) const { return row.is_for(cam_type()); }
     void refuse_other_cam(const Given& given, const std::string& key) const {
         if (is_of_this_cam(*given.row)) return;
         // Without a type the missing type is what is wrong.
         if (given.row->table == "cam" && cam_type().empty()) return;
         source_.fail(given.member->place, key,
-                     fmt::format("found a key for cams of type \"{}\"; allowed: only with cam.type = \"{}\"",
-                                 given.row->cam_type, given.row->cam_type));
+                     fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}",
+                                 given.row->cam_types('"')));
     }
 
     [[noreturn]] void refuse_unknown(const Member& member, std::string_view table,

@@ -43,6 +43,7 @@ namespace camopt::input {
 /// Rows of [cam], [forces] and of what [objective] and [limits] say about a cam.
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> remote_rows();
+[[nodiscard]] std::vector<KeyRow> spatial_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 [[nodiscard]] std::vector<KeyRow> cam_limit_rows();

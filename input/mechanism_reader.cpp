@@ -3,6 +3,7 @@
 
 #include "core/remote_spec.hpp"
 #include "core/units.hpp"
+#include "input/spatial_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -126,7 +127,8 @@ class RemoteReader {
 std::optional<MechanismSpec> read_mechanism(const SceneSource& source, const MotionSpec& motion) {
     const auto type = source.find("cam", "type");
     if (!type || type->value().text == "disk") return std::nullopt;
-    return RemoteReader(source).read(motion);
+    if (type->value().text == "remote") return RemoteReader(source).read(motion);
+    return read_spatial(source, motion);
 }
 
 }  // namespace camopt::input

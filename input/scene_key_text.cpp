@@ -80,12 +80,29 @@ std::string markdown_row(const KeyRow& row) {
     std::string later;
     if (!row.later_choice.empty()) later = fmt::format(" *`\"{}\"` is not available yet.*", row.later_choice);
     if (!row.instead_of.empty()) later += fmt::format(" Instead of `{}`.", row.instead_of);
-    if (!row.cam_type.empty() && row.table == "cam") later += fmt::format(" *Type `{}` only.*", row.cam_type);
+    if (!row.cam_type.empty() && row.table == "cam")
+        later += fmt::format(" *Type {} only.*", row.cam_types('`'));
     return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_name(row), unit_text(row),
                        range_text(row), row.default_text, row.meaning, later, remark(row));
 }
 
 }  // namespace
+
+bool KeyRow::is_for(std::string_view type_of_cam) const {
+    if (cam_type.empty()) return true;
+    const std::string all = fmt::format("|{}|", cam_type);
+    return !type_of_cam.empty() && all.find(fmt::format("|{}|", type_of_cam)) != std::string::npos;
+}
+
+std::string KeyRow::cam_types(char quote) const {
+    std::string text(1, quote);
+    for (const char c : cam_type)
+        if (c == '|')
+            text += fmt::format("{0} or {0}", quote);
+        else
+            text += c;
+    return text + quote;
+}
 
 std::string KeyRow::key(const Spelling& spelling) const {
     return fmt::format("{}{}", name, spelling.suffix);

@@ -175,7 +175,7 @@ const std::vector<KeyRow>& scene_keys() {
         Rows all;
         for (const Rows& part :
              {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
-              remote_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
+              remote_rows(), spatial_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

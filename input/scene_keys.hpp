@@ -52,8 +52,12 @@ struct KeyRow {
     Availability availability = Availability::now;
     std::string_view later_choice = {};  ///< a text of the contract that is not available yet
     std::string_view instead_of = {};    ///< another key of the table that must not stand beside it
-    std::string_view cam_type = {};      ///< only where cam.type is this; empty: whatever it is
+    /// Only where cam.type is this, or one of these: "disk|barrel"; empty: whatever it is.
+    std::string_view cam_type = {};
 
+    [[nodiscard]] bool is_for(std::string_view type_of_cam) const;
+    /// The types it is for, each between two `quote`s: "disk" or "barrel".
+    [[nodiscard]] std::string cam_types(char quote) const;
     [[nodiscard]] bool required() const { return default_text == "required"; }
     [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"
     /// What is allowed, as an error message says it, in the unit of the spelling.

@@ -31,7 +31,7 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
 
 void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
     const auto& limit = scene.limits.pressure_angle;
-    if (!limit) return;
+    if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
     const double length = mechanism->formulas->length(mechanism->dimensions);
     const double cosine = std::cos(limit->value) / length, sine = std::sin(limit->value) / length;
     for (const int sign : {1, -1}) {
@@ -75,7 +75,7 @@ void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int st
 
 void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
     const auto& limit = scene.limits.undercut_margin;
-    if (!limit) return;
+    if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
         const MechanismValue regularity = call(MechanismQuantity::regularity);
         return shifted(sum(-1.0, regularity, 0.0, regularity), margin);

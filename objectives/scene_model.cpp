@@ -298,6 +298,18 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
 }
 
+/// The weight of a dimension, as for disk cams by its name, divided by the lift; where the output swings by
+/// the lift times a length of the mechanism.
+double mechanism_weight(const Scene& scene, const std::string& name) {
+    const MechanismSpec& spec = *scene.mechanism;
+    const double lift = scene.motion.lift;
+    for (int d = 0; d < dimension_count; ++d)
+        if (name == name_of(static_cast<DimensionIndex>(d)))
+            return scene.objective.dimensions[static_cast<std::size_t>(d)] /
+                   (spec.formulas->swings() ? lift * spec.formulas->length(spec.middle()) : lift);
+    return 0.0;
+}
+
 void add_mechanism(CamModel& model, const Scene& scene) {
     if (!scene.mechanism) return;
     const MechanismSpec& spec = *scene.mechanism;
@@ -313,11 +325,18 @@ void add_mechanism(CamModel& model, const Scene& scene) {
     mechanism->scale = {scene.motion.lift, scene.motion.unit_angle()};
     for (std::size_t d = 0; d < spec.dimensions.size(); ++d) {
         const Dimension& dimension = spec.dimensions[d].value;
-        if (!dimension.is_variable()) continue;
+        const double weight = mechanism_weight(scene, spec.dimensions[d].name);
+        if (!dimension.is_variable()) {
+            model.cost_constant += weight * std::abs(dimension.low);
+            continue;
+        }
         const double reference = std::max(std::abs(dimension.low), std::abs(dimension.high));
         const int index = static_cast<int>(model.parameters.size());
-        model.parameters.push_back({spec.dimensions[d].name, Parameter::Kind::dimension, 0, reference, 0.0,
-                                    dimension.low / reference, dimension.high / reference});
+        const bool signless = dimension.low >= 0.0;
+        model.parameters.push_back({spec.dimensions[d].name, Parameter::Kind::dimension, 0, reference,
+                                    signless ? weight * reference : 0.0, dimension.low / reference,
+                                    dimension.high / reference});
+        if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
         mechanism->variables.push_back({static_cast<int>(d), index, reference});
     }
     model.mechanism = mechanism;

@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "profiles/remote/remote_cam.hpp"
+#include "profiles/spatial/spatial_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,14 @@ namespace camopt {
 void complete_mechanism(Scene& scene) {
     if (!scene.mechanism) return;
     MechanismSpec& spec = *scene.mechanism;
-    if (spec.type != "remote")
-        throw InputError(fmt::format("cam.type: found \"{}\"; allowed: \"disk\" or \"remote\"", spec.type));
-    spec.formulas = std::make_shared<RemoteCam>(spec);
+    if (spec.type == "remote")
+        spec.formulas = std::make_shared<RemoteCam>(spec);
+    else if (spec.type == "barrel" || spec.type == "cylindrical")
+        spec.formulas = spatial_mechanism(spec);
+    else
+        throw InputError(fmt::format(
+            "cam.type: found \"{}\"; allowed: \"disk\", \"remote\", \"barrel\" or \"cylindrical\"",
+            spec.type));
     validate(scene);
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace camopt {
 
@@ -153,7 +154,7 @@ PaperTable point_table(const Example& example) {
     add("machine X, Y, Z (as printed)", machine_matrix(pose.angles, 1.0) * pose.tip / millimetre - length,
         "mm");
     table.rows.push_back({std::string("table angles θ0, θ1"), pose.angles.first, pose.angles.second,
-                          PaperCell{}, std::string("rad")});
+                          cell_of(std::nullopt), std::string("rad")});
     return table;
 }
 

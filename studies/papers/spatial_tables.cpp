@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 namespace camopt::spatial_tables {
 
@@ -92,8 +93,8 @@ PaperTable undercut_table(const Example& example) {
                                       worst.theta / degree, worst.height / millimetre};
         const auto radius = critical_roller_radius(cam, example.motion, far_end);
         const auto distance = critical_center_distance(cam, example.motion, far_end);
-        row.push_back(radius ? PaperCell(radius->value / millimetre) : PaperCell{});
-        row.push_back(distance ? PaperCell(distance->value / millimetre) : PaperCell{});
+        for (const auto& critical : {radius, distance})
+            row.push_back(cell_of(critical ? std::optional(critical->value / millimetre) : std::nullopt));
         table.rows.push_back(std::move(row));
     }
     const Interference found = interference(cam, example.motion, {});

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/spatial/spatial_mechanism.hpp"
+
+#include "core/spatial_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace camopt {
+namespace {
+
+constexpr int station_count = 2 * mechanism_heights;
+
+RollerStation station_of(const SpatialCam& cam, int station) {
+    const double share = static_cast<double>(station / 2) / (mechanism_heights - 1);
+    return {share * cam.roller_length, station % 2 == 0 ? 1 : -1};
+}
+
+/// Slopes of the variables of spatial_quantity by one number of the mechanism. The station's height enters
+/// every formula together with the dimension it is counted from: ρ = center_distance − h or arm_length + h.
+Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, int number, int station) {
+    Eigen::Matrix<double, spatial_variables, 1> direction;
+    direction.setZero();
+    switch (static_cast<SpatialNumber>(number)) {
+        case SpatialNumber::roller_length: {
+            const double share = static_cast<double>(station / 2) / (mechanism_heights - 1);
+            if (cam.follower == SpatialFollower::cylindrical_rotating)
+                direction(column_of(SpatialDimension::arm_length)) = share;
+            else
+                direction(column_of(SpatialDimension::center_distance)) = -share;
+            break;
+        }
+        case SpatialNumber::start:
+            direction(0) = 1.0;
+            break;
+        case SpatialNumber::axial_offset:
+            break;
+        default:
+            direction(3 + number) = 1.0;
+    }
+    return direction;
+}
+
+class SpatialMechanism final : public CamMechanism {
+ public:
+    SpatialMechanism(SpatialFollower follower, Rotation rotation)
+        : follower_(follower), rotation_(rotation) {}
+
+    [[nodiscard]] std::string type() const override {
+        return follower_ == SpatialFollower::barrel ? "barrel" : "cylindrical";
+    }
+    [[nodiscard]] bool swings() const override { return camopt::swings(follower_); }
+    [[nodiscard]] Rotation rotation() const override { return rotation_; }
+    [[nodiscard]] int stations() const override { return station_count; }
+    [[nodiscard]] std::string station_name(int station) const override {
+        return fmt::format("{:.0f} % of the roller, flank {}",
+                           100.0 * (station / 2) / (mechanism_heights - 1), station % 2 == 0 ? "+" : "-");
+    }
+    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
+        if (which == MechanismQuantity::regularity) return true;
+        return station == 0 || station == station_count - 2;
+    }
+    [[nodiscard]] int roller_radius() const override {
+        return static_cast<int>(SpatialNumber::roller_radius);
+    }
+    [[nodiscard]] bool planar() const override { return false; }
+    [[nodiscard]] double length(std::span<const double> dimensions) const override {
+        return dimensions[static_cast<std::size_t>(SpatialNumber::center_distance)];
+    }
+    [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
+                                    double most) const override {
+        return geometry_fault(cam(dimensions), least, most);
+    }
+
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) const override {
+        const SpatialCam own = cam(state.dimensions);
+        const auto size = static_cast<Eigen::Index>(3 + active.size());
+        if (which == MechanismQuantity::pitch_curvature) {
+            const double none = std::numeric_limits<double>::quiet_NaN();
+            return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
+        }
+        const SpatialValue value =
+            spatial_quantity(own, state.output, station_of(own, station), quantity_of(which));
+        Eigen::MatrixXd directions(spatial_variables, size);
+        directions.leftCols(3).setIdentity();
+        for (std::size_t i = 0; i < active.size(); ++i)
+            directions.col(static_cast<Eigen::Index>(3 + i)) = direction_of(own, active[i], station);
+        return {value.value, directions.transpose() * value.gradient,
+                directions.transpose() * value.hessian * directions};
+    }
+
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
+                                       int station) const override {
+        const SpatialCam own = cam(state.dimensions);
+        const SpatialPoint found = spatial_point(own, theta, state.output, station_of(own, station));
+        MechanismPoint point;
+        point.theta = theta;
+        point.pitch = found.center;
+        point.contact = found.contact;
+        point.normal = -found.normal;
+        point.pressure_angle = found.pressure_angle;
+        point.pitch_curvature = point.cam_radius = std::numeric_limits<double>::quiet_NaN();
+        point.regularity = found.undercut;
+        return point;
+    }
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
+        return std::nullopt;
+    }
+
+ private:
+    static SpatialQuantity quantity_of(MechanismQuantity which) {
+        if (which == MechanismQuantity::pressure_numerator) return SpatialQuantity::pressure_numerator;
+        if (which == MechanismQuantity::pressure_denominator) return SpatialQuantity::pressure_denominator;
+        return SpatialQuantity::undercut;
+    }
+    [[nodiscard]] SpatialCam cam(std::span<const double> numbers) const {
+        return spatial_cam(follower_, rotation_, numbers);
+    }
+
+    SpatialFollower follower_;
+    Rotation rotation_;
+};
+
+}  // namespace
+
+SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<const double> numbers) {
+    const auto number = [&](SpatialNumber which) { return numbers[static_cast<std::size_t>(which)]; };
+    SpatialCam cam;
+    cam.follower = follower;
+    cam.rotation = rotation;
+    cam.dimensions = {number(SpatialNumber::roller_radius), number(SpatialNumber::arm_length),
+                      number(SpatialNumber::center_distance), number(SpatialNumber::lateral_offset)};
+    cam.axial_offset = number(SpatialNumber::axial_offset);
+    cam.roller_length = number(SpatialNumber::roller_length);
+    cam.start = number(SpatialNumber::start);
+    return cam;
+}
+
+SpatialCam middle_spatial_cam(const MechanismSpec& spec) {
+    const std::vector<double> numbers = spec.middle();
+    return spatial_cam(spatial_follower(spec), spec.rotation, numbers);
+}
+
+std::shared_ptr<const CamMechanism> spatial_mechanism(const MechanismSpec& spec) {
+    return std::make_shared<SpatialMechanism>(spatial_follower(spec), spec.rotation);
+}
+
+}  // namespace camopt

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Barrel and cylindrical cams as a CamMechanism: what a scene's optimizer sees of them.
+//
+// Stations are heights along the roller, evenly from its near to its far end, each on both flanks: station
+// 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
+// cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere where it holds at both ends:
+// it binds at two stations only. g binds at every station.
+// Dimensions in the order of SpatialNumber (core/spatial_spec.hpp); m, rad.
+#pragma once
+
+#include "core/cam_mechanism.hpp"
+#include "core/mechanism_spec.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
+
+#include <memory>
+#include <span>
+
+namespace camopt {
+
+/// Heights at which g is kept; g is smooth over a roller (its extremes have always been found at its ends).
+inline constexpr int mechanism_heights = 3;
+
+/// The formulas of a spec of type "barrel" or "cylindrical". Throws InputError for another.
+[[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const MechanismSpec& spec);
+
+/// The cam with these numbers, in the order of SpatialNumber.
+[[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,
+                                     std::span<const double> numbers);
+/// With each variable dimension in the middle of its range.
+[[nodiscard]] SpatialCam middle_spatial_cam(const MechanismSpec& spec);
+
+}  // namespace camopt
