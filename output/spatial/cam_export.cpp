@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "output/spatial/cam_export.hpp"
+
+#include "core/errors.hpp"
+#include "output/spatial/flank_surfaces.hpp"
+#include "output/spatial/indexing_body.hpp"
+#include "output/surface/mesh_files.hpp"
+#include "output/surface/step/step_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <system_error>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+constexpr double same_angle = 1e-9;  // rad
+
+/// Whole or not at all: beside its place first, then named.
+void write_bytes(Paths& written, const std::filesystem::path& path, const std::string& bytes) {
+    std::filesystem::path beside = path;
+    beside += ".part";
+    std::ofstream file(beside, std::ios::binary);
+    file << bytes;
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(beside, path, error);
+    if (!file || error) throw InputError(fmt::format("cannot write the file {}", path.string()));
+    written.push_back(path);
+}
+
+void write_step(Paths& written, const std::filesystem::path& path, const FlankGrid& grid) {
+    std::vector<BsplineSurface> surfaces;
+    for (const SurfaceGrid& flank : flank_surfaces(grid))
+        for (BsplineSurface& surface : bspline_surfaces(flank)) surfaces.push_back(std::move(surface));
+    write_step_file(path, surfaces);
+    written.push_back(path);
+}
+
+TriangleMesh body_of(const IndexingBody& body) {
+    TriangleMesh mesh = body.hub;
+    append(mesh, body.thread);
+    return mesh;
+}
+
+std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, const FlankGrid& grid,
+                       const std::string& title) {
+    MeshView view;
+    view.up = Eigen::Vector3d::UnitY();  // where the roller stands at cam angle 0
+    view.azimuth = 140.0 * std::numbers::pi / 180.0;
+    view.elevation = 28.0 * std::numbers::pi / 180.0;
+    if (indexes(cam, motion)) return mesh_svg(painted(indexing_body(cam, motion)), view, title);
+    return mesh_svg(std::vector<PaintedMesh>{{groove_body(grid), {226, 164, 84}}}, view, title);
+}
+
+}  // namespace
+
+bool indexes(const SpatialCam& cam, const FollowerMotion& motion) {
+    const bool turn = std::abs(motion.end() - motion.begin() - 2.0 * std::numbers::pi) < same_angle;
+    const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
+    return turn && cam.follower != SpatialFollower::cylindrical_translating && std::abs(advance) > same_angle;
+}
+
+Paths write_cam_files(const std::filesystem::path& folder, const SpatialCam& cam,
+                      const FollowerMotion& motion, const CamExportOptions& options) {
+    const FlankGrid grid = flank_grid(cam, motion, options.sampling);
+    Paths written;
+    if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
+    if (options.step) write_step(written, folder / "flanks.step", grid);
+    if (options.stl) {
+        write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
+        if (indexes(cam, motion))
+            write_bytes(written, folder / "cam.stl",
+                        stl_bytes(body_of(indexing_body(cam, motion)), options.title));
+    }
+    if (options.obj) {
+        std::vector<NamedMesh> parts;
+        for (const SurfaceGrid& flank : flank_surfaces(grid)) parts.push_back({flank.name, mesh_of(flank)});
+        if (indexes(cam, motion)) parts.push_back({"body", body_of(indexing_body(cam, motion))});
+        write_bytes(written, folder / "cam.obj", obj_text(parts, options.title));
+    }
+    if (options.picture)
+        write_bytes(written, folder / "cam.svg", picture_of(cam, motion, grid, options.title));
+    return written;
+}
+
+}  // namespace camopt

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The files of a three-dimensional cam: points, surfaces, solids, a picture. Frame of
+// profiles/spatial/spatial_cam.hpp; mm in files.
+#pragma once
+
+#include "profiles/spatial/flank_grid.hpp"
+#include "profiles/spatial/follower_motion.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+struct CamExportOptions {
+    bool csv = false;      ///< flanks.csv
+    bool stl = false;      ///< groove.stl and, of an indexing cam, cam.stl
+    bool obj = false;      ///< cam.obj: both flanks; of an indexing cam its body too
+    bool step = false;     ///< flanks.step; needs Open CASCADE
+    bool picture = false;  ///< cam.svg
+    FlankSampling sampling = {9, 361, 0.0, 0.0};
+    std::string title = "cam";
+};
+
+/// Over one turn the follower advances by one pitch: the thread between two rollers is the cam's body.
+[[nodiscard]] bool indexes(const SpatialCam& cam, const FollowerMotion& motion);
+
+/// Writes what is asked for into the folder, which exists; returns the paths. Throws InputError where a file
+/// cannot be written, UnavailableError for STEP in a build without it.
+std::vector<std::filesystem::path> write_cam_files(const std::filesystem::path& folder, const SpatialCam& cam,
+                                                   const FollowerMotion& motion,
+                                                   const CamExportOptions& options);
+
+}  // namespace camopt
