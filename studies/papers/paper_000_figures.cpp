@@ -96,8 +96,8 @@ void add_pose(PaperFigure& figure, double time, const std::string& title) {
     const Eigen::Vector2d pivot = linkage().rocker_pivot;
     const Eigen::Vector2d feeder_point(pivot.x() + linkage().feeder_offset, state.feeder.feeder.s);
     figure.series.push_back(
-        points_of("body to its pin, rocker, feeder", {{0.0, 0.0}, state.feeder.pin, pivot, feeder_point}));
-    PaperSeries roller = points_of("roller", {{state.roller.distance, 0.0}});
+        points_of("pin, rocker, feeder, " + title, {{0.0, 0.0}, state.feeder.pin, pivot, feeder_point}));
+    PaperSeries roller = points_of("roller, " + title, {{state.roller.distance, 0.0}});
     roller.markers = true;
     figure.series.push_back(roller);
 }
