@@ -50,6 +50,24 @@ TEST(Program, PrintsASummaryForPeople) {
     EXPECT_NE(run.output.find("−2.6 %"), std::string::npos);
 }
 
+TEST(Program, ReproducesAPaper) {
+    const test::TemporaryFolder folder;
+    const std::string out = folder.path() + "/paper";
+    const ProgramRun run = run_camopt("reproduce 000 --json --out '" + out + "'");
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.errors, "");
+    const json report = json::parse(run.output);
+    EXPECT_EQ(report["paper"], "000");
+    EXPECT_EQ(read_text_file(out + "/report.json"), run.output);
+    EXPECT_TRUE(std::filesystem::exists(out + "/report.md"));
+    for (const json& table : report["tables"])
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + table["key"].get<std::string>() + ".csv"));
+    for (const json& figure : report["figures"])
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + figure["key"].get<std::string>() + ".svg"));
+    expect_refused("reproduce 007", "007");
+    expect_refused("reproduce", "PAPER");
+}
+
 TEST(Program, WritesTheFolderAndNothingWithoutIt) {
     const test::TemporaryFolder folder;
     const std::string out = folder.path() + "/new/results";
