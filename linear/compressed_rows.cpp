@@ -87,12 +87,17 @@ CompressedRows::CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor
     }
 }
 
-void CompressedRows::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const {
-    double* const to = out.data();
+CompressedRows::CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix,
+                               const std::vector<int>& names)
+    : CompressedRows(matrix) {
+    for (int& row : row_) row = names[static_cast<std::size_t>(row)];
+}
+
+void CompressedRows::multiply(const double* x, double* to) const {
     for (const Group& group : groups_)
         with_length(group.length, [&](auto rows) {
             rows.multiply(row_.data() + group.first, row_.data() + group.last, group.length,
-                          column_.data() + group.entry, value_.data() + group.entry, x.data(),
+                          column_.data() + group.entry, value_.data() + group.entry, x,
                           [&](int row, double sum) { to[row] = sum; });
         });
 }

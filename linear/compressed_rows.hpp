@@ -2,8 +2,8 @@
 // A sparse matrix A for products in the inner loop of a solver: no temporaries, no allocation.
 //
 // Rows of the same length stand together, so that short ones (a sampled rule has two to five entries) become
-// straight lines of code. Aᵀ is best kept as a matrix of its own: adding
-// rows to a result makes every row wait for the one before wherever they share a dense column.
+// straight lines of code. Aᵀ is best kept as a matrix of its own: adding rows to a result makes every row
+// wait for the one before wherever they share a dense column.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,9 +17,13 @@ class CompressedRows {
  public:
     CompressedRows() = default;
     explicit CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
+    /// Row k of the matrix is row names[k] of A, whose other rows are not there: a product leaves their
+    /// entries of `out` alone.
+    CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, const std::vector<int>& names);
 
     /// out = A x; `out` has the right size already.
-    void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
+    void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const { multiply(x.data(), out.data()); }
+    void multiply(const double* x, double* out) const;
     /// out += factor · A x
     void add_product(double factor, const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Internal to solvers/structured/: the Newton system of the interior point,
 //
-//     [ ∇²f + Σ   Cᵀ ] [ Δx ]   [ p ]      Σ: barrier curvature of the variables' bounds, >= 0
-//     [    C     −D  ] [ Δλ ] = [ q ]      D: 1 / barrier curvature of the rows, 0 for equalities
+//     ∇²f Δx + Eᵀ Δλ + Cᵀ (ν_l − ν_u) + Wᵀ (ν_l + ν_u) = p,   E Δx = q,
+//     ν_l = K_l (Δt + Δw) − f_l,   ν_u = K_u (Δw − Δt) − f_u,
 //
-// with the inequalities (D > 0) eliminated: what is factorized is
+// with the ranges of range_rows.hpp (t = C x, w = W x), the curvatures K of their sides (z/g, >= 0) and
+// the forces f. ν is eliminated: what is factorized is
 //
-//     [ ∇²f + Σ + C_Iᵀ D_I⁻¹ C_I   C_Eᵀ ]
-//     [            C_E               0  ]
+//     [ ∇²f + Cᵀ(K_l + K_u)C + Cᵀ(K_l − K_u)W + Wᵀ(K_l − K_u)C + Wᵀ(K_l + K_u)W   Eᵀ ]
+//     [                                  E                                       0  ]
 //
 // whose pattern never changes. A solve is refined on the residual of the whole system, so that neither the
 // elimination nor shifts of the diagonal cost accuracy.
@@ -16,6 +17,7 @@
 #include "linear/compressed_rows.hpp"
 #include "linear/sparse_symmetric.hpp"
 #include "solvers/structured/convex_model.hpp"
+#include "solvers/structured/range_rows.hpp"
 
 #include <Eigen/Core>
 
@@ -25,58 +27,55 @@
 namespace camopt::structured {
 
 struct NewtonUnknowns {
-    Eigen::VectorXd x, lambda;
-    Eigen::VectorXd image;  ///< C x
+    Eigen::VectorXd x, lambda;  ///< λ: one an equality
+    Eigen::VectorXd slide;      ///< [Δt + Δw; Δw − Δt], one a side
+    Eigen::VectorXd nu;         ///< ν, one a side
+};
+
+struct NewtonRightSide {
+    Eigen::VectorXd p, q, force;
 };
 
 class CondensedSystem {
  public:
-    CondensedSystem(const ConvexModel& model, FactorKind kind, double shift);
+    CondensedSystem(const ConvexModel& model, const RangeRows& ranges, FactorKind kind, double shift);
 
-    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian; `d`: one a row, 0 for equalities. Both
-    /// vectors must live until the last solve. False: breakdown.
-    [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& sigma,
-                                 const Eigen::VectorXd& d);
+    /// `hessian`: values of ∇²f in the order of ConvexModel::hessian; `curvature`: K, one a side. Both must
+    /// live until the last solve. False: breakdown.
+    [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& curvature);
 
-    /// The solution, refined until the largest entry of the residual is at most `goal` or falls no more;
-    /// `image` = C x. A goal that is infinite asks for no residual at all.
+    /// The solution, refined until the largest entry of the residual is at most `goal` or falls no more.
+    /// A goal that is infinite asks for no residual at all.
     struct Accuracy {
         double residual = 0.0;  ///< largest entry; infinite: not finite
         bool reached = true;
     };
-    [[nodiscard]] Accuracy solve(const Eigen::VectorXd& p, const Eigen::VectorXd& q, double goal,
-                                 NewtonUnknowns& out);
+    [[nodiscard]] Accuracy solve(const NewtonRightSide& right_side, double goal, NewtonUnknowns& out);
 
     [[nodiscard]] const SymmetricFactor& factor() const { return *factor_; }
-    [[nodiscard]] const CompressedRows& rows() const { return rows_; }
-    [[nodiscard]] const CompressedRows& columns() const { return columns_; }
+
+    /// image = [C x; E x]
+    void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& image) const { rows_.multiply(x, image); }
+    /// out += factor (Eᵀ λ + Cᵀ (ν_l − ν_u) + Wᵀ (ν_l + ν_u))
+    void add_transposed(double factor, const Eigen::VectorXd& lambda, const Eigen::VectorXd& nu,
+                        Eigen::VectorXd& out);
 
  private:
-    /// values_[slot] += product · weight[row]
-    struct Term {
-        int slot, row;
-        double product;
-    };
-    void find_pattern();
-    int number_equalities();
-    [[nodiscard]] std::vector<std::vector<int>> hessian_by_column() const;
     void apply_factor(const Eigen::VectorXd& p, const Eigen::VectorXd& q, NewtonUnknowns& out);
-    double residual(const Eigen::VectorXd& p, const Eigen::VectorXd& q, const NewtonUnknowns& at);
+    double residual(const NewtonRightSide& right_side, const NewtonUnknowns& at);
 
     const ConvexModel& model_;
+    const RangeRows& ranges_;
     double first_shift_, shift_;
-    CompressedRows rows_, columns_;  ///< C, Cᵀ
+    CompressedRows rows_, columns_;  ///< [C; E] and its transpose
     SymmetricFactor::Matrix lower_;
-    std::vector<Term> terms_;
-    std::vector<double> constant_;  ///< what no iteration changes: the equalities
-    std::vector<int> diagonal_, hessian_slot_;
-    std::vector<int> equality_;  ///< place of each row in the matrix, −1: an inequality
-    std::vector<int> equality_rows_;
+    CompressedRows assembly_;  ///< entries of lower_ from weight_
+    std::vector<int> hessian_slot_, width_slot_;  ///< condensed_pattern.hpp
     std::unique_ptr<SymmetricFactor> factor_;
     const std::vector<double>* hessian_ = nullptr;
-    const Eigen::VectorXd* sigma_ = nullptr;
-    const Eigen::VectorXd* d_ = nullptr;
-    Eigen::VectorXd weight_, shifts_, right_side_, weighted_, rest_p_, rest_q_, gathered_;
+    const Eigen::VectorXd* curvature_ = nullptr;
+    Eigen::VectorXd weight_;  ///< [K_l + K_u; (K_l − K_u) d]
+    Eigen::VectorXd shifts_, right_side_, image_, joined_, rest_p_, rest_q_;
     NewtonUnknowns step_;
 };
 

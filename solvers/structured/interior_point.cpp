@@ -2,9 +2,11 @@
 #include "solvers/structured/interior_point.hpp"
 
 #include "solvers/structured/newton_step.hpp"
+#include "solvers/structured/vector_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace camopt::structured {
@@ -13,21 +15,19 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-double largest(const VectorXd& v) {
-    return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0;
-}
-
 class Iteration {
  public:
     Iteration(const ConvexModel& model, const InteriorPointLimits& limits)
-        : model_(model), limits_(limits), bounds_(model), newton_(model, bounds_, limits) {
-        for (Direction* direction : {&affine_, &direction_, &trial_}) direction->resize(model, bounds_);
-        change_.setZero(bounds_.size());
+        : model_(model), limits_(limits), ranges_(model), newton_(model, ranges_, limits) {
+        for (Direction* direction : {&affine_, &direction_, &trial_})
+            direction->resize(model.variables(), ranges_);
+        change_.setZero(ranges_.sides());
     }
 
     InteriorPointResult run(const VectorXd& start, const SolveControl& control);
 
  private:
+    InteriorPointResult search(const VectorXd& start, const SolveControl& control);
     bool initialise(const VectorXd& start);
     void push_inside(const VectorXd& start);
     [[nodiscard]] Errors errors() const;
@@ -39,6 +39,8 @@ class Iteration {
     [[nodiscard]] double merit(const Residuals& rest, const Iterate& point) const;
     [[nodiscard]] bool looks_infeasible() const;
     [[nodiscard]] bool looks_unbounded() const;
+    /// The change that makes every product g z the target.
+    void aim_at(double target) { change_ = target * ranges_.present - point_.gap.cwiseProduct(point_.dual); }
     [[nodiscard]] double boundary_fraction() const { return std::clamp(1.0 - 10.0 * rest_.mu, 0.99, 0.9995); }
     [[nodiscard]] double primal_step(const Direction& direction, double fraction) const {
         return step_to_boundary(point_.gap, direction.gap, fraction);
@@ -49,12 +51,12 @@ class Iteration {
 
     const ConvexModel& model_;
     const InteriorPointLimits& limits_;
-    BoundList bounds_;
+    RangeRows ranges_;
     NewtonStep newton_;
-    Iterate point_, tried_;
+    Iterate point_, tried_, best_;
     Residuals rest_, tried_rest_;
     Direction affine_, direction_, trial_;
-    VectorXd change_;  ///< of the products g_b z_b
+    VectorXd change_;  ///< of the products g z
 };
 
 /// The start, moved off the bounds of the variables where it is at them.
@@ -73,30 +75,30 @@ void Iteration::push_inside(const VectorXd& start) {
 bool Iteration::initialise(const VectorXd& start) {
     constexpr double away = 1.0;
     push_inside(start);
-    point_.lambda = VectorXd::Zero(model_.constraints());
-    point_.gap = VectorXd::Ones(bounds_.size());
-    point_.dual = point_.gap;
+    point_.lambda = VectorXd::Zero(ranges_.equal_to.size());
+    point_.gap = VectorXd::Ones(ranges_.sides());
+    point_.dual = ranges_.present;
     bool finite = true;
     if (!newton_.prepare(point_, finite)) return finite;
     newton_.residuals(point_, rest_);
     if (!rest_.dual.allFinite()) return false;
     rest_.dual = rest_.gradient;
-    rest_.bound = (rest_.bound + point_.gap).cwiseMin(0.0);  // how far the start is beyond each bound
+    const VectorXd beyond = rest_.bound + point_.gap.cwiseProduct(ranges_.present);
+    rest_.bound = beyond.cwiseMin(0.0);  // how far the start is beyond each bound
     change_.setZero();
     newton_.direction(point_, &rest_, change_, direction_);
     const bool smooth = model_.kind == CostKind::smooth;
     if (direction_.finite) {
         if (!smooth) point_.x += direction_.x;
-        for (const int i : bounds_.equalities) point_.lambda[i] = direction_.lambda[i];
+        point_.lambda += direction_.lambda;
     }
-    const VectorXd image = model_.rows * point_.x;
-    bounds_.each(point_.x, image, [&](Index b, double t) {
-        const double least = smooth && b < bounds_.of_variables ? 0.0 : away;
-        point_.gap[b] = std::max(bounds_.sign[b] * (t - bounds_.value[b]), least);
+    newton_.residuals(point_, rest_);
+    for (Index b = 0; b < ranges_.sides(); ++b) {
+        if (ranges_.present[b] == 0.0) continue;
+        const bool of_variable = ranges_.source[static_cast<std::size_t>(b)].row < 0;
+        point_.gap[b] = std::max(rest_.bound[b] + point_.gap[b], smooth && of_variable ? 0.0 : away);
         point_.dual[b] = direction_.finite ? std::max(direction_.dual[b], away) : away;
-    });
-    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b)
-        point_.lambda[bounds_.of[b]] -= bounds_.sign[b] * point_.dual[b];
+    }
     return true;
 }
 
@@ -104,12 +106,11 @@ Errors Iteration::errors() const {
     const double size = std::max(model_.cost_unit, std::abs(model_.cost->value(point_.x)));
     return {std::max(largest(rest_.equality), largest(rest_.bound)) / (1.0 + largest(point_.x)),
             largest(rest_.dual) / (model_.cost_unit + largest(rest_.gradient)),
-            static_cast<double>(bounds_.size()) * rest_.mu / size};
+            static_cast<double>(ranges_.sides_present) * rest_.mu / size};
 }
 
 bool Iteration::looks_infeasible() const {
-    double value = point_.dual.dot(bounds_.sign.cwiseProduct(bounds_.value));
-    for (const int i : bounds_.equalities) value -= point_.lambda[i] * model_.row_lower[i];
+    const double value = point_.dual.dot(ranges_.limit) - point_.lambda.dot(ranges_.equal_to);
     if (value <= 0.0) return false;
     double rest = 0.0;
     for (Index j = 0; j < rest_.dual.size(); ++j)
@@ -126,10 +127,10 @@ bool Iteration::looks_unbounded() const {
 /// Mehrotra's choice: the better the affine direction does, the closer to the boundary the step aims.
 double Iteration::target_after_affine() const {
     const double primal = primal_step(affine_, 1.0), dual = dual_step(affine_, 1.0);
-    double reached = 0.0;
-    for (Index b = 0; b < bounds_.size(); ++b)
-        reached += (point_.gap[b] + primal * affine_.gap[b]) * (point_.dual[b] + dual * affine_.dual[b]);
-    reached /= static_cast<double>(std::max<Index>(1, bounds_.size()));
+    const double total = ((point_.gap + primal * affine_.gap).array() *
+                          (point_.dual + dual * affine_.dual).array())
+                             .sum();
+    const double reached = total / static_cast<double>(std::max<Index>(1, ranges_.sides_present));
     const double ratio = rest_.mu > 0.0 ? std::clamp(reached / rest_.mu, 0.0, 1.0) : 0.0;
     return std::max(ratio * ratio * ratio, 1e-6) * rest_.mu;
 }
@@ -141,11 +142,10 @@ void Iteration::add_correctors(double target) {
     double primal = primal_step(direction_, fraction), dual = dual_step(direction_, fraction);
     for (int k = 0; k < limits_.correctors && std::min(primal, dual) < long_enough; ++k) {
         const double far_primal = std::min(1.0, primal + reach), far_dual = std::min(1.0, dual + reach);
-        for (Index b = 0; b < bounds_.size(); ++b) {
-            const double product = (point_.gap[b] + far_primal * direction_.gap[b]) *
-                                   (point_.dual[b] + far_dual * direction_.dual[b]);
-            change_[b] = std::max(std::clamp(product, low * target, high * target) - product, -high * target);
-        }
+        change_ = (point_.gap + far_primal * direction_.gap)
+                      .cwiseProduct(point_.dual + far_dual * direction_.dual);
+        change_ = ranges_.present.cwiseProduct(
+            (change_.cwiseMax(low * target).cwiseMin(high * target) - change_).cwiseMax(-high * target));
         newton_.direction(point_, nullptr, change_, trial_);
         if (!trial_.finite) return;
         trial_ += direction_;
@@ -164,14 +164,14 @@ bool Iteration::take_step(Stop& reason) {
         return false;
     }
     change_ = -point_.gap.cwiseProduct(point_.dual);
-    newton_.direction(point_, &rest_, change_, affine_);
+    newton_.direction(point_, &rest_, change_, affine_, true);
     if (!affine_.finite) {
         reason = Stop::breakdown;
         return false;
     }
     const double target = target_after_affine();
-    change_ =
-        (target - point_.gap.array() * point_.dual.array() - affine_.gap.array() * affine_.dual.array());
+    aim_at(target);
+    change_ -= affine_.gap.cwiseProduct(affine_.dual);
     newton_.direction(point_, &rest_, change_, direction_);
     if (!direction_.finite) std::swap(direction_, affine_);
     add_correctors(target);
@@ -202,16 +202,12 @@ void Iteration::polish_multipliers(InteriorPointResult& result) {
         change_.setZero();
         newton_.direction(point_, &tried_rest_, change_, direction_);
         if (!direction_.finite) return;
-        for (const int i : bounds_.equalities) point_.lambda[i] += direction_.lambda[i];
-        for (Index b = 0; b < bounds_.size(); ++b) {
-            const double change = std::max(direction_.dual[b], -most_shrunk * point_.dual[b]);
-            point_.dual[b] += change;
-            if (b >= bounds_.of_variables) point_.lambda[bounds_.of[b]] -= bounds_.sign[b] * change;
-        }
+        point_.lambda += direction_.lambda;
+        point_.dual += direction_.dual.cwiseMax(-most_shrunk * point_.dual);
         newton_.residuals(point_, rest_);
         const Errors now = errors();
         if (!(now.dual < result.errors.dual) || now.worst() > limits_.tolerance) return;
-        result.best = point_;
+        best_ = point_;
         result.errors = now;
     }
 }
@@ -228,7 +224,7 @@ bool Iteration::take_smooth_step(double target, Stop& reason) {
     bool evaluated = false;
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (attempt == 1) {
-            change_ = target - point_.gap.array() * point_.dual.array();
+            aim_at(target);
             newton_.direction(point_, &rest_, change_, direction_);
         }
         if (!direction_.finite) continue;
@@ -252,6 +248,12 @@ bool Iteration::take_smooth_step(double target, Stop& reason) {
 }
 
 InteriorPointResult Iteration::run(const VectorXd& start, const SolveControl& control) {
+    InteriorPointResult result = search(start, control);
+    if (result.has_point()) result.best = {best_.x, ranges_.row_multipliers(best_.lambda, best_.dual)};
+    return result;
+}
+
+InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl& control) {
     InteriorPointResult result;
     if (!initialise(start)) {
         result.stop = Stop::evaluation_error;
@@ -267,7 +269,7 @@ InteriorPointResult Iteration::run(const VectorXd& start, const SolveControl& co
         const Errors now = errors();
         since_best = now.worst() < 0.9 * result.errors.worst() ? 0 : since_best + 1;
         if (now.worst() < result.errors.worst() || result.iterations == 0) {
-            result.best = point_;
+            best_ = point_;
             result.errors = now;
         }
         if (result.errors.worst() <= limits_.tolerance) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Internal to solvers/structured/: a primal–dual interior point for a ConvexModel.
 //
-// For every finite bound b of a variable or an inequality row (bound_list.hpp) it keeps the gap g_b > 0 to
-// the bound and its multiplier z_b > 0, and solves, for μ → 0,
-//     ∇f + C_Eᵀ λ_E − Σ_b σ_b z_b ∇t_b = 0,   C_E x = e,   σ_b (t_b − value_b) = g_b,   g_b z_b = μ.
+// For every finite bound b of a variable or an inequality row t_b it keeps the gap g_b > 0 to the bound and
+// its multiplier z_b > 0, and solves, for μ → 0,
+//     ∇f + C_Eᵀ λ_E − Σ_b σ_b z_b ∇t_b = 0,   C_E x = e,   σ_b (t_b − value_b) = g_b,   g_b z_b = μ,
+// σ_b = +1 for lower bounds, −1 for upper ones (range_rows.hpp has them in pairs).
 // Gaps and multipliers stay positive; the equations may start violated (infeasible start).
 // Source: Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992);
 // Gondzio, Multiple centrality corrections, Comput. Optim. Appl. 6 (1996).
@@ -21,10 +22,9 @@
 
 namespace camopt::structured {
 
-struct Iterate {
+struct PrimalDualPoint {
     Eigen::VectorXd x;
-    Eigen::VectorXd lambda;     ///< one a row; of an inequality −Σ σ_b z_b over its bounds
-    Eigen::VectorXd gap, dual;  ///< g, z: one a bound
+    Eigen::VectorXd lambda;  ///< one a row; of an inequality −Σ σ_b z_b over its bounds
 };
 
 /// Relative errors of the scaled problem.
@@ -58,8 +58,8 @@ struct InteriorPointLimits {
 
 struct InteriorPointResult {
     Stop stop = Stop::breakdown;
-    Iterate best;   ///< smallest Errors::worst()
-    Errors errors;  ///< of `best`
+    PrimalDualPoint best;  ///< smallest Errors::worst()
+    Errors errors;         ///< of `best`
     int iterations = 0;
     [[nodiscard]] bool has_point() const { return std::isfinite(errors.worst()); }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/newton_step.hpp"
 
+#include "solvers/structured/vector_measures.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -20,12 +22,8 @@ double finest(double tolerance) {
 constexpr double good_residual = 1e-8;
 // The careful system pivots on free variables too, which the condensed one never does.
 constexpr double careful_shift = 1e-9;
-
-double largest(const Eigen::VectorXd& v) {
-    double result = 0.0;
-    for (Eigen::Index i = 0; i < v.size(); ++i) result = std::max(result, std::abs(v[i]));
-    return result;
-}
+// Stands for 0 where nothing moves.
+constexpr double tiniest = 1e-300;
 
 }  // namespace
 
@@ -33,14 +31,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 bool Residuals::finite() const {
-    return dual.allFinite() && equality.allFinite() && bound.allFinite() && std::isfinite(mu);
+    return structured::finite(dual) && structured::finite(equality) && structured::finite(bound) &&
+           std::isfinite(mu);
 }
 
-void Direction::resize(const ConvexModel& model, const BoundList& bounds) {
-    x.setZero(model.variables());
-    lambda.setZero(model.constraints());
-    gap.setZero(bounds.size());
-    dual.setZero(bounds.size());
+void Direction::resize(Index variables, const RangeRows& ranges) {
+    x.setZero(variables);
+    lambda.setZero(ranges.equal_to.size());
+    gap.setZero(ranges.sides());
+    dual.setZero(ranges.sides());
 }
 
 Direction& Direction::operator+=(const Direction& other) {
@@ -52,37 +51,31 @@ Direction& Direction::operator+=(const Direction& other) {
     return *this;
 }
 
-NewtonStep::NewtonStep(const ConvexModel& model, const BoundList& bounds, const InteriorPointLimits& limits)
+NewtonStep::NewtonStep(const ConvexModel& model, const RangeRows& ranges, const InteriorPointLimits& limits)
     : model_(model),
-      bounds_(bounds),
+      ranges_(ranges),
       tolerance_(limits.tolerance),
       shift_(limits.shift),
-      system_(model, limits.factor, limits.shift),
+      system_(model, ranges, limits.factor, limits.shift),
       hessian_(static_cast<std::size_t>(model.hessian.size())),
-      inverse_gap_(bounds.size()),
-      sigma_(model.variables()),
-      d_(VectorXd::Zero(model.constraints())),
-      force_x_(model.variables()),
-      force_row_(model.constraints()),
-      p_(model.variables()),
-      q_(model.constraints()),
-      image_(model.constraints()),
-      solution_{VectorXd(model.variables()), VectorXd(model.constraints()), VectorXd(model.constraints())} {}
+      inverse_gap_(ranges.sides()),
+      curvature_(ranges.sides()),
+      image_(ranges.matrix.rows()),
+      slide_(ranges.sides()),
+      right_side_{VectorXd(model.variables()), VectorXd(ranges.equal_to.size()), VectorXd(ranges.sides())},
+      solution_{VectorXd(model.variables()), VectorXd(ranges.equal_to.size()), VectorXd(ranges.sides()),
+                VectorXd(ranges.sides())} {}
 
 void NewtonStep::residuals(const Iterate& point, Residuals& out) {
     model_.cost->gradient(point.x, out.gradient);
     out.dual = out.gradient;
-    system_.columns().add_product(1.0, point.lambda, out.dual);
-    for (Index b = 0; b < bounds_.of_variables; ++b)
-        out.dual[bounds_.of[b]] -= bounds_.sign[b] * point.dual[b];
-    system_.rows().multiply(point.x, image_);
-    out.equality.setZero(model_.constraints());
-    for (const int i : bounds_.equalities) out.equality[i] = image_[i] - model_.row_lower[i];
-    out.bound.resize(bounds_.size());
-    bounds_.each(point.x, image_, [&](Index b, double t) {
-        out.bound[b] = bounds_.sign[b] * (t - bounds_.value[b]) - point.gap[b];
-    });
-    out.mu = point.gap.dot(point.dual) / static_cast<double>(std::max<Index>(1, bounds_.size()));
+    slide_ = -point.dual;
+    system_.add_transposed(1.0, point.lambda, slide_, out.dual);
+    system_.multiply(point.x, image_);
+    out.equality = image_.tail(ranges_.equal_to.size()) - ranges_.equal_to;
+    ranges_.slides(point.x, image_, slide_);
+    out.bound = (slide_ - ranges_.limit - point.gap).cwiseProduct(ranges_.present);
+    out.mu = point.gap.dot(point.dual) / static_cast<double>(std::max<Index>(1, ranges_.sides_present));
 }
 
 bool NewtonStep::prepare(const Iterate& point, bool& finite) {
@@ -90,85 +83,103 @@ bool NewtonStep::prepare(const Iterate& point, bool& finite) {
     finite = std::all_of(hessian_.begin(), hessian_.end(), [](double v) { return std::isfinite(v); });
     if (!finite) return false;
     inverse_gap_ = point.gap.cwiseInverse();
-    sigma_.setZero();
-    d_.setZero();
-    for (Index b = 0; b < bounds_.of_variables; ++b) sigma_[bounds_.of[b]] += point.dual[b] * inverse_gap_[b];
-    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b)
-        d_[bounds_.of[b]] += point.dual[b] * inverse_gap_[b];
-    for (Index i = 0; i < d_.size(); ++i)
-        if (d_[i] > 0.0) d_[i] = 1.0 / d_[i];
+    curvature_ = point.dual.cwiseProduct(inverse_gap_);
     careful_is_current_ = false;
-    return system_.factorize(hessian_, sigma_, d_) || prepare_careful();
+    return system_.factorize(hessian_, curvature_) || prepare_careful(point);
 }
 
-bool NewtonStep::prepare_careful() {
+/// The careful system knows the model's own rows.
+bool NewtonStep::prepare_careful(const Iterate& point) {
     if (!careful_) careful_ = std::make_unique<KktSystem>(model_, std::max(shift_, careful_shift));
-    careful_is_current_ = careful_->factorize(hessian_, sigma_, d_);
+    variable_curvature_.setZero(model_.variables());
+    row_flatness_.setZero(model_.constraints());
+    for (Index b = 0; b < ranges_.sides(); ++b) {
+        const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
+        if (from.row >= 0)
+            row_flatness_[from.row] += curvature_[b];
+        else if (from.variable >= 0)
+            variable_curvature_[from.variable] += point.dual[b] * inverse_gap_[b];
+    }
+    for (Index i = 0; i < row_flatness_.size(); ++i)
+        if (row_flatness_[i] > 0.0) row_flatness_[i] = 1.0 / row_flatness_[i];
+    careful_is_current_ = careful_->factorize(hessian_, variable_curvature_, row_flatness_);
     return careful_is_current_;
 }
 
-/// solution_ from p_, q_.
-void NewtonStep::solve(double goal) {
+/// solution_ from right_side_.
+void NewtonStep::solve(const Iterate& point, double goal) {
     CondensedSystem::Accuracy accuracy{infinity, false};
-    if (!careful_is_current_) accuracy = system_.solve(p_, q_, goal, solution_);
+    if (!careful_is_current_) accuracy = system_.solve(right_side_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
-    const double size = std::max(largest(p_), largest(q_));
-    if (accuracy.reached || accuracy.residual <= good_residual * size) return;
-    if (!careful_is_current_ && !prepare_careful()) return;
-    const KktSystem::Step careful = careful_->solve(p_, q_);
-    if (!careful.finite || careful.residual * size >= accuracy.residual) return;
-    solution_.x = careful.x;
-    solution_.lambda = careful.lambda;
-    system_.rows().multiply(solution_.x, solution_.image);
+    if (accuracy.reached) return;
+    const double size = std::max(largest(right_side_.p), largest(right_side_.q));
+    if (accuracy.residual <= good_residual * size) return;
+    if (!careful_is_current_ && !prepare_careful(point)) return;
+    solve_carefully(accuracy.residual);
+}
+
+void NewtonStep::solve_carefully(double known_residual) {
+    VectorXd p = right_side_.p, force = VectorXd::Zero(model_.constraints());
+    for (Index b = 0; b < ranges_.sides(); ++b) {
+        const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
+        if (from.row >= 0)
+            force[from.row] += from.sign * right_side_.force[b];
+        else if (from.variable >= 0)
+            p[from.variable] += from.sign * right_side_.force[b];
+    }
+    VectorXd q = row_flatness_.cwiseProduct(force);
+    for (std::size_t k = 0; k < ranges_.equalities.size(); ++k)
+        q[ranges_.equalities[k]] = right_side_.q[static_cast<Index>(k)];
+    const double size = std::max(largest(p), largest(q));
+    const KktSystem::Step careful = careful_->solve(p, q);
+    if (!careful.finite || careful.residual * size >= known_residual) return;
     solved_ = true;
+    solution_.x = careful.x;
+    for (std::size_t k = 0; k < ranges_.equalities.size(); ++k)
+        solution_.lambda[static_cast<Index>(k)] = careful.lambda[ranges_.equalities[k]];
+    system_.multiply(solution_.x, image_);
+    ranges_.slides(solution_.x, image_, solution_.slide);
+    solution_.nu = curvature_.cwiseProduct(solution_.slide) - right_side_.force;
+    // Of a row that has but one bound the multiplier is known better than from its slide.
+    for (Index b = 0; b < ranges_.sides(); ++b) {
+        const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
+        if (from.row < 0 || row_flatness_[from.row] >= 1.0) continue;
+        const double slide = from.sign * row_flatness_[from.row] * (careful.lambda[from.row] + force[from.row]);
+        solution_.nu[b] = curvature_[b] * slide - right_side_.force[b];
+    }
 }
 
 void NewtonStep::direction(const Iterate& point, const Residuals* residuals, const VectorXd& change,
-                           Direction& out) {
-    force_x_.setZero();
-    force_row_.setZero();
-    const auto force = [&](Index b) {
-        const double rest = residuals != nullptr ? residuals->bound[b] : 0.0;
-        return bounds_.sign[b] * (change[b] - point.dual[b] * rest) * inverse_gap_[b];
-    };
-    for (Index b = 0; b < bounds_.of_variables; ++b) force_x_[bounds_.of[b]] += force(b);
-    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b) force_row_[bounds_.of[b]] += force(b);
-    p_ = force_x_;
-    q_ = d_.cwiseProduct(force_row_);
+                           Direction& out, bool rough) {
+    VectorXd& force = right_side_.force;
     if (residuals != nullptr) {
-        p_ -= residuals->dual;
-        q_ -= residuals->equality;
+        force = (change - point.dual.cwiseProduct(residuals->bound)).cwiseProduct(inverse_gap_);
+        right_side_.p = -residuals->dual;
+        right_side_.q = -residuals->equality;
         const double wrong =
             std::max({largest(residuals->dual), largest(residuals->equality), residuals->mu});
         goal_ = std::max(inexactness(tolerance_) * wrong, finest(tolerance_));
+    } else {
+        force = change.cwiseProduct(inverse_gap_);
+        right_side_.p.setZero();
+        right_side_.q.setZero();
     }
-    solve(goal_);  // a correction must be as exact as what it corrects: what it leaves over stays
+    // A correction must be as exact as what it corrects: what it leaves over stays.
+    solve(point, rough ? infinity : goal_);
     out.x = solution_.x;
     out.lambda = solution_.lambda;
-    // Δt of a row two ways: exact for the row where its gap is far from 0, exact for the multiplier
-    // otherwise.
-    VectorXd& image = solution_.image;
-    for (Index i = 0; i < d_.size(); ++i)
-        if (d_[i] < 1.0) image[i] = d_[i] * (out.lambda[i] + force_row_[i]);
-    double sum = 0.0;  // not finite if anything is not
-    bounds_.each(out.x, image, [&](Index b, double t) {
-        const double rest = residuals != nullptr ? residuals->bound[b] : 0.0;
-        out.gap[b] = bounds_.sign[b] * t + rest;
-        out.dual[b] = (change[b] - point.dual[b] * out.gap[b]) * inverse_gap_[b];
-        sum += out.dual[b];
-    });
-    out.finite = solved_ && std::isfinite(sum) && out.x.allFinite();
-    // The multiplier of an inequality is that of its bounds.
-    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b) out.lambda[bounds_.of[b]] = 0.0;
-    for (Index b = bounds_.of_variables; b < bounds_.size(); ++b)
-        out.lambda[bounds_.of[b]] -= bounds_.sign[b] * out.dual[b];
+    // Each as exact as can be: the gap for its side, the multiplier for the variables' equations. Rounding
+    // is left to the products g z.
+    out.gap = solution_.slide.cwiseProduct(ranges_.present);
+    if (residuals != nullptr) out.gap += residuals->bound;
+    out.dual = -solution_.nu;
+    out.finite = solved_ && finite(out.dual) && finite(out.x) && finite(out.lambda);
 }
 
 double step_to_boundary(const VectorXd& value, const VectorXd& change, double fraction) {
-    double step = 1.0;
-    for (Index i = 0; i < value.size(); ++i)
-        if (change[i] * step < -fraction * value[i]) step = -fraction * value[i] / change[i];
-    return step;
+    if (value.size() == 0) return 1.0;
+    const double steepest = (-change.array() / value.array().max(tiniest)).maxCoeff();
+    return steepest > fraction ? fraction / steepest : 1.0;
 }
 
 void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step) {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Internal to solvers/structured/: residuals of the optimality conditions and Newton directions for them.
 //
-// With the bounds of bound_list.hpp, gaps g_b and multipliers z_b,
+// With the ranges of range_rows.hpp (t = C x, w = W x), gaps g and multipliers z of their sides,
 //
-//     ∇f + C_Eᵀ λ_E − Σ_b σ_b z_b ∇t_b = 0,   C_E x = e,   σ_b (t_b − value_b) = g_b,   g_b z_b = μ.
+//     ∇f + Eᵀ λ − Cᵀ (z_l − z_u) − Wᵀ (z_l + z_u) = 0,   E x = e,
+//     t + w − l = g_l,   w − t + u = g_u,   g z = μ.
 //
 // Nothing here allocates after construction.
 #pragma once
 
-#include "solvers/structured/bound_list.hpp"
 #include "solvers/structured/condensed_system.hpp"
 #include "solvers/structured/interior_point.hpp"
 #include "solvers/structured/kkt_system.hpp"
+#include "solvers/structured/range_rows.hpp"
 
 #include <Eigen/Core>
 
@@ -20,53 +21,64 @@
 
 namespace camopt::structured {
 
+struct Iterate {
+    Eigen::VectorXd x;
+    Eigen::VectorXd lambda;     ///< one an equality
+    Eigen::VectorXd gap, dual;  ///< g, z: one a side; 1 and 0 where there is none
+};
+
 struct Residuals {
     Eigen::VectorXd dual;      ///< of the variables
-    Eigen::VectorXd equality;  ///< C x − e, one a row, 0 for inequalities
-    Eigen::VectorXd bound;     ///< σ_b (t_b − value_b) − g_b
+    Eigen::VectorXd equality;  ///< E x − e
+    Eigen::VectorXd bound;     ///< one a side: t + w − l − g
     Eigen::VectorXd gradient;
-    double mu = 0.0;  ///< mean of g_b z_b
+    double mu = 0.0;  ///< mean of g z
     [[nodiscard]] bool finite() const;
 };
 
 struct Direction {
     Eigen::VectorXd x, lambda, gap, dual;
     bool finite = true;
-    void resize(const ConvexModel& model, const BoundList& bounds);
+    void resize(Eigen::Index variables, const RangeRows& ranges);
     Direction& operator+=(const Direction& other);
 };
 
 class NewtonStep {
  public:
-    NewtonStep(const ConvexModel& model, const BoundList& bounds, const InteriorPointLimits& limits);
+    NewtonStep(const ConvexModel& model, const RangeRows& ranges, const InteriorPointLimits& limits);
 
     void residuals(const Iterate& point, Residuals& out);
     /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
     /// `finite`).
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
-    /// The products g_b z_b are to change by `change`, to first order. With `residuals` null they alone.
+    /// The products g z are to change by `change`, to first order. With `residuals` null they alone.
+    /// `rough`: nothing will be built on its last digits.
     void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
-                   Direction& out);
+                   Direction& out, bool rough = false);
 
  private:
-    [[nodiscard]] bool prepare_careful();
-    void solve(double goal);
+    [[nodiscard]] bool prepare_careful(const Iterate& point);
+    void solve(const Iterate& point, double goal);
+    void solve_carefully(double known_residual);
 
     const ConvexModel& model_;
-    const BoundList& bounds_;
+    const RangeRows& ranges_;
     double tolerance_;
     double shift_;
     CondensedSystem system_;
     std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate
     bool careful_is_current_ = false;
     std::vector<double> hessian_;
-    Eigen::VectorXd inverse_gap_, sigma_, d_, force_x_, force_row_, p_, q_, image_;
+    Eigen::VectorXd inverse_gap_, curvature_, image_, slide_;
+    Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the careful system: Σ and D
+    NewtonRightSide right_side_;
     NewtonUnknowns solution_;
     double goal_ = 0.0;  ///< largest entry that the residual of a direction may have
     bool solved_ = false;
 };
 
-/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0.
+/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0; entries whose dv is 0 may be
+/// 0 too.
 [[nodiscard]] double step_to_boundary(const Eigen::VectorXd& value, const Eigen::VectorXd& change,
                                       double fraction);
 
