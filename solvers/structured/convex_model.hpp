@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace camopt::structured {
 
@@ -30,13 +31,17 @@ class ConvexCost {
 
 class LinearCost final : public ConvexCost {
  public:
-    explicit LinearCost(Eigen::VectorXd coefficients) : coefficients_(std::move(coefficients)) {}
-    [[nodiscard]] double value(const Eigen::VectorXd& x) const override { return coefficients_.dot(x); }
+    explicit LinearCost(Eigen::VectorXd coefficients, double constant = 0.0)
+        : coefficients_(std::move(coefficients)), constant_(constant) {}
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const override {
+        return constant_ + coefficients_.dot(x);
+    }
     void gradient(const Eigen::VectorXd&, Eigen::VectorXd& out) const override { out = coefficients_; }
     void hessian(const Eigen::VectorXd&, std::span<double>) const override {}
 
  private:
     Eigen::VectorXd coefficients_;
+    double constant_;
 };
 
 struct ConvexModel {

@@ -2,6 +2,7 @@
 #include "solvers/structured/interior_point.hpp"
 
 #include "solvers/structured/newton_step.hpp"
+#include "solvers/structured/path_reduction.hpp"
 #include "solvers/structured/vector_measures.hpp"
 
 #include <algorithm>
@@ -299,7 +300,12 @@ InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl&
 
 InteriorPointResult interior_point(const ConvexModel& model, const VectorXd& start,
                                    const InteriorPointLimits& limits, const SolveControl& control) {
-    return Iteration(model, limits).run(start, control);
+    const PathReduction reduction(model, start);
+    InteriorPointResult result =
+        Iteration(reduction.model(), limits).run(reduction.reduced(start), control);
+    if (!result.has_point()) return result;
+    result.best = {reduction.restored(result.best.x), reduction.restored_multipliers(result.best.lambda)};
+    return result;
 }
 
 }  // namespace camopt::structured

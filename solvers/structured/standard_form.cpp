@@ -273,6 +273,12 @@ void StandardForm::scale_cost(const VectorXd& start) {
     if (size == 0.0) return;
     cost_scale_ = power_of_two_near(1.0 / size);
     model_.cost_unit = std::min(1.0, cost_scale_);
+    if (model_.kind == CostKind::linear) {
+        const double value = model_.cost->value(x);
+        model_.cost = std::make_unique<LinearCost>(cost_scale_ * gradient,
+                                                   cost_scale_ * (value - gradient.dot(x)));
+        return;
+    }
     ScaledCost::Frame frame{base_, kept_variables_, column_scale_, cost_scale_, {}};
     const SparsityPattern& pattern = problem_.shape().hessian;
     for (int e = 0; model_.kind != CostKind::linear && e < pattern.size(); ++e) {
