@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,12 +39,14 @@ class ChainFactor final : public SymmetricFactor {
     [[nodiscard]] const double* column(int j) const {
         return values_.data() + static_cast<std::ptrdiff_t>(j) * stride_;
     }
+    [[nodiscard]] double* corner() { return values_.data() + corner_; }
     [[nodiscard]] double& border(int i, int j) {
-        return border_[static_cast<std::size_t>(i * widths_.border + j)];
+        return values_[corner_ + static_cast<std::size_t>(i * widths_.border + j)];
     }
     [[nodiscard]] double border(int i, int j) const {
-        return border_[static_cast<std::size_t>(i * widths_.border + j)];
+        return values_[corner_ + static_cast<std::size_t>(i * widths_.border + j)];
     }
+    [[nodiscard]] std::uint32_t place_of(int low, int high) const;
     void load(const Matrix& lower, const VectorXd& shift);
     bool right_pivot(double& pivot, double original, int sign);
     void eliminate_single(int j);
@@ -52,9 +56,16 @@ class ChainFactor final : public SymmetricFactor {
 
     ChainOrder order_;
     int chain_rows_ = 0, border_rows_ = 0, band_ = 0, stride_ = 0;
-    std::vector<int> signs_;                ///< in the order of elimination
-    std::vector<std::size_t> destination_;  ///< of every stored entry: in values_, or beyond it in border_
-    std::vector<double> values_, border_;
+    std::vector<int> signs_;                  ///< in the order of elimination
+    std::vector<std::uint32_t> destination_;  ///< of every stored entry, in values_
+    std::vector<double> values_;              ///< column after column, then the border's own square
+    std::size_t corner_ = 0;                  ///< where that begins
+    struct Diagonal {
+        std::uint32_t place;  ///< in values_
+        int row;              ///< of the matrix
+        double shift_sign;    ///< 0 for pairs: their determinant is away from zero without a shift
+    };
+    std::vector<Diagonal> diagonal_places_;     ///< in the order of elimination
     std::vector<double> diagonal_;              ///< of the matrix, in the order of elimination
     std::vector<double> scaled_, scaled_next_;  ///< L D of the columns being eliminated
     std::vector<std::pair<double, double>>
@@ -77,8 +88,10 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
     band_ = widths_.band;
     stride_ = widths_.stride();
     // Columns beyond the last take the updates that fall off the band, which are zeros.
-    values_.assign(static_cast<std::size_t>(stride_) * (chain_rows_ + band_ + 1), 0.0);
-    border_.assign(static_cast<std::size_t>(widths_.border * widths_.border), 0.0);
+    corner_ = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(chain_rows_ + band_ + 1);
+    values_.assign(corner_ + static_cast<std::size_t>(widths_.border * widths_.border), 0.0);
+    if (values_.size() > std::numeric_limits<std::uint32_t>::max())
+        throw ModelError("ChainFactor: more entries than it can count");
     signs_.resize(signs.size());
     for (std::size_t i = 0; i < signs.size(); ++i)
         signs_[static_cast<std::size_t>(order_.position[i])] = signs[i];
@@ -87,16 +100,16 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
         for (Matrix::InnerIterator entry(lower, j); entry; ++entry) {
             const int a = order_.position[static_cast<std::size_t>(entry.row())];
             const int b = order_.position[j];
-            const int low = std::max(a, b), high = std::min(a, b);
-            if (high >= chain_rows_)
-                destination_.push_back(
-                    values_.size() +
-                    static_cast<std::size_t>((low - chain_rows_) * widths_.border + high - chain_rows_));
-            else
-                destination_.push_back(
-                    static_cast<std::size_t>(high) * stride_ +
-                    static_cast<std::size_t>(low < chain_rows_ ? low - high : band_ + 1 + low - chain_rows_));
+            destination_.push_back(place_of(std::max(a, b), std::min(a, b)));
         }
+    diagonal_places_.resize(signs.size());
+    for (std::size_t row = 0; row < signs.size(); ++row) {
+        const int at = order_.position[row];
+        const bool paired =
+            at < chain_rows_ && (order_.opens_pair[at] != 0 || (at > 0 && order_.opens_pair[at - 1] != 0));
+        diagonal_places_[static_cast<std::size_t>(at)] = {place_of(at, at), static_cast<int>(row),
+                                                          paired ? 0.0 : static_cast<double>(signs[row])};
+    }
     diagonal_.resize(signs.size());
     inverse_.resize(chain_rows_);
     scaled_.assign(stride_, 0.0);
@@ -107,25 +120,25 @@ void ChainFactor::analyse(const Matrix& lower, std::vector<int> signs) {
     ordered_.setZero(chain_rows_ + band_ + widths_.border);
 }
 
+/// Of the entry in these rows, by the order of elimination; low >= high.
+std::uint32_t ChainFactor::place_of(int low, int high) const {
+    if (high >= chain_rows_)
+        return static_cast<std::uint32_t>(corner_) +
+               static_cast<std::uint32_t>((low - chain_rows_) * widths_.border + high - chain_rows_);
+    const int below = low < chain_rows_ ? low - high : band_ + 1 + low - chain_rows_;
+    return static_cast<std::uint32_t>(high) * static_cast<std::uint32_t>(stride_) +
+           static_cast<std::uint32_t>(below);
+}
+
 void ChainFactor::load(const Matrix& lower, const VectorXd& shift) {
     std::fill(values_.begin(), values_.end(), 0.0);
-    std::fill(border_.begin(), border_.end(), 0.0);
     const double* source = lower.valuePtr();
-    const std::size_t in_chain = values_.size();
-    for (std::size_t k = 0; k < destination_.size(); ++k) {
-        const std::size_t to = destination_[k];
-        (to < in_chain ? values_[to] : border_[to - in_chain]) = source[k];
-    }
-    for (Index i = 0; i < shift.size(); ++i) {
-        const int place = order_.position[i];
-        double& entry =
-            place < chain_rows_ ? column(place)[0] : border(place - chain_rows_, place - chain_rows_);
-        // Pairs need no shift: their determinant is away from zero without it.
-        const bool paired = place < chain_rows_ &&
-                            (order_.opens_pair[place] != 0 ||
-                             (place > 0 && order_.opens_pair[static_cast<std::size_t>(place - 1)] != 0));
-        diagonal_[place] = std::abs(entry);
-        if (!paired) entry += signs_[place] * shift[i];
+    for (std::size_t k = 0; k < destination_.size(); ++k) values_[destination_[k]] = source[k];
+    for (std::size_t k = 0; k < diagonal_places_.size(); ++k) {
+        const Diagonal& diagonal = diagonal_places_[k];
+        double& entry = values_[diagonal.place];
+        diagonal_[k] = std::abs(entry);
+        entry += diagonal.shift_sign * shift[diagonal.row];
     }
 }
 
@@ -172,7 +185,7 @@ void ChainFactor::eliminate_single(int j) {
         scaled_[k] = own[k];
         own[k] *= inverse;
     }
-    kernels_.subtract(own, own, scaled_.data(), border_.data(), widths_);
+    kernels_.subtract(own, own, scaled_.data(), corner(), widths_);
 }
 
 /// Columns j and j + 1 together: [ p e; e −n ] with inverse [ n e; e −p ] / (p n + e²).
@@ -199,8 +212,8 @@ void ChainFactor::eliminate_pair(int j) {
     for (int k = 2; k <= band_; ++k) divide(first[k], second[k - 1], scaled_[k], scaled_next_[k - 1]);
     second[band_] = scaled_next_[band_] = 0.0;
     for (int k = band_ + 1; k < stride_; ++k) divide(first[k], second[k], scaled_[k], scaled_next_[k]);
-    kernels_.subtract(first, first, scaled_.data(), border_.data(), widths_);
-    kernels_.subtract(second, second, scaled_next_.data(), border_.data(), widths_);
+    kernels_.subtract(first, first, scaled_.data(), corner(), widths_);
+    kernels_.subtract(second, second, scaled_next_.data(), corner(), widths_);
 }
 
 void ChainFactor::eliminate_border() {

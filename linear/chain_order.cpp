@@ -14,7 +14,7 @@ namespace {
 using Matrix = SymmetricFactor::Matrix;
 
 // Below this size a full matrix is as good as a chain.
-constexpr int small = 48;
+constexpr int small = 20;
 // A chain is narrow: wider than this, a general sparse factor has less to do.
 constexpr int widest_band = 40;
 constexpr int widest_border = 24;

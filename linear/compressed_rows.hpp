@@ -17,9 +17,13 @@ class CompressedRows {
  public:
     CompressedRows() = default;
     explicit CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
-    /// Row k of the matrix is row names[k] of A, whose other rows are not there: a product leaves their
-    /// entries of `out` alone.
-    CompressedRows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, const std::vector<int>& names);
+    /// Row k has the entries [begin[k], begin[k + 1]) of `columns` and `values`. It is row names[k] of A,
+    /// whose other rows are not there: a product leaves their entries of `out` alone.
+    struct Entries {
+        std::vector<int> begin, columns;
+        std::vector<double> values;
+    };
+    CompressedRows(const Entries& entries, const std::vector<int>& names);
 
     /// out = A x; `out` has the right size already.
     void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& out) const { multiply(x.data(), out.data()); }
@@ -28,6 +32,7 @@ class CompressedRows {
     void add_product(double factor, const Eigen::VectorXd& x, Eigen::VectorXd& out) const;
 
  private:
+    void arrange(const int* begin, const int* columns, const double* values);
     struct Group {
         int length = 0, first = 0, last = 0;  ///< entries a row; rows [first, last) of the new order
         int entry = 0;                        ///< of the first row

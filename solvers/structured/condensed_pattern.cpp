@@ -36,9 +36,9 @@ class PatternBuilder {
         out.hessian_slot.resize(model_.hessian.rows.size());
         out.width_slot.resize(ranges_.groups.size());
         for (int j = 0; j < size_; ++j) column(j, out);
-        out.lower = Eigen::Map<const SymmetricFactor::Matrix>(size_, size_,
-                                                              static_cast<Eigen::Index>(inner_.size()),
-                                                              outer_.data(), inner_.data(), values_.data());
+        out.lower =
+            Eigen::Map<const SymmetricFactor::Matrix>(size_, size_, static_cast<Eigen::Index>(inner_.size()),
+                                                      outer_.data(), inner_.data(), values_.data());
     }
 
  private:
@@ -62,7 +62,9 @@ class PatternBuilder {
         const auto at = [&](int row) { return slot_[static_cast<std::size_t>(row)]; };
         each_entry(
             j, [&](int row, double value) { values_[static_cast<std::size_t>(at(row))] = value; },
-            [&](int row, int source, double product) { out.terms.push_back({at(row), source, product}); });
+            [&](int row, int source, double product) {
+                out.terms.push_back({at(row), source, product});
+            });
         for (const int e : curved_[static_cast<std::size_t>(j)])
             out.hessian_slot[static_cast<std::size_t>(e)] =
                 at(model_.hessian.rows[static_cast<std::size_t>(e)]);

@@ -22,27 +22,24 @@ constexpr int most_refinements = 6;
 constexpr double worthwhile = 0.3;  // a refinement that gains less is the last
 
 /// The terms as a matrix that makes the entries of `lower` out of the weights.
-CompressedRows assembly_of(const CondensedPattern& pattern, Index weights) {
+CompressedRows assembly_of(const CondensedPattern& pattern) {
     std::vector<int> count(static_cast<std::size_t>(pattern.lower.nonZeros()), 0);
     for (const CondensedPattern::Term& term : pattern.terms) ++count[static_cast<std::size_t>(term.slot)];
-    std::vector<int> names, begin{0}, next(count.size(), 0);
+    std::vector<int> names, next(count.size(), 0);
+    CompressedRows::Entries entries{{0}, std::vector<int>(pattern.terms.size()), {}};
     for (std::size_t slot = 0; slot < count.size(); ++slot) {
         if (count[slot] == 0) continue;
         names.push_back(static_cast<int>(slot));
-        next[slot] = begin.back();
-        begin.push_back(begin.back() + count[slot]);
+        next[slot] = entries.begin.back();
+        entries.begin.push_back(entries.begin.back() + count[slot]);
     }
-    std::vector<int> source(pattern.terms.size());
-    std::vector<double> product(pattern.terms.size());
+    entries.values.resize(pattern.terms.size());
     for (const CondensedPattern::Term& term : pattern.terms) {
         const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(term.slot)]++);
-        source[place] = term.source;
-        product[place] = term.product;
+        entries.columns[place] = term.source;
+        entries.values[place] = term.product;
     }
-    const RowMajor matrix = Eigen::Map<const RowMajor>(static_cast<Index>(names.size()), weights,
-                                                       static_cast<Index>(product.size()), begin.data(),
-                                                       source.data(), product.data());
-    return {matrix, names};
+    return {entries, names};
 }
 
 }  // namespace
@@ -56,7 +53,7 @@ CondensedSystem::CondensedSystem(const ConvexModel& model, const RangeRows& rang
       rows_(ranges.matrix),
       columns_(RowMajor(ranges.matrix.transpose())) {
     CondensedPattern pattern(model, ranges);
-    assembly_ = assembly_of(pattern, ranges.sides());
+    assembly_ = assembly_of(pattern);
     lower_ = std::move(pattern.lower);
     hessian_slot_ = std::move(pattern.hessian_slot);
     width_slot_ = std::move(pattern.width_slot);
@@ -151,7 +148,6 @@ CondensedSystem::Accuracy CondensedSystem::solve(const NewtonRightSide& right_si
     add_transposed(1.0, rest_q_, right_side.force, rest_p_);
     apply_factor(rest_p_, right_side.q, out);
     out.nu = curvature_->cwiseProduct(out.slide) - right_side.force;
-    if (!std::isfinite(goal)) return {0.0, true};
     rest_q_ = right_side.q;
     double rest = residual(right_side, out);
     for (int k = 0; k < most_refinements && rest > goal && std::isfinite(rest); ++k) {

@@ -45,7 +45,6 @@ class CondensedSystem {
     [[nodiscard]] bool factorize(const std::vector<double>& hessian, const Eigen::VectorXd& curvature);
 
     /// The solution, refined until the largest entry of the residual is at most `goal` or falls no more.
-    /// A goal that is infinite asks for no residual at all.
     struct Accuracy {
         double residual = 0.0;  ///< largest entry; infinite: not finite
         bool reached = true;
@@ -69,7 +68,7 @@ class CondensedSystem {
     double first_shift_, shift_;
     CompressedRows rows_, columns_;  ///< [C; E] and its transpose
     SymmetricFactor::Matrix lower_;
-    CompressedRows assembly_;  ///< entries of lower_ from weight_
+    CompressedRows assembly_;                     ///< entries of lower_ from weight_
     std::vector<int> hessian_slot_, width_slot_;  ///< condensed_pattern.hpp
     std::unique_ptr<SymmetricFactor> factor_;
     const std::vector<double>* hessian_ = nullptr;

@@ -44,10 +44,10 @@ class Iteration {
     void aim_at(double target) { change_ = target * ranges_.present - point_.gap.cwiseProduct(point_.dual); }
     [[nodiscard]] double boundary_fraction() const { return std::clamp(1.0 - 10.0 * rest_.mu, 0.99, 0.9995); }
     [[nodiscard]] double primal_step(const Direction& direction, double fraction) const {
-        return step_to_boundary(point_.gap, direction.gap, fraction);
+        return step_to_boundary(newton_.inverse_gap(), direction.gap, fraction);
     }
     [[nodiscard]] double dual_step(const Direction& direction, double fraction) const {
-        return step_to_boundary(point_.dual, direction.dual, fraction);
+        return step_to_boundary(newton_.inverse_dual(), direction.dual, fraction);
     }
 
     const ConvexModel& model_;
@@ -128,9 +128,8 @@ bool Iteration::looks_unbounded() const {
 /// Mehrotra's choice: the better the affine direction does, the closer to the boundary the step aims.
 double Iteration::target_after_affine() const {
     const double primal = primal_step(affine_, 1.0), dual = dual_step(affine_, 1.0);
-    const double total = ((point_.gap + primal * affine_.gap).array() *
-                          (point_.dual + dual * affine_.dual).array())
-                             .sum();
+    const double total =
+        ((point_.gap + primal * affine_.gap).array() * (point_.dual + dual * affine_.dual).array()).sum();
     const double reached = total / static_cast<double>(std::max<Index>(1, ranges_.sides_present));
     const double ratio = rest_.mu > 0.0 ? std::clamp(reached / rest_.mu, 0.0, 1.0) : 0.0;
     return std::max(ratio * ratio * ratio, 1e-6) * rest_.mu;
@@ -143,8 +142,8 @@ void Iteration::add_correctors(double target) {
     double primal = primal_step(direction_, fraction), dual = dual_step(direction_, fraction);
     for (int k = 0; k < limits_.correctors && std::min(primal, dual) < long_enough; ++k) {
         const double far_primal = std::min(1.0, primal + reach), far_dual = std::min(1.0, dual + reach);
-        change_ = (point_.gap + far_primal * direction_.gap)
-                      .cwiseProduct(point_.dual + far_dual * direction_.dual);
+        change_ =
+            (point_.gap + far_primal * direction_.gap).cwiseProduct(point_.dual + far_dual * direction_.dual);
         change_ = ranges_.present.cwiseProduct(
             (change_.cwiseMax(low * target).cwiseMin(high * target) - change_).cwiseMax(-high * target));
         newton_.direction(point_, nullptr, change_, trial_);
@@ -165,7 +164,7 @@ bool Iteration::take_step(Stop& reason) {
         return false;
     }
     change_ = -point_.gap.cwiseProduct(point_.dual);
-    newton_.direction(point_, &rest_, change_, affine_, true);
+    newton_.direction(point_, &rest_, change_, affine_);
     if (!affine_.finite) {
         reason = Stop::breakdown;
         return false;
@@ -301,8 +300,7 @@ InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl&
 InteriorPointResult interior_point(const ConvexModel& model, const VectorXd& start,
                                    const InteriorPointLimits& limits, const SolveControl& control) {
     const PathReduction reduction(model, start);
-    InteriorPointResult result =
-        Iteration(reduction.model(), limits).run(reduction.reduced(start), control);
+    InteriorPointResult result = Iteration(reduction.model(), limits).run(reduction.reduced(start), control);
     if (!result.has_point()) return result;
     result.best = {reduction.restored(result.best.x), reduction.restored_multipliers(result.best.lambda)};
     return result;

@@ -59,6 +59,7 @@ NewtonStep::NewtonStep(const ConvexModel& model, const RangeRows& ranges, const 
       system_(model, ranges, limits.factor, limits.shift),
       hessian_(static_cast<std::size_t>(model.hessian.size())),
       inverse_gap_(ranges.sides()),
+      inverse_dual_(ranges.sides()),
       curvature_(ranges.sides()),
       image_(ranges.matrix.rows()),
       slide_(ranges.sides()),
@@ -83,6 +84,7 @@ bool NewtonStep::prepare(const Iterate& point, bool& finite) {
     finite = std::all_of(hessian_.begin(), hessian_.end(), [](double v) { return std::isfinite(v); });
     if (!finite) return false;
     inverse_gap_ = point.gap.cwiseInverse();
+    inverse_dual_ = point.dual.cwiseMax(tiniest).cwiseInverse();
     curvature_ = point.dual.cwiseProduct(inverse_gap_);
     careful_is_current_ = false;
     return system_.factorize(hessian_, curvature_) || prepare_careful(point);
@@ -112,7 +114,10 @@ void NewtonStep::solve(const Iterate& point, double goal) {
     if (!careful_is_current_) accuracy = system_.solve(right_side_, goal, solution_);
     solved_ = std::isfinite(accuracy.residual);
     if (accuracy.reached) return;
-    const double size = std::max(largest(right_side_.p), largest(right_side_.q));
+    // Forces as the slides that they would cause alone.
+    slide_ =
+        right_side_.force.cwiseProduct(point.gap).cwiseProduct(inverse_dual_).cwiseProduct(ranges_.present);
+    const double size = std::max({largest(right_side_.p), largest(right_side_.q), largest(slide_)});
     if (accuracy.residual <= good_residual * size) return;
     if (!careful_is_current_ && !prepare_careful(point)) return;
     solve_carefully(accuracy.residual);
@@ -144,13 +149,14 @@ void NewtonStep::solve_carefully(double known_residual) {
     for (Index b = 0; b < ranges_.sides(); ++b) {
         const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
         if (from.row < 0 || row_flatness_[from.row] >= 1.0) continue;
-        const double slide = from.sign * row_flatness_[from.row] * (careful.lambda[from.row] + force[from.row]);
+        const double slide =
+            from.sign * row_flatness_[from.row] * (careful.lambda[from.row] + force[from.row]);
         solution_.nu[b] = curvature_[b] * slide - right_side_.force[b];
     }
 }
 
 void NewtonStep::direction(const Iterate& point, const Residuals* residuals, const VectorXd& change,
-                           Direction& out, bool rough) {
+                           Direction& out) {
     VectorXd& force = right_side_.force;
     if (residuals != nullptr) {
         force = (change - point.dual.cwiseProduct(residuals->bound)).cwiseProduct(inverse_gap_);
@@ -165,20 +171,37 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
         right_side_.q.setZero();
     }
     // A correction must be as exact as what it corrects: what it leaves over stays.
-    solve(point, rough ? infinity : goal_);
+    solve(point, goal_);
     out.x = solution_.x;
     out.lambda = solution_.lambda;
-    // Each as exact as can be: the gap for its side, the multiplier for the variables' equations. Rounding
-    // is left to the products g z.
+    out.dual = -solution_.nu;
     out.gap = solution_.slide.cwiseProduct(ranges_.present);
     if (residuals != nullptr) out.gap += residuals->bound;
-    out.dual = -solution_.nu;
+    keep_products(point, change, out);
     out.finite = solved_ && finite(out.dual) && finite(out.x) && finite(out.lambda);
 }
 
-double step_to_boundary(const VectorXd& value, const VectorXd& change, double fraction) {
-    if (value.size() == 0) return 1.0;
-    const double steepest = (-change.array() / value.array().max(tiniest)).maxCoeff();
+/// Each side from that of its two unknowns which is known better: the multiplier where the gap is the smaller
+/// one, the gap elsewhere; the other follows from the product g z. Rounding would be magnified the other way
+/// round.
+void NewtonStep::keep_products(const Iterate& point, const VectorXd& change, Direction& out) const {
+    const double* const gap = point.gap.data();
+    const double* const dual = point.dual.data();
+    const double* const wanted = change.data();
+    double* const of_dual = out.dual.data();
+    double* const of_gap = out.gap.data();
+    for (Index b = 0; b < out.gap.size(); ++b) {
+        const double gap_from_product = (wanted[b] - gap[b] * of_dual[b]) * inverse_dual_[b];
+        const double dual_from_product = (wanted[b] - dual[b] * of_gap[b]) * inverse_gap_[b];
+        const bool tight = dual[b] > gap[b];
+        of_gap[b] = tight ? gap_from_product : of_gap[b];
+        of_dual[b] = tight ? of_dual[b] : dual_from_product;
+    }
+}
+
+double step_to_boundary(const VectorXd& inverse, const VectorXd& change, double fraction) {
+    if (inverse.size() == 0) return 1.0;
+    const double steepest = -change.cwiseProduct(inverse).minCoeff();
     return steepest > fraction ? fraction / steepest : 1.0;
 }
 

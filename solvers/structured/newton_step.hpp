@@ -51,15 +51,18 @@ class NewtonStep {
     /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
     /// `finite`).
     [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
+    /// 1/g and 1/z of the point last prepared; where there is no side, some finite number.
+    [[nodiscard]] const Eigen::VectorXd& inverse_gap() const { return inverse_gap_; }
+    [[nodiscard]] const Eigen::VectorXd& inverse_dual() const { return inverse_dual_; }
     /// The products g z are to change by `change`, to first order. With `residuals` null they alone.
-    /// `rough`: nothing will be built on its last digits.
     void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
-                   Direction& out, bool rough = false);
+                   Direction& out);
 
  private:
     [[nodiscard]] bool prepare_careful(const Iterate& point);
     void solve(const Iterate& point, double goal);
     void solve_carefully(double known_residual);
+    void keep_products(const Iterate& point, const Eigen::VectorXd& change, Direction& out) const;
 
     const ConvexModel& model_;
     const RangeRows& ranges_;
@@ -69,7 +72,7 @@ class NewtonStep {
     std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate
     bool careful_is_current_ = false;
     std::vector<double> hessian_;
-    Eigen::VectorXd inverse_gap_, curvature_, image_, slide_;
+    Eigen::VectorXd inverse_gap_, inverse_dual_, curvature_, image_, slide_;
     Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the careful system: Σ and D
     NewtonRightSide right_side_;
     NewtonUnknowns solution_;
@@ -77,9 +80,8 @@ class NewtonStep {
     bool solved_ = false;
 };
 
-/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0; entries whose dv is 0 may be
-/// 0 too.
-[[nodiscard]] double step_to_boundary(const Eigen::VectorXd& value, const Eigen::VectorXd& change,
+/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0, from 1/v.
+[[nodiscard]] double step_to_boundary(const Eigen::VectorXd& inverse, const Eigen::VectorXd& change,
                                       double fraction);
 
 void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step);

@@ -63,6 +63,7 @@ class Forest {
         at(a) = b;
         return a != b;
     }
+    [[nodiscard]] int size() const { return static_cast<int>(parent_.size()); }
 
  private:
     int& at(int row) { return parent_[static_cast<std::size_t>(row)]; }
@@ -76,10 +77,33 @@ struct PathReduction::Candidate {
     double first_entry, second_entry;
 };
 
+/// The candidates that join trees, listed at each of their rows: 2 k is candidate k at its first row, 2 k + 1
+/// at its second.
+class PathReduction::Edges {
+ public:
+    Edges(const std::vector<Candidate>& candidates, Forest& forest)
+        : first_(static_cast<std::size_t>(forest.size()), -1), after_(2 * candidates.size(), -1) {
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            const Candidate& edge = candidates[k];
+            if (!forest.join(edge.first, edge.second)) continue;
+            put(edge.first, static_cast<int>(2 * k));
+            put(edge.second, static_cast<int>(2 * k + 1));
+        }
+    }
+    [[nodiscard]] int first(int row) const { return first_[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] int after(int edge) const { return after_[static_cast<std::size_t>(edge)]; }
+
+ private:
+    void put(int row, int edge) {
+        after_[static_cast<std::size_t>(edge)] = first(row);
+        first_[static_cast<std::size_t>(row)] = edge;
+    }
+    std::vector<int> first_, after_;
+};
+
 PathReduction::PathReduction(const ConvexModel& model, const VectorXd& start) : full_(model) {
     const std::vector<Candidate> found = candidates(start);
     if (static_cast<int>(found.size()) < least_rows - 1) return;
-    rows_ = model.rows;
     join(found);
     if (removed_.empty()) return;
     number();
@@ -120,13 +144,8 @@ std::vector<PathReduction::Candidate> PathReduction::candidates(const VectorXd& 
 void PathReduction::join(const std::vector<Candidate>& candidates) {
     const auto rows = static_cast<int>(full_.constraints());
     Forest forest(rows);
-    std::vector<std::vector<int>> edges(static_cast<std::size_t>(rows));  // candidates at each row
+    const Edges edges(candidates, forest);
     std::vector<int> size(static_cast<std::size_t>(rows), 0);
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        if (!forest.join(candidates[k].first, candidates[k].second)) continue;
-        for (const int row : {candidates[k].first, candidates[k].second})
-            edges[static_cast<std::size_t>(row)].push_back(static_cast<int>(k));
-    }
     for (int i = 0; i < rows; ++i) ++size[static_cast<std::size_t>(forest.root(i))];
     row_.assign(static_cast<std::size_t>(rows), -1);
     part_.assign(static_cast<std::size_t>(rows), 1.0);
@@ -142,9 +161,9 @@ void PathReduction::join(const std::vector<Candidate>& candidates) {
         double least = 1.0, most = 1.0;
         for (std::size_t head = 0; head < queue.size(); ++head) {
             const int row = queue[head];
-            for (const int k : edges[static_cast<std::size_t>(row)]) {
-                const Candidate& edge = candidates[static_cast<std::size_t>(k)];
-                const bool forward = edge.first == row;
+            for (int k = edges.first(row); k >= 0; k = edges.after(k)) {
+                const Candidate& edge = candidates[static_cast<std::size_t>(k / 2)];
+                const bool forward = k % 2 == 0;
                 const int next = forward ? edge.second : edge.first;
                 if (seen[static_cast<std::size_t>(next)] != 0) continue;
                 const double here = forward ? edge.first_entry : edge.second_entry;
@@ -155,7 +174,7 @@ void PathReduction::join(const std::vector<Candidate>& candidates) {
                 row_[static_cast<std::size_t>(next)] = top;  // for now: the row that takes the sum
                 least = std::min(least, std::abs(part));
                 most = std::max(most, std::abs(part));
-                found.push_back({edge.variable, next, there});
+                found.push_back({edge.variable, next, row, there, here});
                 queue.push_back(next);
             }
         }
@@ -186,33 +205,46 @@ void PathReduction::number() {
 }
 
 void PathReduction::build() {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(rows_.nonZeros()));
-    const auto variables = static_cast<Index>(kept_variables_.size());
     reduced_.row_lower.setZero(row_count_);
-    reduced_.row_upper.setZero(row_count_);
-    for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
-        const int to = row_[static_cast<std::size_t>(i)];
-        const double part = part_[static_cast<std::size_t>(i)];
-        reduced_.row_lower[to] += part * full_.row_lower[i];
-        for (RowMajor::InnerIterator entry(rows_, i); entry; ++entry) {
-            const int column = variable_[static_cast<std::size_t>(entry.col())];
-            if (column >= 0) entries.emplace_back(to, column, part * entry.value());
+    for (std::size_t i = 0; i < row_.size(); ++i)
+        reduced_.row_lower[row_[i]] += part_[i] * full_.row_lower[static_cast<Index>(i)];
+    reduced_.row_upper = reduced_.row_lower;
+    for (std::size_t i = 0; i < row_.size(); ++i)
+        if (!full_.is_equality(static_cast<Index>(i)))
+            reduced_.row_upper[row_[i]] = full_.row_upper[static_cast<Index>(i)];
+    reduced_.rows.resize(row_count_, static_cast<Index>(kept_variables_.size()));
+    reduced_.rows.reserve(full_.rows.nonZeros());
+    std::vector<std::pair<int, double>> column;
+    for (std::size_t k = 0; k < kept_variables_.size(); ++k) {
+        column.clear();
+        for (ConvexModel::Matrix::InnerIterator entry(full_.rows, kept_variables_[k]); entry; ++entry) {
+            const auto row = static_cast<std::size_t>(entry.row());
+            column.emplace_back(row_[row], part_[row] * entry.value());
         }
+        append_column(static_cast<Index>(k), column);
     }
-    for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
-        const int to = row_[static_cast<std::size_t>(i)];
-        reduced_.row_upper[to] = full_.is_equality(i) ? reduced_.row_lower[to] : full_.row_upper[i];
-    }
-    reduced_.rows.resize(row_count_, variables);
-    reduced_.rows.setFromTriplets(entries.begin(), entries.end());
+    reduced_.rows.finalize();
     reduced_.x_lower = full_.x_lower(kept_variables_);
     reduced_.x_upper = full_.x_upper(kept_variables_);
-    for (const auto [from, to] : {std::pair{&full_.hessian.rows, &reduced_.hessian.rows},
-                                  std::pair{&full_.hessian.columns, &reduced_.hessian.columns}})
-        for (const int j : *from) to->push_back(variable_[static_cast<std::size_t>(j)]);
+    const auto renumber = [&](const std::vector<int>& from, std::vector<int>& to) {
+        for (const int j : from) to.push_back(variable_[static_cast<std::size_t>(j)]);
+    };
+    renumber(full_.hessian.rows, reduced_.hessian.rows);
+    renumber(full_.hessian.columns, reduced_.hessian.columns);
     reduced_.kind = full_.kind;
     reduced_.cost_unit = full_.cost_unit;
+}
+
+/// Entries of the same row are added; what cancels is left out.
+void PathReduction::append_column(Index k, std::vector<std::pair<int, double>>& column) {
+    std::ranges::sort(column);
+    reduced_.rows.startVec(k);
+    for (std::size_t e = 0; e < column.size();) {
+        const int row = column[e].first;
+        double sum = 0.0;
+        for (; e < column.size() && column[e].first == row; ++e) sum += column[e].second;
+        if (sum != 0.0) reduced_.rows.insertBack(row, k) = sum;
+    }
 }
 
 VectorXd PathReduction::reduced(const VectorXd& x) const {
@@ -224,11 +256,10 @@ VectorXd PathReduction::restored(const VectorXd& x) const {
     if (removed_.empty()) return x;
     VectorXd result = VectorXd::Zero(full_.variables());
     result(kept_variables_) = x;
+    VectorXd rest = full_.row_lower - full_.rows * result;  // what a row has left for its own variable
     for (const Removed& removed : removed_) {
-        double rest = full_.row_lower[removed.row];
-        for (RowMajor::InnerIterator entry(rows_, removed.row); entry; ++entry)
-            if (entry.col() != removed.variable) rest -= entry.value() * result[entry.col()];
-        result[removed.variable] = rest / removed.entry;
+        result[removed.variable] = rest[removed.row] / removed.entry;
+        rest[removed.other_row] -= removed.other_entry * result[removed.variable];
     }
     return result;
 }
@@ -237,8 +268,7 @@ VectorXd PathReduction::restored_multipliers(const VectorXd& lambda) const {
     if (removed_.empty()) return lambda;
     VectorXd result(full_.constraints());
     for (Index i = 0; i < result.size(); ++i)
-        result[i] =
-            part_[static_cast<std::size_t>(i)] * lambda[row_[static_cast<std::size_t>(i)]];
+        result[i] = part_[static_cast<std::size_t>(i)] * lambda[row_[static_cast<std::size_t>(i)]];
     return result;
 }
 

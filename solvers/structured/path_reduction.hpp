@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace camopt::structured {
@@ -33,25 +34,25 @@ class PathReduction {
     [[nodiscard]] Eigen::VectorXd restored_multipliers(const Eigen::VectorXd& lambda) const;
 
  private:
-    using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     struct Candidate;
+    class Edges;
     /// The variable is found from its row once the variables before it are.
     struct Removed {
-        int variable, row;
-        double entry;
+        int variable, row, other_row;
+        double entry, other_entry;
     };
     [[nodiscard]] std::vector<Candidate> candidates(const Eigen::VectorXd& start) const;
     void join(const std::vector<Candidate>& candidates);
     void number();
     void build();
+    void append_column(Eigen::Index k, std::vector<std::pair<int, double>>& column);
     [[nodiscard]] std::unique_ptr<ConvexCost> reduced_cost(const Eigen::VectorXd& start) const;
 
     const ConvexModel& full_;
     ConvexModel reduced_;
-    RowMajor rows_;                       ///< C of the given model
-    std::vector<Removed> removed_;        ///< in the order of their return
-    std::vector<int> row_, variable_;     ///< of the smaller model, for each of the given one; −1: gone
-    std::vector<double> part_;            ///< τ, 1 outside the trees
+    std::vector<Removed> removed_;     ///< in the order of their return
+    std::vector<int> row_, variable_;  ///< of the smaller model, for each of the given one; −1: gone
+    std::vector<double> part_;         ///< τ, 1 outside the trees
     std::vector<int> kept_variables_;
     int row_count_ = 0;
 };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <numeric>
 
 namespace camopt::structured {
 namespace {
@@ -26,7 +26,13 @@ struct Draft {
 
 class Drafting {
  public:
-    Drafting(const ConvexModel& model, const RowMajor& by_row) : model_(model), by_row_(by_row) {}
+    Drafting(const ConvexModel& model, const RowMajor& by_row) : model_(model), by_row_(by_row) {
+        const auto rows = static_cast<std::uint64_t>(model.constraints());
+        const int bits = static_cast<int>(std::bit_width(rows)) + 2;
+        table_shift_ = 64 - bits;
+        waiting_.assign(std::size_t{1} << bits, -1);
+        drafts_.reserve(static_cast<std::size_t>(rows));
+    }
 
     std::vector<Draft> run() {
         for (int j = 0; j < static_cast<int>(model_.variables()); ++j)
@@ -72,21 +78,24 @@ class Drafting {
         const auto mix = [&](std::uint64_t part) { key = (key ^ part) * 1099511628211ULL; };
         for (RowMajor::InnerIterator entry(by_row_, i); entry; ++entry) {
             mix(static_cast<std::uint64_t>(entry.col()));
-            mix(std::bit_cast<std::uint64_t>(std::abs(entry.value())) >> 12);
+            mix(std::bit_cast<std::uint64_t>(std::abs(entry.value())));
         }
-        return key;
+        return key * 0x9E3779B97F4A7C15ULL;  // spreads the key over its first bits
     }
 
     /// Whether row i, with one side, is the twin of an earlier one; else it waits for a twin.
     bool joins_twin(int i) {
         if (!has_one_side(i)) return false;
-        const auto [found, is_new] = waiting_.try_emplace(key_of(i), static_cast<int>(drafts_.size()));
-        if (is_new) return false;
-        Draft& draft = drafts_[static_cast<std::size_t>(found->second)];
-        const int first = draft.core_row;
-        if (!become_twins(first, i, draft)) return false;
-        waiting_.erase(found);
-        return true;
+        int& waiting = waiting_[key_of(i) >> table_shift_];
+        if (waiting >= 0) {
+            Draft& draft = drafts_[static_cast<std::size_t>(waiting)];
+            if (become_twins(draft.core_row, i, draft)) {
+                waiting = -1;
+                return true;
+            }
+        }
+        waiting = static_cast<int>(drafts_.size());
+        return false;
     }
 
     /// With both rows as a x <= u: a = c + e x_w and −c + e x_w.
@@ -119,50 +128,57 @@ class Drafting {
     const ConvexModel& model_;
     const RowMajor& by_row_;
     std::vector<Draft> drafts_;
-    std::unordered_map<std::uint64_t, int> waiting_;  ///< draft of a row with one side, by its key
+    /// Draft of the last row with one side by the first bits of its key, −1: none. That another row takes the
+    /// place of one that waits costs a pair now and then, no more.
+    std::vector<int> waiting_;
+    int table_shift_ = 0;
 };
 
-/// A matrix filled row after row.
+/// Fills a matrix row after row.
 class RowFiller {
  public:
-    explicit RowFiller(Index entries) {
-        columns_.reserve(static_cast<std::size_t>(entries));
-        values_.reserve(static_cast<std::size_t>(entries));
+    RowFiller(RowMajor& matrix, Index rows, Index columns, Index entries) : matrix_(matrix) {
+        matrix_.resize(rows, columns);
+        matrix_.resizeNonZeros(entries);
+        matrix_.outerIndexPtr()[0] = 0;
     }
     void add(int column, double value) {
-        columns_.push_back(column);
-        values_.push_back(value);
+        matrix_.innerIndexPtr()[entries_] = column;
+        matrix_.valuePtr()[entries_++] = value;
     }
     void add_row_of(const RowMajor& from, int row, double sign, int except) {
         for (RowMajor::InnerIterator entry(from, row); entry; ++entry)
             if (entry.col() != except) add(static_cast<int>(entry.col()), sign * entry.value());
     }
-    void end_row() { begin_.push_back(static_cast<int>(columns_.size())); }
-    [[nodiscard]] RowMajor matrix(Index columns) const {
-        return Eigen::Map<const RowMajor>(static_cast<Index>(begin_.size()) - 1, columns,
-                                          static_cast<Index>(values_.size()), begin_.data(), columns_.data(),
-                                          values_.data());
-    }
+    void end_row() { matrix_.outerIndexPtr()[++row_] = entries_; }
+    void finish() { matrix_.resizeNonZeros(entries_); }
 
  private:
-    std::vector<int> begin_ = {0}, columns_;
-    std::vector<double> values_;
+    RowMajor& matrix_;
+    int entries_ = 0;
+    Index row_ = 0;
 };
 
 }  // namespace
 
 RangeRows::RangeRows(const ConvexModel& model) {
     const RowMajor by_row = model.rows;
-    std::vector<Draft> drafts = Drafting(model, by_row).run();
-    std::ranges::stable_sort(drafts, {}, &Draft::width_variable);
+    const std::vector<Draft> drafts = Drafting(model, by_row).run();
+    std::vector<int> order(drafts.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {},
+                             [&](int k) { return drafts[static_cast<std::size_t>(k)].width_variable; });
+    for (int i = 0; i < static_cast<int>(model.constraints()); ++i)
+        if (model.is_equality(i)) equalities.push_back(i);
     const auto count = static_cast<Index>(drafts.size());
     width.resize(count);
     limit.setZero(2 * count);
     present.setZero(2 * count);
     source.resize(static_cast<std::size_t>(2 * count));
-    RowFiller filler(by_row.nonZeros() + count);
+    RowFiller filler(matrix, count + static_cast<Index>(equalities.size()), model.variables(),
+                     by_row.nonZeros() + count);
     for (Index r = 0; r < count; ++r) {
-        const Draft& draft = drafts[static_cast<std::size_t>(r)];
+        const Draft& draft = drafts[static_cast<std::size_t>(order[static_cast<std::size_t>(r)])];
         width[r] = draft.width;
         if (draft.width_variable >= 0) {
             if (groups.empty() || groups.back().variable != draft.width_variable)
@@ -184,13 +200,11 @@ RangeRows::RangeRows(const ConvexModel& model) {
         filler.end_row();
     }
     sides_present = static_cast<Index>(present.sum());
-    for (int i = 0; i < static_cast<int>(model.constraints()); ++i) {
-        if (!model.is_equality(i)) continue;
-        equalities.push_back(i);
+    for (const int i : equalities) {
         filler.add_row_of(by_row, i, 1.0, -1);
         filler.end_row();
     }
-    matrix = filler.matrix(model.variables());
+    filler.finish();
     equal_to.resize(static_cast<Index>(equalities.size()));
     for (Index k = 0; k < equal_to.size(); ++k)
         equal_to[k] = model.row_lower[equalities[static_cast<std::size_t>(k)]];

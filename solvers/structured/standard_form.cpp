@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 
 namespace camopt::structured {
@@ -14,7 +15,9 @@ using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 double power_of_two_near(double value) {
-    return std::exp2(std::round(std::log2(value)));
+    int exponent = 0;
+    const double part = std::frexp(value, &exponent);  // in [1/2, 1)
+    return std::ldexp(1.0, part < std::numbers::sqrt2 / 2.0 ? exponent - 1 : exponent);
 }
 
 /// The Nlp's cost seen from x̂.
@@ -174,18 +177,25 @@ void StandardForm::keep_rows() {
     model_.x_lower.resize(columns);
     model_.x_upper.resize(columns);
     model_.rows.resize(rows, columns);
-    model_.rows.reserve(full_.nonZeros());
+    model_.rows.resizeNonZeros(full_.nonZeros());
+    int* const begin = model_.rows.outerIndexPtr();
+    int* const inner = model_.rows.innerIndexPtr();
+    double* const values = model_.rows.valuePtr();
+    int entries = 0;
     for (Index k = 0; k < columns; ++k) {
         const int j = kept_variables_[static_cast<std::size_t>(k)];
         model_.x_lower[k] = shape.x_lower[j];
         model_.x_upper[k] = shape.x_upper[j];
-        model_.rows.startVec(k);
+        begin[k] = entries;
         for (Matrix::InnerIterator entry(full_, j); entry; ++entry) {
             const int row = row_index[static_cast<std::size_t>(entry.row())];
-            if (row >= 0 && entry.value() != 0.0) model_.rows.insertBack(row, k) = entry.value();
+            if (row < 0 || entry.value() == 0.0) continue;
+            inner[entries] = row;
+            values[entries++] = entry.value();
         }
     }
-    model_.rows.finalize();
+    begin[columns] = entries;
+    model_.rows.resizeNonZeros(entries);
     model_.row_lower.resize(rows);
     model_.row_upper.resize(rows);
     for (Index k = 0; k < rows; ++k) {
@@ -234,13 +244,14 @@ void StandardForm::equilibrate(const VectorXd& start) {
                 row_size[entry.row()] = std::max(row_size[entry.row()], size);
             }
         double farthest = 1.0;
-        const auto balance = [&](double size, double& scale) {
-            if (size <= 0.0) return;
-            farthest = std::max({farthest, size, 1.0 / size});
-            scale /= std::sqrt(size);
+        const auto balance = [&](VectorXd& size, VectorXd& scale) {
+            if (size.size() == 0) return;
+            size = (size.array() > 0.0).select(size, 1.0);
+            farthest = std::max({farthest, size.maxCoeff(), 1.0 / size.minCoeff()});
+            scale.array() /= size.array().sqrt();
         };
-        for (Index j = 0; j < model_.variables(); ++j) balance(column_size[j], column_scale_[j]);
-        for (Index i = 0; i < model_.constraints(); ++i) balance(row_size[i], row_scale_[i]);
+        balance(column_size, column_scale_);
+        balance(row_size, row_scale_);
         if (farthest <= balanced) break;
     }
     // Variables in no row are scaled by their curvature.
@@ -252,7 +263,9 @@ void StandardForm::equilibrate(const VectorXd& start) {
     column_scale_ = column_scale_.unaryExpr(&power_of_two_near);
     row_scale_ = row_scale_.unaryExpr(&power_of_two_near);
 
-    model_.rows = (row_scale_.asDiagonal() * model_.rows * column_scale_.asDiagonal()).eval();
+    for (Index j = 0; j < model_.variables(); ++j)
+        for (Matrix::InnerIterator entry(model_.rows, j); entry; ++entry)
+            entry.valueRef() *= row_scale_[entry.row()] * column_scale_[j];
     model_.row_lower.array() *= row_scale_.array();
     model_.row_upper.array() *= row_scale_.array();
     model_.x_lower.array() /= column_scale_.array();
@@ -275,8 +288,8 @@ void StandardForm::scale_cost(const VectorXd& start) {
     model_.cost_unit = std::min(1.0, cost_scale_);
     if (model_.kind == CostKind::linear) {
         const double value = model_.cost->value(x);
-        model_.cost = std::make_unique<LinearCost>(cost_scale_ * gradient,
-                                                   cost_scale_ * (value - gradient.dot(x)));
+        model_.cost =
+            std::make_unique<LinearCost>(cost_scale_ * gradient, cost_scale_ * (value - gradient.dot(x)));
         return;
     }
     ScaledCost::Frame frame{base_, kept_variables_, column_scale_, cost_scale_, {}};

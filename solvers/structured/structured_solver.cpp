@@ -58,9 +58,8 @@ class StructuredRun {
           start_(start),
           control_(control),
           tolerance_(options.tolerance),
-          form_(problem, start) {
-        limits_ = structured::interior_point_limits(options, structured_options(options.native));
-    }
+          limits_(structured::interior_point_limits(options, structured_options(options.native))),
+          form_(problem, start) {}
 
     BackendResult run();
 
@@ -74,8 +73,8 @@ class StructuredRun {
     const VectorXd& start_;
     const SolveControl& control_;
     double tolerance_;
+    InteriorPointLimits limits_;  ///< its clock runs while the problem is read
     StandardForm form_;
-    InteriorPointLimits limits_;
     int iterations_ = 0;
 };
 

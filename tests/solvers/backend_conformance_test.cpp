@@ -251,7 +251,7 @@ TEST_P(Backend, StopsAtTheTimeLimitWithAPoint) {
     options_.max_seconds = 0.02;
     const KnownProblem problem = long_problem();
     const HookedNlp slow(*problem.nlp, [](double cost) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));  // some ask for a linear cost but once
         return cost;
     });
     const auto begin = std::chrono::steady_clock::now();
