@@ -18,6 +18,7 @@ namespace {
 
 // Layout, px.
 constexpr double page_width = 900, left = 84, right = 876, top = 64, bottom = 500, margin_below = 60;
+constexpr double least_height = 160;  // of a plot
 constexpr double legend_row = 20, legend_column = 264;
 constexpr int legend_columns = 3;
 constexpr int colours = 8;
@@ -58,15 +59,21 @@ Range padded(Range range, bool logarithmic) {
     return {range.lower - air, range.upper + air};
 }
 
-/// Widens the range that is too narrow for one unit to be as long on both axes.
-void equalise(Range& across, Range& up) {
-    const double unit_across = (across.upper - across.lower) / (right - left);
-    const double unit_up = (up.upper - up.lower) / (bottom - top);
-    Range& narrow = unit_across < unit_up ? across : up;
-    const double size =
-        std::max(unit_across, unit_up) * (unit_across < unit_up ? right - left : bottom - top);
-    const double middle = 0.5 * (narrow.lower + narrow.upper);
-    narrow = {middle - 0.5 * size, middle + 0.5 * size};
+/// The bottom of a plot on which one unit is as long on both axes. A wide shape gets a lower plot; where that
+/// is not enough, or the shape is high, the range that is too narrow is widened.
+double equalised_bottom(Range& across, Range& up) {
+    const double unit = (across.upper - across.lower) / (right - left);
+    const double wanted = (up.upper - up.lower) / unit;
+    const double height = std::clamp(wanted, least_height, bottom - top);
+    const auto widen = [](Range& range, double size) {
+        const double middle = 0.5 * (range.lower + range.upper);
+        range = {middle - 0.5 * size, middle + 0.5 * size};
+    };
+    if (wanted <= height)
+        widen(up, unit * height);
+    else
+        widen(across, (up.upper - up.lower) / height * (right - left));
+    return top + height;
 }
 
 std::vector<PlotTick> ticks_of(const Range& range, bool logarithmic, int wanted) {
@@ -92,12 +99,12 @@ PlotFrame frame_of(const PaperFigure& figure) {
     }
     across = padded(across, figure.logarithmic);
     up = padded(up, figure.logarithmic);
-    if (figure.equal_scales) equalise(across, up);
+    const double plot_bottom = figure.equal_scales ? equalised_bottom(across, up) : bottom;
     PlotFrame frame;
     frame.horizontal = {across.lower, across.upper, left, right, figure.logarithmic};
-    frame.vertical = {up.lower, up.upper, bottom, top, figure.logarithmic};
+    frame.vertical = {up.lower, up.upper, plot_bottom, top, figure.logarithmic};
     frame.horizontal_ticks = ticks_of(across, figure.logarithmic, 10);
-    frame.vertical_ticks = ticks_of(up, figure.logarithmic, 8);
+    frame.vertical_ticks = ticks_of(up, figure.logarithmic, plot_bottom - top < 300 ? 4 : 8);
     frame.horizontal_title = figure.x_title;
     frame.vertical_title = figure.y_title;
     return frame;
@@ -121,11 +128,11 @@ void draw_series(SvgCanvas& canvas, const PlotFrame& frame, const PaperFigure& f
     if (!series.markers && !path.empty()) canvas.path(path, "l" + colour);
 }
 
-void draw_legend(SvgCanvas& canvas, const PaperFigure& figure) {
+void draw_legend(SvgCanvas& canvas, const PaperFigure& figure, double plot_bottom) {
     for (std::size_t i = 0; i < figure.series.size(); ++i) {
         const std::string colour = std::to_string(i % colours);
         const double x = left + legend_column * static_cast<double>(i % legend_columns);
-        const double y = bottom + margin_below + legend_row * static_cast<double>(i / legend_columns);
+        const double y = plot_bottom + margin_below + legend_row * static_cast<double>(i / legend_columns);
         if (figure.series[i].markers)
             canvas.circle(x + 12, y - 4, 3.2, "p" + colour);
         else
@@ -139,14 +146,14 @@ void draw_legend(SvgCanvas& canvas, const PaperFigure& figure) {
 std::string paper_figure_svg(const PaperFigure& figure) {
     const auto legend_rows =
         static_cast<double>((figure.series.size() + legend_columns - 1) / legend_columns);
-    const double page_height = bottom + margin_below + legend_row * legend_rows + 4;
+    const PlotFrame frame = frame_of(figure);
+    const double page_height = frame.vertical.begin + margin_below + legend_row * legend_rows + 4;
     SvgCanvas canvas(page_width, page_height, page_style + std::string(plot_frame_style()), figure.title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 34, figure.title, "title");
-    const PlotFrame frame = frame_of(figure);
     draw_plot_frame(canvas, frame);
     for (std::size_t i = 0; i < figure.series.size(); ++i) draw_series(canvas, frame, figure, i);
-    draw_legend(canvas, figure);
+    draw_legend(canvas, figure, frame.vertical.begin);
     return canvas.finish();
 }
 
