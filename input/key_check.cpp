@@ -76,9 +76,20 @@ class KeyCheck {
                                  given.row->cam_types('"')));
     }
 
+    /// What may stand in a table beside this type of cam; a [cam] without a type is taken for a disk cam.
+    [[nodiscard]] std::vector<std::string> keys_of_this_cam(std::string_view table) const {
+        const std::string_view type = table == "cam" && cam_type().empty() ? "disk" : cam_type();
+        std::vector<std::string> keys;
+        for (const KeyRow& row : scene_keys()) {
+            if (row.table != table || !row.is_for(type)) continue;
+            for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
+        }
+        return keys;
+    }
+
     [[noreturn]] void refuse_unknown(const Member& member, std::string_view table,
                                      const std::string& key) const {
-        const std::vector<std::string> allowed = written_keys(table);
+        const std::vector<std::string> allowed = keys_of_this_cam(table);
         std::string hint = spelling_hint(member.name, allowed);
         for (const KeyRow& row : scene_keys())  // the unit forgotten
             if (row.table == table && row.name == member.name)

@@ -66,13 +66,16 @@ std::vector<BrokenScene> broken_cams() {
          "objective.jerk = 1\n"
          "motion.type = \"DRD\"\n"
          "cam.type = \"cylinder\"\n",
-         "s.toml:3:12: cam.type: found \"cylinder\"; allowed: \"disk\""},
+         "s.toml:3:12: cam.type: found \"cylinder\"; allowed: \"disk\", \"remote\", \"barrel\" or "
+         "\"cylindrical\""},
         {"cam_follower_missing", start,
          "s.toml:3:1: cam.follower: missing; allowed: \"translating_roller\", \"translating_flat\", "
-         "\"translating_knife\", \"oscillating_roller\" or \"oscillating_flat\""},
+         "\"translating_knife\", \"oscillating_roller\", \"oscillating_flat\", \"rotating\" or "
+         "\"translating\""},
         {"cam_follower_unknown", start + "follower = \"roller\"\n",
          "s.toml:5:12: cam.follower: found \"roller\"; allowed: \"translating_roller\", "
-         "\"translating_flat\", \"translating_knife\", \"oscillating_roller\" or \"oscillating_flat\""},
+         "\"translating_flat\", \"translating_knife\", \"oscillating_roller\", \"oscillating_flat\", "
+         "\"rotating\" or \"translating\""},
         {"cam_base_radius_missing", start + "follower = \"translating_knife\"\n",
          "s.toml:3:1: cam.base_radius_mm: missing; allowed: a number > 0, or a range { min = …, max = … }"},
         {"cam_rotation_unknown", roller + "rotation = \"left\"\n",

@@ -321,11 +321,12 @@ std::vector<BrokenScene> broken_combinations() {
          "[cam]\n"
          "type = \"disk\"\n",
          "s.toml:5:1: cam.follower: missing; allowed: \"translating_roller\", \"translating_flat\", "
-         "\"translating_knife\", \"oscillating_roller\" or \"oscillating_flat\""},
+         "\"translating_knife\", \"oscillating_roller\", \"oscillating_flat\", \"rotating\" or "
+         "\"translating\""},
         {"cam_before_anything",
          "[cam]\n"
          "base_radius_mm = 40\n",
-         "s.toml:1:1: cam.type: missing; allowed: \"disk\""},
+         "s.toml:1:1: cam.type: missing; allowed: \"disk\", \"remote\", \"barrel\" or \"cylindrical\""},
         {"knots_free_in_hundreds",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -27,6 +27,8 @@ std::vector<BrokenScene> broken_values();
 std::vector<BrokenScene> broken_combinations();
 std::vector<BrokenScene> broken_programs();
 std::vector<BrokenScene> broken_cams();
+std::vector<BrokenScene> broken_mechanisms();
+std::vector<BrokenScene> broken_spatial();
 std::vector<BrokenScene> broken_forces();
 std::vector<BrokenScene> broken_overrides();
 
