@@ -5,6 +5,7 @@
 #include "studies/papers/paper_001.hpp"
 #include "studies/papers/paper_002.hpp"
 #include "studies/papers/paper_000.hpp"
+#include "studies/papers/paper_003.hpp"
 #include "studies/papers/paper_004.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ std::span<const PaperInfo> paper_catalogue() {
         PaperInfo{"000", "curvilinear inverse cam and feeder", paper_000},
         PaperInfo{"001", "open cylindrical cam with a rotating follower (OCRF)", paper_001},
         PaperInfo{"002", "barrel cam of a machine that makes paper cups, 2011", paper_002},
+        PaperInfo{"003", "disk cam with a remote follower, tappet shedding, 2003", paper_003},
         PaperInfo{"004", "optimum cam curves by cubic splines, 1994", paper_004},
     };
     return papers;
