@@ -11,6 +11,7 @@
 #include "studies/check_cam.hpp"
 #include "studies/mechanism_report.hpp"
 #include "studies/solve.hpp"
+#include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,9 @@ void add_forward_check(Solution& solution) {
     if (InterruptWatch::interrupted()) return;
     try {
         if (solution.cam) solution.cam->forward_check = check_cam(solution);
-        if (solution.mechanism) solution.mechanism->forward_check = check_mechanism(solution);
+        if (solution.mechanism)
+            solution.mechanism->forward_check =
+                has_spatial_cam(solution) ? check_spatial_cam(solution) : check_mechanism(solution);
     } catch (const InputError& error) {
         solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
     }

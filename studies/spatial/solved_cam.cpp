@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "studies/spatial/solved_cam.hpp"
+
+#include "core/errors.hpp"
+#include "core/spatial_spec.hpp"
+#include "profiles/spatial/spatial_mechanism.hpp"
+#include "studies/check_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
+
+#include <algorithm>
+
+namespace camopt {
+
+FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
+    FollowerMotion result;
+    result.state = [&motion, scale](double theta) {
+        const double x = std::clamp(theta / scale.unit_angle, motion.begin(), motion.end());
+        return state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+    };
+    for (const double x : motion.breakpoints()) result.breakpoints.push_back(scale.unit_angle * x);
+    return result;
+}
+
+bool has_spatial_cam(const Solution& solution) {
+    const auto& mechanism = solution.scene.mechanism;
+    return mechanism && (mechanism->type == "barrel" || mechanism->type == "cylindrical");
+}
+
+SpatialCam solved_spatial_cam(const Solution& solution) {
+    if (!has_spatial_cam(solution) || !solution.mechanism)
+        throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
+    const MechanismSpec& spec = *solution.scene.mechanism;
+    return spatial_cam(spatial_follower(spec), spec.rotation, solution.mechanism->mechanism.dimensions);
+}
+
+ForwardCheckReport check_spatial_cam(const Solution& solution, int points) {
+    const SpatialCam cam = solved_spatial_cam(solution);
+    const MotionChain motion = cam_motion(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    const FollowerMotion turn = follower_motion(motion, scale);
+    const FlankGrid grid = flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points});
+    SpatialForwardCheckInput input;
+    input.sections = sections_of(grid);
+    input.breaks = grid.breaks;
+    input.follower = cam;
+    input.designed = [&turn](double theta) { return turn.state(theta).s; };
+    input.begin = turn.begin();
+    input.end = turn.end();
+    const SpatialForwardCheckResult result = spatial_forward_check(input);
+    return {result.deviation, result.deviation / scale.lift, result.theta / scale.unit_angle, result.points,
+            result.seconds};
+}
+
+}  // namespace camopt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The spatial cam of a solved scene: its dimensions, its motion in SI, its forward check.
+#pragma once
+
+#include "core/motion.hpp"
+#include "profiles/sampling.hpp"
+#include "profiles/spatial/follower_motion.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
+#include "studies/solution.hpp"
+
+namespace camopt {
+
+/// The motion must outlive what is returned.
+[[nodiscard]] FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale);
+
+/// Whether the scene's cam is a barrel or a cylindrical one.
+[[nodiscard]] bool has_spatial_cam(const Solution& solution);
+
+/// Of a solution whose scene has one, with the dimensions that were chosen. Throws InputError for another.
+[[nodiscard]] SpatialCam solved_spatial_cam(const Solution& solution);
+
+/// Both flanks at both ends of the roller drive the follower: about `points` points a section
+/// (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by the lift.
+[[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, int points = 2000);
+
+}  // namespace camopt
