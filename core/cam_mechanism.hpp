@@ -42,6 +42,7 @@ struct MechanismValue {
 struct MechanismState {
     std::span<const double> dimensions;
     FollowerState output;
+    double theta = 0.0;  ///< cam angle, rad: for mechanisms whose input does not turn evenly (inverse)
 };
 
 /// One point of the cam at one station. Planar: z = 0.

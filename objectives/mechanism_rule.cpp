@@ -41,8 +41,11 @@ RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorX
     for (std::size_t k = 0; k < active_.size(); ++k)
         dimensions[static_cast<std::size_t>(active_[k])] =
             mechanism_->variables[k].reference * q[static_cast<Eigen::Index>(k)];
-    const MechanismCall call{
-        *mechanism_->formulas, {dimensions, state_of(point, mechanism_->scale)}, formula_.station, active_};
+    const double theta = mechanism_->scale.unit_angle * point.x;
+    const MechanismCall call{*mechanism_->formulas,
+                             {dimensions, state_of(point, mechanism_->scale), theta},
+                             formula_.station,
+                             active_};
     const MechanismValue physical = formula_.value(call);
     const auto variables = static_cast<Eigen::Index>(active_.size()), size = 4 + variables;
     RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};

@@ -104,12 +104,14 @@ FeederMotion feeder_motion(const FeederLinkage& linkage, const BodyMotion& body)
 inverse::Branch inverse::branch_of(const FeederLinkage& linkage) {
     const Vector2d pin = pin_at(linkage, 0.0), arm = pin - linkage.rocker_pivot;
     // Of two points of the pin's circle on a ray, the nearer one is passed into the circle: P · e < 0 there.
-    return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0};
+    return {arm.x() * linkage.feeder_offset < 0.0 ? -1.0 : 1.0, pin.dot(arm) < 0.0 ? 1.0 : -1.0,
+            linkage.feeder_offset < 0.0 ? -1.0 : 1.0};
 }
 
 BodyResult body_motion(const FeederLinkage& linkage, const FollowerState& feeder) {
-    const auto back = inverse::backwards<double>(linkage, inverse::branch_of(linkage), feeder.s,
-                                                 feeder.velocity, feeder.acceleration);
+    const auto back =
+        inverse::backwards<double>(inverse::numbers_of<double>(linkage), inverse::branch_of(linkage),
+                                   {feeder.s, feeder.velocity, feeder.acceleration});
     BodyResult result;
     if (!(back.discriminant > 0.0) || !(back.reach > least_reach * linkage.pin_distance)) {
         result.fault = InverseFault::rocker_misses_pin;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Private to profiles/inverse/: from the feeder's motion back to the body, over any scalar, so that automatic
-// differentiation gives the partials. Only +, -, ·, /, sqrt: e is the unit vector from the rocker's pivot to
-// the pin, P · e = L1 cos(th - phi), P x e = L1 sin(phi - th).
+// Private to profiles/inverse/: from the feeder's motion back to the body and the guide, over any scalar, so
+// that automatic differentiation gives the partials. Only +, -, ·, /, sqrt: e is the unit vector from the
+// rocker's pivot to the pin, P · e = L1 cos(th - phi), P x e = L1 sin(phi - th). ' is by whatever the
+// roller's and the feeder's motion are by: time, or the cam angle.
 #pragma once
 
 #include "profiles/inverse/feeder_linkage.hpp"
@@ -12,10 +13,28 @@ namespace camopt::inverse {
 
 /// Which of the two pins on a line through the rocker's pivot, and to which side of the pivot it lies.
 struct Branch {
-    double side = 1.0;    ///< +1: the pin lies on the feeder's side of the pivot
-    double nearer = 1.0;  ///< +1: the nearer of the two to the rocker's pivot
+    double side = 1.0;         ///< +1: the pin lies on the feeder's side of the pivot
+    double nearer = 1.0;       ///< +1: the nearer of the two to the rocker's pivot
+    double offset_sign = 1.0;  ///< of the feeder's offset
 };
 [[nodiscard]] Branch branch_of(const FeederLinkage& linkage);
+
+/// What of the linkage the way back needs; the pin's angle only shifts the body's.
+template <class T>
+struct LinkageNumbers {
+    T pin_distance, pivot_x, pivot_y, offset;
+};
+
+template <class T>
+[[nodiscard]] LinkageNumbers<T> numbers_of(const FeederLinkage& linkage) {
+    return {T(linkage.pin_distance), T(linkage.rocker_pivot.x()), T(linkage.rocker_pivot.y()),
+            T(linkage.feeder_offset)};
+}
+
+template <class T>
+struct Feeder {
+    T position, velocity, acceleration;
+};
 
 template <class T>
 struct Backwards {
@@ -27,31 +46,51 @@ struct Backwards {
 };
 
 template <class T>
-[[nodiscard]] Backwards<T> backwards(const FeederLinkage& linkage, const Branch& branch, const T& position,
-                                     const T& speed, const T& acceleration) {
+[[nodiscard]] Backwards<T> backwards(const LinkageNumbers<T>& linkage, const Branch& branch,
+                                     const Feeder<T>& feeder) {
     using std::sqrt;
-    const double offset = linkage.feeder_offset;
-    const double cx = linkage.rocker_pivot.x(), cy = linkage.rocker_pivot.y();
-    const T tangent = (position - cy) / offset;
+    const T tangent = T(feeder.position - linkage.pivot_y) / linkage.offset;
     const T squared = T(1.0) / T(T(1.0) + tangent * tangent);  // cos² phi
-    const T turning = speed * squared / offset;
-    const T turning_rate = T(acceleration * squared / offset) - T(2.0 * turning * turning * tangent);
-    const T ex = branch.side * T(sqrt(squared)) * (offset > 0.0 ? 1.0 : -1.0), ey = ex * tangent;
+    const T turning = T(feeder.velocity * squared) / linkage.offset;
+    const T turning_rate =
+        T(T(feeder.acceleration * squared) / linkage.offset) - T(2.0 * T(turning * turning) * tangent);
+    const T ex = T(branch.side * branch.offset_sign) * T(sqrt(squared)), ey = ex * tangent;
     Backwards<T> result;
-    const T projection = T(cx * ex) + T(cy * ey);
-    result.discriminant = T(projection * projection) +
-                          (linkage.pin_distance * linkage.pin_distance - linkage.rocker_pivot.squaredNorm());
+    const T projection = T(linkage.pivot_x * ex) + T(linkage.pivot_y * ey);
+    const T pivot_squared = T(linkage.pivot_x * linkage.pivot_x) + T(linkage.pivot_y * linkage.pivot_y);
+    result.discriminant =
+        T(projection * projection) + T(T(linkage.pin_distance * linkage.pin_distance) - pivot_squared);
     if (!(result.discriminant > 0.0)) return result;
     result.reach = T(-projection) - T(branch.nearer * T(sqrt(result.discriminant)));
-    result.pin_x = T(cx + result.reach * ex);
-    result.pin_y = T(cy + result.reach * ey);
+    result.pin_x = linkage.pivot_x + T(result.reach * ex);
+    result.pin_y = linkage.pivot_y + T(result.reach * ey);
     result.along = T(result.pin_x * ex) + T(result.pin_y * ey);
     const T across = T(result.pin_x * ey) - T(result.pin_y * ex);
-    result.velocity = turning * result.reach / result.along;
+    result.velocity = T(turning * result.reach) / result.along;
     const T reach_rate = result.velocity * across;
-    const T wanted = T(turning_rate * result.reach) + T(2.0 * reach_rate * turning);
-    result.acceleration = T(wanted - T(result.velocity * result.velocity * across)) / result.along;
+    const T wanted = T(turning_rate * result.reach) + T(2.0 * T(reach_rate * turning));
+    result.acceleration = T(wanted - T(T(result.velocity * result.velocity) * across)) / result.along;
     return result;
+}
+
+/// L, L', L''.
+template <class T>
+struct Roller {
+    T distance, velocity, acceleration;
+};
+
+/// Curvature of the guide: (L psi'' + psi' (2 + L² psi'²)) / (1 + L² psi'²)^(3/2), here ' by L.
+template <class T>
+[[nodiscard]] T guide_curvature(const Roller<T>& roller, const Backwards<T>& body) {
+    using std::sqrt;
+    const T slope = T(-body.velocity) / roller.velocity;
+    const T bend =
+        -T(body.acceleration + T(slope * roller.acceleration)) / T(roller.velocity * roller.velocity);
+    const T tangent = roller.distance * slope;
+    const T squared = tangent * tangent;
+    const T secant = squared + T(1.0);
+    const T top = T(roller.distance * bend) + T(slope * T(squared + T(2.0)));
+    return top / T(secant * T(sqrt(secant)));
 }
 
 }  // namespace camopt::inverse

@@ -19,18 +19,6 @@ Second variable(double value, int index) {
     return result;
 }
 
-Second curvature_of(const RollerState& roller, const Second& velocity, const Second& acceleration) {
-    using std::sqrt;
-    const double speed = roller.velocity;
-    const Second slope = Second(-velocity) / speed;
-    const Second bend = -Second(acceleration + slope * roller.acceleration) / (speed * speed);
-    const Second tangent = roller.distance * slope;
-    const Second squared = Second(tangent * tangent);
-    const Second secant = Second(squared + 1.0);
-    return Second(Second(roller.distance * bend) + Second(slope * Second(squared + 2.0))) /
-           Second(secant * Second(sqrt(secant)));
-}
-
 }  // namespace
 
 InverseQuantityValue inverse_quantity(const FeederLinkage& linkage, const RollerState& roller,
@@ -42,12 +30,14 @@ InverseQuantityValue inverse_quantity(const FeederLinkage& linkage, const Roller
         result.value = roller.velocity;
         return result;
     }
-    const auto back =
-        inverse::backwards<Second>(linkage, inverse::branch_of(linkage), variable(feeder.s, 0),
-                                   variable(feeder.velocity, 1), variable(feeder.acceleration, 2));
-    const Second value = which == InverseQuantity::pressure_numerator
-                             ? Second(-roller.distance * back.velocity)
-                             : curvature_of(roller, back.velocity, back.acceleration);
+    const auto back = inverse::backwards<Second>(
+        inverse::numbers_of<Second>(linkage), inverse::branch_of(linkage),
+        {variable(feeder.s, 0), variable(feeder.velocity, 1), variable(feeder.acceleration, 2)});
+    const Second value =
+        which == InverseQuantity::pressure_numerator
+            ? Second(-roller.distance * back.velocity)
+            : inverse::guide_curvature<Second>(
+                  {Second(roller.distance), Second(roller.velocity), Second(roller.acceleration)}, back);
     result.value = value.value().value();
     result.gradient = value.value().derivatives();
     for (int i = 0; i < 3; ++i) result.hessian.col(i) = value.derivatives()(i).derivatives();

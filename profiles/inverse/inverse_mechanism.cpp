@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/inverse/inverse_mechanism.hpp"
+
+#include "core/errors.hpp"
+#include "core/inverse_spec.hpp"
+#include "profiles/inverse/inverse_feeder.hpp"
+#include "profiles/inverse/inverse_formulas.hpp"
+
+#include <fmt/format.h>
+#include <unsupported/Eigen/AutoDiff>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace camopt {
+
+namespace {
+
+using enum InverseNumber;
+constexpr int station_count = 2;
+constexpr int reach_places = 64;  // displacements at which the reach is looked at
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+double number(std::span<const double> numbers, InverseNumber which) {
+    return numbers[static_cast<std::size_t>(which)];
+}
+
+/// +1 on the left wall, −1 on the right one.
+double side_of(int station) {
+    return station == 0 ? 1.0 : -1.0;
+}
+
+/// The roller at a cam angle, over any scalar.
+template <class T>
+inverse::Roller<T> roller_at(const std::array<T, inverse_number_count>& numbers, double theta) {
+    using std::sqrt;
+    const auto of = [&](InverseNumber which) { return numbers[static_cast<std::size_t>(which)]; };
+    const T begin = sqrt(T(of(roller_from) - of(roller_rest)));
+    const T end = sqrt(T(of(roller_to) - of(roller_rest)));
+    const T rate = T(end - begin) / of(rise);
+    const T root = begin + T(rate * theta);
+    return {T(of(roller_rest) + T(root * root)), T(2.0 * T(root * rate)), T(2.0 * T(rate * rate))};
+}
+
+template <class T>
+T value_of(MechanismQuantity which, const std::array<T, inverse_number_count>& numbers,
+           const inverse::Feeder<T>& output, const inverse::Branch& branch, double theta, double side) {
+    const auto of = [&](InverseNumber index) { return numbers[static_cast<std::size_t>(index)]; };
+    const inverse::Roller<T> roller = roller_at<T>(numbers, theta);
+    if (which == MechanismQuantity::pressure_denominator) return roller.velocity;
+    const inverse::LinkageNumbers<T> linkage{of(pin_distance), of(rocker_pivot_x), of(rocker_pivot_y),
+                                             of(feeder_offset)};
+    const auto body = inverse::backwards<T>(
+        linkage, branch, {T(output.position + of(feeder_start)), output.velocity, output.acceleration});
+    if (which == MechanismQuantity::pressure_numerator) return -T(roller.distance * body.velocity);
+    const T curvature = side * inverse::guide_curvature<T>(roller, body);
+    if (which == MechanismQuantity::pitch_curvature) return curvature;
+    return T(1.0) - T(of(roller_radius) * curvature);
+}
+
+template <int n>
+using First = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
+template <int n>
+using Second = Eigen::AutoDiffScalar<Eigen::Matrix<First<n>, n, 1>>;
+
+template <int n>
+Second<n> variable(double value, int index) {
+    Second<n> result{First<n>(value)};
+    result.value() = First<n>(value, n, index);
+    result.derivatives()(index) = First<n>(1.0);
+    return result;
+}
+
+GuideNode node_at(std::span<const double> numbers, const FollowerState& output, double theta) {
+    const FollowerState feeder{output.s + number(numbers, feeder_start), output.velocity,
+                               output.acceleration};
+    return wanted_guide(linkage_of(numbers), state_of(stroke_of(numbers), theta), feeder);
+}
+
+class InverseMechanism final : public CamMechanism {
+ public:
+    [[nodiscard]] std::string type() const override { return "inverse"; }
+    [[nodiscard]] bool swings() const override { return false; }
+    [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
+    [[nodiscard]] int stations() const override { return station_count; }
+    [[nodiscard]] std::string station_name(int station) const override {
+        return station == 0 ? "left wall" : "right wall";
+    }
+    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
+        return which == MechanismQuantity::regularity || station == 0;
+    }
+    [[nodiscard]] int roller_radius() const override {
+        return static_cast<int>(InverseNumber::roller_radius);
+    }
+    [[nodiscard]] bool planar() const override { return false; }
+    [[nodiscard]] double length(std::span<const double> numbers) const override {
+        return number(numbers, roller_to);
+    }
+    [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
+                                    double most) const override;
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) const override {
+        if (node_at(state.dimensions, state.output, state.theta).fault != InverseFault::none) {
+            const auto size = static_cast<Eigen::Index>(3 + active.size());
+            return {nowhere, Eigen::VectorXd::Constant(size, nowhere),
+                    Eigen::MatrixXd::Constant(size, size, nowhere)};
+        }
+        return active.empty() ? expanded<3>(which, state, station, active)
+                              : expanded<3 + inverse_number_count>(which, state, station, active);
+    }
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
+        return std::nullopt;
+    }
+
+ private:
+    template <int n>
+    static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
+                                   std::span<const int> active);
+};
+
+template <int n>
+MechanismValue InverseMechanism::expanded(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) {
+    std::array<Second<n>, inverse_number_count> numbers;
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        const double value = state.dimensions[place];
+        numbers[place] = n > 3 ? variable<n>(value, n > 3 ? 3 + i : 0) : Second<n>(First<n>(value));
+    }
+    const inverse::Feeder<Second<n>> output{variable<n>(state.output.s, 0),
+                                            variable<n>(state.output.velocity, 1),
+                                            variable<n>(state.output.acceleration, 2)};
+    const Second<n> value =
+        value_of<Second<n>>(which, numbers, output, inverse::branch_of(linkage_of(state.dimensions)),
+                            state.theta, side_of(station));
+    const auto size = static_cast<Eigen::Index>(3 + active.size());
+    const auto from = [&](Eigen::Index k) {
+        return k < 3 ? k : 3 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
+    };
+    MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
+    for (Eigen::Index a = 0; a < size; ++a) {
+        result.gradient(a) = value.value().derivatives()(from(a));
+        for (Eigen::Index b = 0; b < size; ++b)
+            result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
+    }
+    return result;
+}
+
+std::string InverseMechanism::fault(std::span<const double> numbers, double least, double most) const {
+    const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
+                 to = number(numbers, roller_to);
+    if (!(rest >= 0.0 && from > rest && to > from))
+        return fmt::format("the roller rests at {:.6g} m and goes from {:.6g} to {:.6g} m; these must ascend",
+                           rest, from, to);
+    try {
+        linkage_of(numbers).validate();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    for (int i = 0; i <= reach_places; ++i) {
+        const double s = least + (most - least) * i / reach_places;
+        const InverseFault found = node_at(numbers, {s, 0.0, 0.0}, 0.0).fault;
+        if (found != InverseFault::none)
+            return fmt::format("the feeder's linkage does not reach displacement {:.6g} m: {}", s,
+                               name_of(found));
+    }
+    return {};
+}
+
+MechanismPoint InverseMechanism::point(double theta, const MechanismState& state, int station) const {
+    const GuideNode found = node_at(state.dimensions, state.output, theta);
+    MechanismPoint point;
+    point.theta = theta;
+    point.pitch = point.contact = point.normal = Eigen::Vector3d::Constant(nowhere);
+    point.pressure_angle = point.pitch_curvature = point.cam_radius = point.regularity = nowhere;
+    if (found.fault != InverseFault::none) return point;
+    const PolarNode& node = found.node;
+    const double radius = number(state.dimensions, InverseNumber::roller_radius), side = side_of(station);
+    const double tangent = node.distance * node.slope, secant = std::sqrt(1.0 + tangent * tangent);
+    point.pressure_angle = std::atan(tangent);
+    const double direction = node.angle + point.pressure_angle;
+    const Eigen::Vector3d left(-std::sin(direction), std::cos(direction), 0.0);
+    point.pitch = {node.distance * std::cos(node.angle), node.distance * std::sin(node.angle), 0.0};
+    point.contact = point.pitch + side * radius * left;
+    point.normal = -side * left;  // out of the body, towards the roller
+    point.pitch_curvature = side * (node.distance * node.bend + node.slope * (2.0 + tangent * tangent)) /
+                            (secant * secant * secant);
+    point.cam_radius = 1.0 / point.pitch_curvature - radius;
+    point.regularity = 1.0 - radius * point.pitch_curvature;
+    return point;
+}
+
+}  // namespace
+
+FeederLinkage linkage_of(std::span<const double> numbers) {
+    return {number(numbers, pin_distance),
+            number(numbers, pin_angle),
+            {number(numbers, rocker_pivot_x), number(numbers, rocker_pivot_y)},
+            number(numbers, feeder_offset)};
+}
+
+RollerStroke stroke_of(std::span<const double> numbers) {
+    std::array<double, inverse_number_count> copy{};
+    for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = numbers[i];
+    const auto start = roller_at<double>(copy, 0.0);
+    return {0.0, number(numbers, rise), 0.0, start.distance, start.velocity, start.acceleration};
+}
+
+std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec) {
+    if (spec.type != "inverse")
+        throw InputError(fmt::format("a mechanism of type \"{}\"; allowed: \"inverse\"", spec.type));
+    return std::make_shared<InverseMechanism>();
+}
+
+}  // namespace camopt

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// An inverse cam and its feeder as the mechanism of a scene: the feeder's lift is the output, the guide is
+// the cam.
+//
+// The roller starts from rest and moves with a constant acceleration; over the cam angles 0 … rise it goes
+// from roller_from to roller_to:
+//   L(θ) = rest + u²,  u = sqrt(from − rest) + (sqrt(to − rest) − sqrt(from − rest)) θ/rise
+// The feeder is at Y = feeder_start + s. Backwards through the linkage (feeder_linkage.hpp) follow body and
+// guide:
+//   pressure_numerator   −L θ_body'    pressure_denominator  L'        ' by the cam angle θ
+//   pitch_curvature      ±κ of the guide, regularity 1 ∓ r κ
+// Stations: the left and the right wall of the slot, seen along the guide outwards. Frame of the cam: that of
+// profiles/inverse/guide.hpp. Not drawn by the pictures of disk cams (planar() is false).
+// Exact partials by automatic differentiation, by all numbers. Out of reach: NaN.
+#pragma once
+
+#include "core/cam_mechanism.hpp"
+#include "core/mechanism_spec.hpp"
+#include "profiles/inverse/feeder_linkage.hpp"
+#include "profiles/inverse/roller_law.hpp"
+
+#include <memory>
+#include <span>
+
+namespace camopt {
+
+/// Throws InputError for a spec of another type.
+[[nodiscard]] std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec);
+
+/// Its linkage, and its roller in units of the cam angle (rad for s).
+[[nodiscard]] FeederLinkage linkage_of(std::span<const double> numbers);
+[[nodiscard]] RollerStroke stroke_of(std::span<const double> numbers);
+
+}  // namespace camopt

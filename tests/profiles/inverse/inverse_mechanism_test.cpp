@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The inverse cam as a mechanism of a scene: against guides of arcs, partials by every number against
+// differences.
+#include "profiles/inverse/inverse_mechanism.hpp"
+
+#include "core/errors.hpp"
+#include "core/inverse_spec.hpp"
+#include "reference_machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace camopt {
+
+namespace {
+
+using test::inch;
+using Numbers = std::array<double, inverse_number_count>;
+
+/// The forward stroke of the reference machine; a cam angle of 1 rad is 0.05 s.
+constexpr double seconds_a_radian = 0.05;
+Numbers reference_numbers() {
+    const FeederLinkage linkage = test::reference_linkage();
+    const double from = 5.25 * inch, to = 12.9 * inch;
+    const double duration = time_at(test::forward_stroke(), to) - time_at(test::forward_stroke(), from);
+    return {0.5 * inch,
+            1.5 * inch,
+            from,
+            to,
+            duration / seconds_a_radian,
+            linkage.pin_distance,
+            linkage.pin_angle,
+            linkage.rocker_pivot.x(),
+            linkage.rocker_pivot.y(),
+            linkage.feeder_offset,
+            -0.655 * inch};
+}
+
+const CamMechanism& mechanism() {
+    static const auto made = inverse_mechanism(inverse_spec());
+    return *made;
+}
+
+/// The feeder on the guide of arcs at a cam angle, its derivatives by the cam angle.
+FollowerState feeder_of_arcs(const Guide& guide, double theta) {
+    const double begin = time_at(test::forward_stroke(), 5.25 * inch);
+    const RollerState roller = state_of(test::forward_stroke(), begin + theta * seconds_a_radian);
+    FollowerState feeder = inverse_state(guide, test::reference_linkage(), roller).feeder.feeder;
+    feeder.s += 0.655 * inch;
+    feeder.velocity *= seconds_a_radian;
+    feeder.acceleration *= seconds_a_radian * seconds_a_radian;
+    return feeder;
+}
+
+TEST(InverseMechanism, PointsAreThoseOfTheGuideOfArcs) {
+    const Guide guide = make_g1_guide(test::forward_dimensions());
+    const Numbers numbers = reference_numbers();
+    for (const double part : {0.1, 0.3, 0.5, 0.62, 0.8, 0.95}) {
+        const double theta = part * numbers[static_cast<std::size_t>(InverseNumber::rise)];
+        const MechanismState state{numbers, feeder_of_arcs(guide, theta), theta};
+        const double distance = state_of(stroke_of(numbers), theta).distance;
+        const GuidePoint expected = guide.at(distance);
+        for (const int station : {0, 1}) {
+            const double side = station == 0 ? 1.0 : -1.0;
+            const MechanismPoint point = mechanism().point(theta, state, station);
+            EXPECT_NEAR((point.pitch.head<2>() - expected.position).norm(), 0.0, 1e-13);
+            EXPECT_NEAR(point.pressure_angle, expected.pressure_angle, 1e-10);
+            EXPECT_NEAR(point.pitch_curvature, side * expected.curvature, 1e-8);
+            EXPECT_NEAR(point.regularity, 1.0 - 0.5 * inch * side * expected.curvature, 1e-9);
+            EXPECT_NEAR((point.contact - point.pitch).norm(), 0.5 * inch, 1e-15);
+            const auto value = [&](MechanismQuantity which) {
+                return mechanism().quantity(which, state, station, {}).value;
+            };
+            EXPECT_NEAR(
+                value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
+                std::tan(point.pressure_angle), 1e-12);
+            EXPECT_NEAR(value(MechanismQuantity::pitch_curvature), point.pitch_curvature, 1e-10);
+            EXPECT_NEAR(value(MechanismQuantity::regularity), point.regularity, 1e-12);
+        }
+    }
+}
+
+TEST(InverseMechanism, PartialsByEveryNumberAgainstDifferences) {
+    const Numbers numbers = reference_numbers();
+    const FollowerState output{1.0 * inch, 1.7 * inch, 2.5 * inch};
+    std::array<int, inverse_number_count> all{};
+    std::iota(all.begin(), all.end(), 0);
+    const double theta = 0.6;
+    for (const auto which : {MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
+                             MechanismQuantity::pitch_curvature, MechanismQuantity::regularity}) {
+        const MechanismValue exact = mechanism().quantity(which, {numbers, output, theta}, 1, all);
+        ASSERT_EQ(exact.gradient.size(), 3 + inverse_number_count);
+        const auto moved = [&](int variable, double by) {
+            Numbers n = numbers;
+            FollowerState s = output;
+            if (variable >= 3)
+                n[static_cast<std::size_t>(variable - 3)] += by;
+            else
+                (variable == 0 ? s.s : variable == 1 ? s.velocity : s.acceleration) += by;
+            return mechanism().quantity(which, {n, s, theta}, 1, all);
+        };
+        for (int i = 0; i < 3 + inverse_number_count; ++i) {
+            const double step = 1e-6;
+            const MechanismValue after = moved(i, step), before = moved(i, -step);
+            const double size = exact.gradient.cwiseAbs().maxCoeff();
+            EXPECT_NEAR(exact.gradient(i), (after.value - before.value) / (2 * step), 1e-7 * size) << i;
+            const Eigen::VectorXd row = (after.gradient - before.gradient) / (2 * step);
+            EXPECT_LT((exact.hessian.col(i) - row).cwiseAbs().maxCoeff(),
+                      1e-6 * (1e-3 + exact.hessian.cwiseAbs().maxCoeff()))
+                << i;
+        }
+        const MechanismValue none = mechanism().quantity(which, {numbers, output, theta}, 1, {});
+        EXPECT_NEAR(none.value, exact.value, 1e-14 * std::abs(exact.value));
+        EXPECT_TRUE(none.gradient.isApprox(exact.gradient.head(3), 1e-13));
+        EXPECT_TRUE(none.hessian.isApprox(exact.hessian.topLeftCorner(3, 3), 1e-12));
+    }
+}
+
+TEST(InverseMechanism, SaysWhatDoesNotReach) {
+    Numbers numbers = reference_numbers();
+    EXPECT_EQ(mechanism().fault(numbers, 0.0, 2.7 * inch), "");
+    EXPECT_NE(mechanism().fault(numbers, 0.0, 40.0 * inch).find("rocker_misses_pin"), std::string::npos);
+    EXPECT_TRUE(std::isnan(mechanism().point(0.5, {numbers, {40.0 * inch, 0, 0}, 0.5}, 0).pressure_angle));
+    numbers[static_cast<std::size_t>(InverseNumber::roller_from)] = 20.0 * inch;
+    EXPECT_NE(mechanism().fault(numbers, 0.0, 2.7 * inch).find("ascend"), std::string::npos);
+    MechanismSpec other = inverse_spec();
+    other.type = "barrel";
+    EXPECT_THROW((void)inverse_mechanism(other), InputError);
+}
+
+}  // namespace
+
+}  // namespace camopt
