@@ -27,6 +27,11 @@ std::string degrees_at(const Solution& solution, double x) {
 std::string undercut_remark(const Solution& solution) {
     const MechanismSummary& summary = solution.mechanism->summary;
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
+    if (!solution.mechanism->mechanism.formulas->planar())
+        return fmt::format(
+            "UNDERCUT at {} deg: a flank folds there and is cut away by the roller's own sweep. A smaller or "
+            "shorter roller or a larger cam helps; the limit undercut_margin = 0 rules undercut out.",
+            degrees_at(solution, summary.regularity.at));
     return fmt::format(
         "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the roller as "
         "designed. A smaller roller or a cam's centre farther from it helps; the limit cam_radius_min_mm = 0 "
@@ -51,10 +56,11 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
         return fmt::format("Forward check: at {} deg no place was found where the roller touches the cam.",
                            where);
     return fmt::format(
-        "Forward check: lever and linkage run over {} points of the cam, and nothing else: the output {} {} "
-        "{} "
-        "(at {} deg).",
-        check.points,
+        "Forward check: {}, and nothing else: the output {} {} {} (at {} deg).",
+        solution.mechanism->mechanism.formulas->planar()
+            ? fmt::format("lever and linkage run over {} points of the cam", check.points)
+            : fmt::format("the follower is driven by {} points of each flank at either end of its roller",
+                          check.points),
         check.relative <= moves_as_designed ? "moves as designed within"
                                             : "DEPARTS from the designed motion by",
         short_text(check.deviation / (swings ? degree : millimetre), check_digits), swings ? "deg" : "mm",
@@ -67,6 +73,8 @@ std::string mechanism_text(const MechanismSpec& spec) {
     const auto linkage = spec.choices.find("linkage");
     std::string parts = linkage == spec.choices.end() ? std::string{} : words_of(linkage->second);
     std::ranges::replace(parts, ' ', '-');
+    const auto follower = spec.choices.find("follower");
+    if (follower != spec.choices.end()) parts = "a " + follower->second + " follower";
     return fmt::format("{} cam{}, turning {}", words_of(spec.type), parts.empty() ? "" : " with " + parts,
                        name_of(spec.rotation));
 }

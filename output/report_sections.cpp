@@ -58,11 +58,16 @@ std::string mechanism_section(const Solution& solution) {
     table.columns = {{"", true}, {""}, {"at (deg)"}};
     for (const CamFigure& figure : mechanism_figures(solution))
         table.rows.push_back({figure.name, figure.value, figure.degrees});
-    return fmt::format(
-        "\n## The cam\n\n{}: {}.\n\n{}\n{}\n![Cam and linkage to scale](mechanism.svg)\n\n"
-        "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n",
-        mechanism_text(*solution.scene.mechanism), mechanism_dimensions_text(solution), markdown_text(table),
-        list_of(mechanism_remarks(solution)));
+    std::string text = fmt::format(
+        "\n## The cam\n\n{}: {}.\n\n{}\n{}\n", mechanism_text(*solution.scene.mechanism),
+        mechanism_dimensions_text(solution), markdown_text(table), list_of(mechanism_remarks(solution)));
+    if (solution.mechanism->mechanism.formulas->planar())
+        text +=
+            "![Cam and linkage to scale](mechanism.svg)\n\n"
+            "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n";
+    else
+        text += "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
+    return text;
 }
 
 }  // namespace
