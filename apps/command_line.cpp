@@ -36,6 +36,7 @@ const char* examples =
     "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
+    "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
@@ -50,6 +51,7 @@ struct Words {
     SolveRequest solve;
     CompareRequest compare;
     CheckRequest check;
+    ExportRequest export_cam;
     ListRequest list;
     TableRequest table;
     ReproduceRequest reproduce;
@@ -101,6 +103,59 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     CLI::App& command =
         *program.add_subcommand("check", "Parse and validate a scene and check its derivatives; no solve");
     command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    add_settings(command, request.settings);
+    return command;
+}
+
+void add_nc(CLI::App& command, ExportRequest& request) {
+    CLI::Option* const nc =
+        command.add_flag("--nc", request.nc, "Write the NC program, cam.nc, and what its check found");
+    command.add_option("--post", request.post, "Post-processor (TOML, docs/nc.md); default: a generic one")
+        ->type_name("FILE")
+        ->needs(nc);
+    const auto number = [&](const char* name, double& target, const char* what) {
+        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc)->capture_default_str();
+    };
+    command
+        .add_option("--cutter-mm", request.cutter_mm,
+                    "Diameter of the cutter; default: the roller's, for disk cams 16")
+        ->type_name("NUMBER")
+        ->needs(nc);
+    number("--stock-mm", request.stock_mm, "Left on the flanks for the next pass");
+    number("--z-offset-mm", request.z_offset_mm, "Subtracted from Z on a machine with five axes");
+    number("--chord-mm", request.chord_mm, "How far the cutter may leave its path between two blocks");
+    number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
+    number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
+    number("--spindle-rpm", request.spindle_rpm, "Spindle speed; 0: none is written");
+}
+
+CLI::App& add_export(CLI::App& program, ExportRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "export", "Solve a scene and write its disk, barrel or cylindrical cam for CAD, CAM and machine");
+    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
+    command.add_flag("--csv", request.csv, "flanks.csv: points and normals of both flanks");
+    command.add_flag("--step", request.step, "flanks.step: both flanks as B-spline surfaces");
+    command.add_flag("--stl", request.stl,
+                     "Solids: cam.stl of a disk cam; groove.stl and, of an indexing cam, cam.stl");
+    command.add_flag("--obj", request.obj, "cam.obj: for viewing");
+    command.add_flag("--picture", request.picture, "cam.svg: a shaded picture");
+    constexpr int most_sections = 1000, most_angles = 100'000;
+    command.add_option("--sections", request.sections, "Points of a flank along the roller; default: 9")
+        ->type_name("N")
+        ->check(CLI::Range(2, most_sections));
+    command.add_option("--points", request.points, "Points of a flank over the turn; default: 361")
+        ->type_name("N")
+        ->check(CLI::Range(least_points, most_angles));
+    command.add_option("--thickness-mm", request.thickness_mm, "Thickness of a disk cam")
+        ->type_name("NUMBER")
+        ->capture_default_str();
+    command.add_option("--bore-mm", request.bore_mm, "Diameter of a disk cam's bore, for --stl")
+        ->type_name("NUMBER")
+        ->capture_default_str();
+    add_nc(command, request);
+    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
+        ->type_name("NAME");
     add_settings(command, request.settings);
     return command;
 }
@@ -283,6 +338,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& solve = add_solve(program, parsed.solve);
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
+    const CLI::App& export_cam = add_export(program, parsed.export_cam);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
@@ -308,6 +364,10 @@ ExitCode parse_and_run(int count, const char* const* words) {
     if (check.parsed()) {
         find_scene(parsed.check.scene, parsed.check.settings);
         return check_command(parsed.check);
+    }
+    if (export_cam.parsed()) {
+        find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
+        return export_command(parsed.export_cam);
     }
     if (table.parsed()) return table_command(parsed.table);
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);

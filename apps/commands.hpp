@@ -33,6 +33,21 @@ struct CompareRequest {
 };
 [[nodiscard]] ExitCode compare_command(const CompareRequest& request);
 
+struct ExportRequest {
+    std::string scene;                  ///< file
+    std::string out;                    ///< folder
+    std::string solver;                 ///< replaces solver.name; empty: the scene's
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    bool csv = false, stl = false, obj = false, step = false, picture = false, nc = false;
+    int sections = 9, points = 361;              ///< of a flank: along the roller, over the turn
+    double thickness_mm = 20.0, bore_mm = 10.0;  ///< of disk cams: not in the scene, chosen
+    std::string post;                            ///< file of the post-processor; empty: the generic one
+    std::optional<double> cutter_mm;             ///< none: the roller's diameter; disk cams: 16
+    double stock_mm = 0.0, z_offset_mm = 0.0, chord_mm = 1e-3;
+    double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
+};
+[[nodiscard]] ExitCode export_command(const ExportRequest& request);
+
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;

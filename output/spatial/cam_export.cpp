@@ -54,9 +54,11 @@ std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, cons
                        const std::string& title) {
     MeshView view;
     view.up = Eigen::Vector3d::UnitY();  // where the roller stands at cam angle 0
-    view.azimuth = 140.0 * std::numbers::pi / 180.0;
+    // From the side on which the first part of the motion lies.
+    view.azimuth = (90.0 - sense_of(cam.rotation) * 50.0) * std::numbers::pi / 180.0;
     view.elevation = 28.0 * std::numbers::pi / 180.0;
-    if (indexes(cam, motion)) return mesh_svg(painted(indexing_body(cam, motion)), view, title);
+    const IndexingBodyOptions coarse{120, 4};  // a picture shows no more
+    if (indexes(cam, motion)) return mesh_svg(painted(indexing_body(cam, motion, coarse)), view, title);
     return mesh_svg(std::vector<PaintedMesh>{{groove_body(grid), {226, 164, 84}}}, view, title);
 }
 

@@ -60,6 +60,19 @@ offset_deg = 90
     EXPECT_EQ(post.axes.at("rotary").letter, "C");
 }
 
+// The examples of docs/nc.md.
+TEST(PostProcessor, FilesOfTheManual) {
+    const std::string folder = std::string(CAMOPT_SOURCE_DIR) + "/docs/posts/";
+    const PostProcessor inch = read_post(folder + "table_tilting_inch.toml", five_axes());
+    EXPECT_EQ(inch.unit, LengthUnit::inch);
+    EXPECT_EQ(inch.axes.at("rotary").sign, -1);
+    EXPECT_NEAR(inch.axes.at("tilt").offset, 90.0 * units::degree, 1e-15);
+    const PostProcessor millimetres =
+        read_post(folder + "rotary_table_mm.toml", generic_post(*rotary_table_machine()));
+    EXPECT_EQ(millimetres.linear_decimals, 3);
+    EXPECT_EQ(millimetres.axes.at("rotary").letter, "A");
+}
+
 TEST(PostProcessor, RefusesWrongFiles) {
     for (const char* const bad :
          {"colour = 1", "unit = \"cm\"", "unit = 3", "linear_decimals = 10", "linear_decimals = 2.5",

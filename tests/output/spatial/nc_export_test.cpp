@@ -12,7 +12,7 @@ namespace {
 
 using test::millimetre;
 
-NcExport exported(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
+CheckedProgram exported(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
     const auto machine = machine_for(cam, options.z_offset);
     return nc_export(cam, motion, *machine, generic_post(*machine), options);
 }
@@ -24,14 +24,13 @@ TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
     for (const auto& [cam, motion] : {std::pair{test::barrel_cam(), test::barrel_motion()},
                                       std::pair{test::rotating_cam(), test::rotating_motion()},
                                       std::pair{test::translating_cam(), test::translating_motion()}}) {
-        const NcExport result = exported(cam, motion, options);
+        const CheckedProgram result = exported(cam, motion, options);
         EXPECT_TRUE(result.poses.within_rounding);
         EXPECT_LE(result.chord_deviation, options.chord_tolerance);
-        ASSERT_EQ(result.surface.size(), 5u);
-        for (const NcHeightCheck& height : result.surface) {
-            EXPECT_LT(height.gouge, options.chord_tolerance + result.poses.tip_rounding) << height.height;
-            EXPECT_LT(height.most_stock, options.chord_tolerance + result.poses.tip_rounding)
-                << height.height;
+        ASSERT_EQ(result.surfaces.size(), 5u);
+        for (const SurfaceFinding& height : result.surfaces) {
+            EXPECT_LT(height.check.gouge, options.chord_tolerance + result.poses.tip_rounding) << height.name;
+            EXPECT_LT(height.check.stock, options.chord_tolerance + result.poses.tip_rounding) << height.name;
         }
         const std::string text = nc_check_text(result);
         EXPECT_NE(text.find("within the printed digits"), std::string::npos) << text;
@@ -42,14 +41,14 @@ TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
 TEST(NcExport, SmallerCutterTakesTwoPassesAndLeavesWhatMechanismsSay) {
     NcExportOptions options;
     options.cutter_diameter = 10.0 * millimetre;
-    const NcExport result = exported(test::rotating_cam(), test::rotating_motion(), options);
+    const CheckedProgram result = exported(test::rotating_cam(), test::rotating_motion(), options);
     EXPECT_TRUE(result.poses.within_rounding);
     EXPECT_NE(result.program.text.find("(pass: flank +1)"), std::string::npos);
     EXPECT_NE(result.program.text.find("(pass: flank -1)"), std::string::npos);
-    EXPECT_NEAR(result.surface.front().most_stock / millimetre, 0.069, 0.0015);
-    for (const NcHeightCheck& height : result.surface)
-        EXPECT_LT(height.gouge, options.chord_tolerance + result.poses.tip_rounding);
-    EXPECT_LT(result.surface.back().most_stock, options.chord_tolerance + result.poses.tip_rounding);
+    EXPECT_NEAR(result.surfaces.front().check.stock / millimetre, 0.069, 0.0015);
+    for (const SurfaceFinding& height : result.surfaces)
+        EXPECT_LT(height.check.gouge, options.chord_tolerance + result.poses.tip_rounding);
+    EXPECT_LT(result.surfaces.back().check.stock, options.chord_tolerance + result.poses.tip_rounding);
 }
 
 TEST(NcExport, RefusesACutterLargerThanTheRoller) {

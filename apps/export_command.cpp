@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// camopt export: optimise a scene with a barrel or cylindrical cam and write the cam: points, surfaces,
+// solids, a picture, the NC program with its check.
+#include "apps/commands.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/progress.hpp"
+#include "apps/scene_loading.hpp"
+#include "core/errors.hpp"
+#include "core/spatial_spec.hpp"
+#include "core/units.hpp"
+#include "output/disk/disk_export.hpp"
+#include "output/result_folder.hpp"
+#include "output/solution_text.hpp"
+#include "output/spatial/cam_export.hpp"
+#include "output/spatial/nc_export.hpp"
+#include "output/surface/mesh_files.hpp"
+#include "output/text_file.hpp"
+#include "profiles/spatial/spatial_mechanism.hpp"
+#include "studies/check_cam.hpp"
+#include "studies/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt::apps {
+
+namespace {
+
+constexpr double whole_turn = 2.0 * std::numbers::pi;
+constexpr double same_angle = 1e-9;  // rad
+
+/// What was written, and what the check of a program found.
+struct Exported {
+    std::string text;
+    std::vector<std::filesystem::path> written;
+};
+
+Solution solved(const ExportRequest& request) {
+    std::vector<std::string> settings = request.settings;
+    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
+    const Scene scene = load_scene(request.scene, settings);
+    const bool spatial =
+        scene.mechanism && (scene.mechanism->type == "barrel" || scene.mechanism->type == "cylindrical");
+    if (!scene.cam && !spatial)
+        throw InputError(fmt::format("{}: export is for disk, barrel and cylindrical cams", request.scene));
+    if (scene.cam && (request.csv || request.step || request.obj || request.picture))
+        throw InputError(
+            fmt::format("{}: of a disk cam export writes --stl and --nc; `camopt solve … --out DIR --dxf` "
+                        "writes the rest",
+                        request.scene));
+    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
+    Solution solution = solve(scene, control);
+    end_progress();
+    return solution;
+}
+
+std::string title_of(const Solution& solution) {
+    return solution.scene.title.empty() ? "cam" : solution.scene.title;
+}
+
+PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
+    PostProcessor post = generic_post(machine);
+    return request.post.empty() ? post : read_post(request.post, std::move(post));
+}
+
+void write_program(const std::filesystem::path& folder, const CheckedProgram& program, Exported& result) {
+    result.text = nc_check_text(program);
+    write_text_file(folder / "cam.nc", program.program.text);
+    write_text_file(folder / "cam_nc_check.txt", result.text);
+    result.written.push_back(folder / "cam.nc");
+    result.written.push_back(folder / "cam_nc_check.txt");
+}
+
+/// The delivered motion by the cam angle. What is left of the turn rests where the motion ends.
+FollowerMotion follower_motion(const Solution& solution) {
+    const auto motion = std::make_shared<const MotionChain>(*solution.motion);
+    const MotionScale scale = motion_scale(solution.scene);
+    FollowerMotion result;
+    result.state = [motion, scale](double theta) -> FollowerState {
+        const double x = theta / scale.unit_angle, end = motion->end();
+        if (x >= end) return {state_of(motion->at(end, Side::left), scale).s, 0.0, 0.0};
+        return state_of(motion->at(std::max(x, motion->begin())), scale);
+    };
+    for (const double x : motion->breakpoints()) result.breakpoints.push_back(scale.unit_angle * x);
+    if (result.end() < whole_turn - same_angle) result.breakpoints.push_back(whole_turn);
+    return result;
+}
+
+NcExportOptions nc_options(const ExportRequest& request) {
+    NcExportOptions options;
+    if (request.cutter_mm) options.cutter_diameter = *request.cutter_mm * units::millimetre;
+    options.stock = request.stock_mm * units::millimetre;
+    options.z_offset = request.z_offset_mm * units::millimetre;
+    options.feed = request.feed_mm_min * units::millimetre / 60.0;
+    options.rotary_speed = request.rotary_deg_s * units::degree;
+    options.spindle_rpm = request.spindle_rpm;
+    options.chord_tolerance = request.chord_mm * units::millimetre;
+    return options;
+}
+
+Exported export_spatial(const ExportRequest& request, const Solution& solution) {
+    const SpatialCam cam =
+        spatial_cam(spatial_follower(*solution.scene.mechanism), solution.scene.mechanism->rotation,
+                    solution.mechanism->mechanism.dimensions);
+    const FollowerMotion motion = follower_motion(solution);
+    CamExportOptions options;
+    options.csv = request.csv;
+    options.stl = request.stl;
+    options.obj = request.obj;
+    options.step = request.step;
+    options.picture = request.picture;
+    options.sampling = {request.sections, request.points, 0.0, 0.0};
+    options.title = title_of(solution);
+    Exported result{{}, write_cam_files(request.out, cam, motion, options)};
+    if (request.nc) {
+        NcExportOptions nc = nc_options(request);
+        nc.title = options.title;
+        const auto machine = machine_for(cam, nc.z_offset);
+        write_program(request.out, nc_export(cam, motion, *machine, post_of(request, *machine), nc), result);
+    }
+    return result;
+}
+
+Exported export_disk(const ExportRequest& request, const Solution& solution) {
+    const MotionChain motion = cam_motion(solution);
+    const ProfileShape shape = profile_shape(solution.cam->cam, motion, motion_scale(solution.scene));
+    const std::filesystem::path folder = request.out;
+    Exported result;
+    if (request.stl) {
+        const DiskSolid solid{request.thickness_mm * units::millimetre,
+                              0.5 * request.bore_mm * units::millimetre, request.points};
+        write_text_file(folder / "cam.stl", stl_bytes(disk_solid(shape, solid), title_of(solution)));
+        result.written.push_back(folder / "cam.stl");
+    }
+    if (request.nc) {
+        DiskNcOptions nc;
+        if (request.cutter_mm) nc.cutter_diameter = *request.cutter_mm * units::millimetre;
+        nc.stock = request.stock_mm * units::millimetre;
+        nc.thickness = request.thickness_mm * units::millimetre;
+        nc.feed = request.feed_mm_min * units::millimetre / 60.0;
+        nc.spindle_rpm = request.spindle_rpm;
+        nc.chord_tolerance = request.chord_mm * units::millimetre;
+        nc.title = title_of(solution);
+        const auto machine = plane_milling_machine();
+        write_program(folder, disk_nc(shape, *machine, post_of(request, *machine), nc), result);
+    }
+    return result;
+}
+
+}  // namespace
+
+ExitCode export_command(const ExportRequest& request) {
+    prepare_folder(request.out);
+    const InterruptWatch watch;  // until the files are written
+    const Solution solution = solved(request);
+    Exported exported;
+    if (solution.motion && solution.mechanism) exported = export_spatial(request, solution);
+    if (solution.motion && solution.cam) exported = export_disk(request, solution);
+    std::fputs((summary_text(solution, exported.written) + exported.text).c_str(), stdout);
+    return exit_code_of(solution.certificate.verdict);
+}
+
+}  // namespace camopt::apps

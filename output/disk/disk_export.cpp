@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "output/disk/disk_export.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/nc/plane_cutter_path.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+constexpr int checked_points = 1440;
+
+void require(bool holds, const char* what, double found) {
+    if (!holds) throw InputError(fmt::format("plane cam: {}, found {:g}", what, found));
+}
+
+void check_closed(const ProfileShape& shape) {
+    if (!shape.closed)
+        throw InputError(
+            "plane cam: it is an open sector; only a cam of a whole turn can be milled or made a solid");
+}
+
+std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
+    std::vector<Eigen::Vector2d> points;
+    for (int k = 0; k < count; ++k)
+        points.push_back(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact);
+    return points;
+}
+
+}  // namespace
+
+CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine, const PostProcessor& post,
+                       const DiskNcOptions& options) {
+    check_closed(shape);
+    require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",
+            options.thickness);
+    require(std::isfinite(options.tip_beyond) && options.tip_beyond >= 0.0,
+            "the tip must reach to the cam's underside or beyond, by >= 0 m", options.tip_beyond);
+    const double depth = options.thickness + options.tip_beyond;
+    NcJob job;
+    job.title = options.title;
+    job.tool = fmt::format("cylindrical end mill, diameter {:g} mm, working length {:g} mm or more",
+                           options.cutter_diameter / units::millimetre, depth / units::millimetre);
+    job.remarks = {"origin: the centre of the cam, on its upper face",
+                   "the cam as it lies at its cam angle 0"};
+    job.feed = options.feed;
+    job.spindle_rpm = options.spindle_rpm;
+
+    CuttingTask task;
+    task.passes = {{"around the cam", plane_cutter_path(
+                                          [&shape](double theta) {
+                                              const ProfilePoint point = shape.at(theta);
+                                              return ContourPoint{point.contact, point.normal};
+                                          },
+                                          {options.cutter_diameter, options.stock, -depth})}};
+    task.knots = shape.knots;
+    task.blocks.chord_tolerance = options.chord_tolerance;
+    task.cutter = {options.cutter_diameter, depth};
+    WantedSurface surface{"the cam's contour", {}};
+    for (const Eigen::Vector2d& point : contour(shape, checked_points))
+        surface.points.emplace_back(point.x(), point.y(), -0.5 * options.thickness);
+    task.surfaces.push_back(std::move(surface));
+    return checked_program(machine, post, std::move(job), task);
+}
+
+TriangleMesh disk_solid(const ProfileShape& shape, const DiskSolid& solid) {
+    check_closed(shape);
+    require(std::isfinite(solid.thickness) && solid.thickness > 0.0, "the thickness must be > 0 m",
+            solid.thickness);
+    require(solid.bore_radius > 0.0, "the bore's radius must be > 0 m", solid.bore_radius);
+    require(solid.points >= 16, "there must be 16 points or more", solid.points);
+    std::vector<std::vector<Eigen::Vector3d>> sections;
+    for (const Eigen::Vector2d& point : contour(shape, solid.points)) {
+        require(point.norm() > solid.bore_radius, "the bore's radius must be below the cam's least radius, m",
+                solid.bore_radius);
+        const Eigen::Vector2d bore = solid.bore_radius * point.normalized();
+        sections.push_back({{bore.x(), bore.y(), 0.0},
+                            {bore.x(), bore.y(), -solid.thickness},
+                            {point.x(), point.y(), -solid.thickness},
+                            {point.x(), point.y(), 0.0}});
+    }
+    return swept_solid(sections, true);
+}
+
+}  // namespace camopt

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Plane cams for machine and CAD: the checked program of an end mill around them, and their solid.
+//
+// Frame of profiles/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. m.
+#pragma once
+
+#include "output/nc/checked_program.hpp"
+#include "output/profile_shape.hpp"
+#include "output/surface/triangle_mesh.hpp"
+
+#include <string>
+
+namespace camopt {
+
+struct DiskNcOptions {
+    double cutter_diameter = 16e-3;  ///< m
+    double stock = 0.0;              ///< m, left around the cam
+    double thickness = 20e-3;        ///< m: of the cam, chosen
+    double tip_beyond = 1e-3;        ///< m: the tip reaches so far below the cam
+    double feed = 5e-3;              ///< m/s
+    double spindle_rpm = 0.0;        ///< rev/min; 0: no word
+    double chord_tolerance = 1e-6;   ///< m
+    std::string title = "cam";
+};
+
+/// Throws InputError for an open cam and options that are not valid.
+[[nodiscard]] CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine,
+                                     const PostProcessor& post, const DiskNcOptions& options);
+
+struct DiskSolid {
+    double thickness = 20e-3;   ///< m
+    double bore_radius = 5e-3;  ///< m, below the cam's least radius
+    int points = 720;           ///< about so many around it
+};
+/// Throws InputError for an open cam and numbers that are not valid.
+[[nodiscard]] TriangleMesh disk_solid(const ProfileShape& shape, const DiskSolid& solid);
+
+}  // namespace camopt

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// camopt export: what is written, what is refused.
+#include "output/surface/step/step_file.hpp"
+#include "output/text_file.hpp"
+#include "program.hpp"
+#include "tests/output/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace camopt {
+namespace {
+
+using test::ProgramRun;
+using test::run_camopt;
+
+// Fewer segments and one start: what is solved does not matter here.
+const std::string quick = " --set spline.segments=8 --set solver.starts=1";
+
+TEST(ExportCommand, WritesTheCamAndItsCheckedProgram) {
+    const test::TemporaryFolder folder;
+    const std::string out = " --out " + folder.path();
+    const ProgramRun run = run_camopt("export " + test::scene("ocrf_indexing") + out + quick +
+                                      " --csv --stl --obj --picture --nc --cutter-mm 10 --z-offset-mm 120");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    for (const char* const name :
+         {"flanks.csv", "groove.stl", "cam.stl", "cam.obj", "cam.svg", "cam.nc", "cam_nc_check.txt"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() + "/" + name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/flanks.step"));
+    const std::string program = read_text_file(folder.path() + "/cam.nc");
+    EXPECT_NE(program.find("(pass: flank -1)"), std::string::npos);
+    EXPECT_NE(run.output.find(read_text_file(folder.path() + "/cam_nc_check.txt")), std::string::npos);
+}
+
+TEST(ExportCommand, TakesAPostProcessor) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run =
+        run_camopt("export " + test::scene("barrel_paper_cup") + " --out " + folder.path() + quick +
+                   " --nc --post " CAMOPT_SOURCE_DIR "/docs/posts/rotary_table_mm.toml");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string program = read_text_file(folder.path() + "/cam.nc");
+    EXPECT_EQ(program.substr(0, 15), "G17 G40 G80 G54");
+    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+}
+
+TEST(ExportCommand, StepOrWhatToInstall) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run = run_camopt("export " + test::scene("barrel_paper_cup") + " --out " +
+                                      folder.path() + quick + " --step");
+    if (step_available()) {
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() + "/flanks.step"));
+    } else {
+        EXPECT_EQ(run.exit_code, 2);
+        EXPECT_NE(run.errors.find("libocct-data-exchange-dev"), std::string::npos) << run.errors;
+    }
+}
+
+TEST(ExportCommand, DiskCam) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run = run_camopt("export " + test::scene("cam_drdrd") + " --out " + folder.path() +
+                                      " --set solver.starts=1 --stl --nc --cutter-mm 12");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() + "/cam.stl"));
+    EXPECT_NE(read_text_file(folder.path() + "/cam.nc").find("(machine: three axes"), std::string::npos);
+}
+
+TEST(ExportCommand, RefusesWhatItCannotExport) {
+    const test::TemporaryFolder folder;
+    const std::string out = " --out " + folder.path();
+    const auto refused = [](const std::string& arguments, const std::string& reason) {
+        const ProgramRun run = run_camopt("export " + arguments);
+        EXPECT_EQ(run.exit_code, 2) << arguments;
+        EXPECT_NE(run.errors.find(reason), std::string::npos) << arguments << run.errors;
+    };
+    const std::string barrel = test::scene("barrel_paper_cup");
+    refused(test::scene("drd_cubic_12") + out + " --nc", "export is for disk, barrel and cylindrical cams");
+    refused(test::scene("cam_drdrd") + out + " --step", "of a disk cam export writes --stl and --nc");
+    refused(test::scene("cam_roller") + out + " --nc", "open sector");
+    refused(barrel + " --nc", "--out");
+    refused(barrel + out + " --cutter-mm 10", "--nc");
+    refused(barrel + out + quick + " --nc --cutter-mm 80", "must not exceed the roller radius");
+    refused(barrel + out + quick + " --nc --post none.toml", "none.toml");
+}
+
+}  // namespace
+}  // namespace camopt
