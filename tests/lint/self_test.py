@@ -34,6 +34,7 @@ PLANTED = [
      "profiles/ must not include profiles/inverse/"),
     ("include_rules", "profiles/CMakeLists.txt", "link(camopt::profiles_inverse)\n",
      "profiles/ must not link camopt::profiles_inverse"),
+    ("include_rules", "output/nc/n.cpp", SPDX + '#include "profiles/p.hpp"\n', "output/nc/ must not include profiles/"),
     ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
     ("include_rules", "benchmarks/b.cpp", SPDX + '#include "apps/p.hpp"\n', "benchmarks/ must not include apps/"),
     ("include_rules", "gears/g.cpp", SPDX, "has no line"),

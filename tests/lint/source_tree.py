@@ -24,6 +24,10 @@ for user in ("objectives", "studies", "output"):
 MAY_INCLUDE |= {leaf: {"core"} for leaf in LEAVES}
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
 MAY_INCLUDE["profiles/factory"] = {"core"} | LEAVES
+# Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
+MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
+MAY_INCLUDE["output/spatial"] = {"core", "output/nc", "output/surface", "profiles/spatial"}
+MAY_INCLUDE["output/disk"] = {"core", "output", "output/nc", "output/surface", "profiles"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")
