@@ -12,6 +12,7 @@
 #include "studies/cost_scale.hpp"
 #include "studies/delivered_conditions.hpp"
 #include "studies/relaxation.hpp"
+#include "studies/rest_conflict.hpp"
 #include "studies/solution_report.hpp"
 #include "studies/solve_free_knots.hpp"
 #include "studies/solve_from_starts.hpp"
@@ -141,6 +142,10 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     }
     if (!design.contradictions().empty()) {
         report_contradictions(solution, design);
+        solution.seconds_total = seconds_since(begin);
+        return solution;
+    }
+    if (report_rest_conflict(solution, problem.model())) {
         solution.seconds_total = seconds_since(begin);
         return solution;
     }
