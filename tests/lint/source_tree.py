@@ -45,14 +45,14 @@ def module_of(path):
 
 
 CODE = {".cpp", ".hpp"}
-LEFT_OUT = ("build", "out", "node_modules", "__pycache__", ".")
+LEFT_OUT = ("build", "out-", "node_modules", "__pycache__", ".")  # beginnings of names
 
 
 def files(root):
     """Every file under root that belongs to the project, as paths relative to it."""
     root = pathlib.Path(root)
     for entry in sorted(root.iterdir()):
-        if entry.name == ".ci" or not entry.name.startswith(LEFT_OUT):
+        if entry.name == ".ci" or not (entry.name == "out" or entry.name.startswith(LEFT_OUT)):
             if entry.is_dir():
                 yield from (path.relative_to(root) for path in sorted(entry.rglob("*"))
                             if path.is_file() and "__pycache__" not in path.parts)
