@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "motions/law_catalogue.hpp"
+#include "studies/papers/barrel_optima.hpp"
 #include "studies/papers/spatial_tables.hpp"
 #include "studies/spatial/flank_contact.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace camopt {
 
@@ -200,7 +202,7 @@ std::vector<std::string> errata() {
 
 }  // namespace
 
-PaperReport paper_002(const SolveControl&, const PaperProgress& finished) {
+PaperReport paper_002(const SolveControl& control, const PaperProgress& finished) {
     const Example example = paper_cup_machine();
     PaperReport report;
     report.id = "002";
@@ -235,6 +237,10 @@ PaperReport paper_002(const SolveControl&, const PaperProgress& finished) {
                       undercut_figure(example),
                       revolution.motion,
                       revolution.error};
+    BarrelOptima optima = barrel_optima(example, control, finished);
+    report.tables.push_back(std::move(optima.table));
+    report.figures.push_back(std::move(optima.figure));
+    report.faults = std::move(optima.faults);
     report.notes = errata();
     report.notes.push_back(fmt::format(
         "The flanks by envelope (the paper's method) and by relative velocity differ by at most {:.1e} mm.",

@@ -7,7 +7,7 @@
 
 namespace camopt {
 
-/// About a second.
+/// Some seconds: two solves.
 [[nodiscard]] PaperReport paper_002(const SolveControl& control = {}, const PaperProgress& finished = {});
 
 }  // namespace camopt

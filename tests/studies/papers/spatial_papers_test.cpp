@@ -58,6 +58,18 @@ TEST(Paper002, ContactAnglesAndPoints) {
     EXPECT_NEAR(number(points, 1, "z_mm"), -24.443988626445, 1e-11);
 }
 
+TEST(Paper002, TheOptimisedMotionNeedsLessThanTheModifiedSine) {
+    const PaperTable& rows = table_of(barrel(), "optimised");
+    ASSERT_EQ(rows.rows.size(), 4U);  // the law and the optimum: here, and with the smallest distance
+    EXPECT_NEAR(number(rows, 0, "pressure_angle_deg"), 43.7789637201, 1e-9);
+    EXPECT_LT(number(rows, 1, "pressure_angle_deg"), 42.0 + 1e-6);
+    for (const char* peak : {"velocity", "acceleration", "jerk"})
+        EXPECT_LT(number(rows, 1, peak), number(rows, 0, peak)) << peak;
+    for (const std::size_t row : {2U, 3U}) EXPECT_LT(number(rows, row, "pressure_angle_deg"), 40.0 + 1e-6);
+    EXPECT_LT(number(rows, 3, "center_distance_mm"), 0.8 * number(rows, 2, "center_distance_mm"));
+    EXPECT_GT(number(rows, 3, "least_g"), 0.5 - 1e-6);
+}
+
 TEST(SpatialPapers, ForwardChecksAreWithinTheirClaim) {
     for (const PaperReport* report : {&barrel(), &rotating()}) {
         const PaperTable& check = table_of(*report, "forward_check");
