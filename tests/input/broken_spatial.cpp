@@ -29,7 +29,8 @@ const std::string barrel = swinging +
 std::vector<BrokenScene> broken_spatial() {
     return {
         {"BarrelWithoutItsPlace", barrel,
-         "s.toml:4:1: cam.lateral_offset_mm: missing for this cam (\"barrel\"); allowed: a finite number, or a "
+         "s.toml:4:1: cam.lateral_offset_mm: missing for this cam (\"barrel\"); allowed: a finite number, or "
+         "a "
          "range "
          "{ min = …, max = … }"},
         {"BarrelThatSlides", sliding + "[cam]\ntype = \"barrel\"\n",

@@ -122,6 +122,24 @@ TEST(SpatialScenes, IndexingByACylindricalCam) {
     expect_sound_flanks(solution);
 }
 
+/// tan φ = s'/ρ, largest at the far end, 45 mm from the cam's axis.
+TEST(SpatialScenes, SlideOnACylindricalCam) {
+    const Solution solution = solved("cylinder_slide");
+    expect_motion_of_the_scene(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    const auto largest = [&](const Motion& motion) {
+        double worst = 0.0;
+        for (int i = 0; i <= fine; ++i) {
+            const double slope = motion.at(static_cast<double>(i) / fine).derivative[1];
+            worst = std::max(worst, std::abs(scale.lift / scale.unit_angle * slope));
+        }
+        return std::atan(worst / (45.0 * millimetre)) / degree;
+    };
+    EXPECT_NEAR(largest(*make_law("modified_sine")), 30.855746, 1e-5);
+    EXPECT_LT(largest(*solution.motion), 30.0 + 1e-6);
+    expect_sound_flanks(solution);
+}
+
 /// 40 deg: the distance of the axes that the modified sine needs, and the smaller one that the optimum needs.
 TEST(SpatialScenes, TheSmallestBarrelForFortyDegrees) {
     const Solution solution = solved("barrel_smallest");
