@@ -4,7 +4,9 @@
 #include "splines/extrema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace camopt {
 
@@ -77,19 +79,36 @@ std::vector<Extremum> candidates_on_piece(const PointRule& rule, const Motion& m
     return found;
 }
 
-/// A rule along one spline piece as a polynomial in x − begin; empty where it is none.
-Eigen::VectorXd polynomial_on_spline(const PointRule& rule, const SplineCurve& curve,
-                                     const Eigen::VectorXd& q, int segment) {
-    std::array<Eigen::VectorXd, 4> derivatives;
-    for (int order = 0; order < 4; ++order) derivatives[order] = curve.derivative_polynomial(segment, order);
-    if (!rule.linear()) return rule.along(derivatives, q);
-    const RuleValue affine = rule.evaluate({0.0, {}}, q);
-    Eigen::VectorXd polynomial = Eigen::VectorXd::Zero(curve.degree() + 1);
-    polynomial[0] = affine.value;
-    for (int order = 0; order < 4; ++order)
-        polynomial.head(derivatives[order].size()) += affine.gradient[order] * derivatives[order];
-    return polynomial;
-}
+/// A rule along the pieces of a spline as polynomials in x − begin.
+class RuleOnSpline {
+ public:
+    RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q) : rule_(rule), q_(q) {
+        if (rule.linear()) affine_ = rule.evaluate({0.0, {}}, q);
+    }
+
+    /// Empty where it is none.
+    [[nodiscard]] Eigen::VectorXd along(const SplineCurve& curve, int segment) const {
+        if (!affine_) {
+            std::array<Eigen::VectorXd, 4> derivatives;
+            for (int order = 0; order < 4; ++order)
+                derivatives[order] = curve.derivative_polynomial(segment, order);
+            return rule_.along(derivatives, q_);
+        }
+        Eigen::VectorXd polynomial = Eigen::VectorXd::Zero(curve.degree() + 1);
+        polynomial[0] = affine_->value;
+        for (int order = 0; order < 4; ++order) {
+            if (affine_->gradient[order] == 0.0) continue;
+            const Eigen::VectorXd derivative = curve.derivative_polynomial(segment, order);
+            polynomial.head(derivative.size()) += affine_->gradient[order] * derivative;
+        }
+        return polynomial;
+    }
+
+ private:
+    const PointRule& rule_;
+    const Eigen::VectorXd& q_;
+    std::optional<RuleValue> affine_;  ///< of a linear rule
+};
 
 std::vector<Extremum> candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
                                            int segment, double shift) {
@@ -126,6 +145,7 @@ void append(std::vector<Extremum>& all, std::vector<Extremum> more) {
 std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
                                   const MotionChain& motion, const Eigen::VectorXd& q) {
     std::vector<Extremum> candidates;
+    const RuleOnSpline on_spline(*rule, q);
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
@@ -134,7 +154,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         } else if (stretch.kind == StretchRequest::Kind::spline) {
             const auto& curve = dynamic_cast<const SplineCurve&>(
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
-            const Eigen::VectorXd polynomial = polynomial_on_spline(*rule, curve, q, piece.segment);
+            const Eigen::VectorXd polynomial = on_spline.along(curve, piece.segment);
             append(candidates,
                    polynomial.size() > 0
                        ? candidates_on_spline(curve, polynomial, piece.segment, stretch.shift)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "splines/polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace camopt {
@@ -55,6 +56,12 @@ std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coeffi
                                  double upper) {
     std::vector<double> changes;
     if (coefficients.size() <= 1) return changes;
+    if (coefficients.size() == 2) {  // most calls end here
+        const double a = evaluate_polynomial(coefficients, lower),
+                     b = evaluate_polynomial(coefficients, upper);
+        if (a * b < 0.0) changes.push_back(std::clamp(-coefficients[0] / coefficients[1], lower, upper));
+        return changes;
+    }
     std::vector<double> ends = sign_changes(differentiated(coefficients), lower, upper);
     ends.push_back(upper);
     double a = lower;

@@ -18,8 +18,9 @@ double inexactness(double tolerance) {
 double finest(double tolerance) {
     return std::min(1e-16, 1e-3 * tolerance);
 }
-// Relative residual above which a direction is not trusted.
+// A direction is trusted whose residual is this part of what it answers, or of the tolerance.
 constexpr double good_residual = 1e-8;
+constexpr double good_part_of_tolerance = 1e-3;
 // The careful system pivots on free variables too, which the condensed one never does.
 constexpr double careful_shift = 1e-9;
 // Stands for 0 where nothing moves.
@@ -118,7 +119,7 @@ void NewtonStep::solve(const Iterate& point, double goal) {
     slide_ =
         right_side_.force.cwiseProduct(point.gap).cwiseProduct(inverse_dual_).cwiseProduct(ranges_.present);
     const double size = std::max({largest(right_side_.p), largest(right_side_.q), largest(slide_)});
-    if (accuracy.residual <= good_residual * size) return;
+    if (accuracy.residual <= std::max(good_residual * size, good_part_of_tolerance * tolerance_)) return;
     if (!careful_is_current_ && !prepare_careful(point)) return;
     solve_carefully(accuracy.residual);
 }
