@@ -107,7 +107,8 @@ class Rows {
 
 const char* word_of(Verdict verdict) {
     if (verdict == Verdict::optimal) return "proved optimal";
-    return verdict == Verdict::local ? "local optimum, the best of several starts" : "";
+    return verdict == Verdict::local ? "local optimum, the best of several starts"
+                                     : "keeps every limit; the search ended before the best was found";
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
         }
         const Solution solution = solve(barrel_scene(example, limit, smallest), control);
         const Verdict verdict = solution.certificate.verdict;
-        if (!solution.motion || (verdict != Verdict::local && verdict != Verdict::optimal)) {
-            result.faults.push_back(fmt::format("no optimum was found under {} deg", limit));
+        if (!solution.motion || verdict == Verdict::failed || verdict == Verdict::infeasible) {
+            result.faults.push_back(fmt::format("no motion was found under {} deg", limit));
             continue;
         }
         const FollowerMotion motion = follower_motion(*solution.motion, motion_scale(solution.scene));
