@@ -6,6 +6,7 @@
 #include "solvers/elastic.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/adjustment.hpp"
+#include "studies/rest_conflict.hpp"
 #include "studies/solve_without_explaining.hpp"
 
 #include <algorithm>
@@ -98,6 +99,7 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
 double least_violation(const Scene& scene, const Budget& budget) {
     if (find_fault(scene)) return infinity;
     const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    if (const auto rest = rest_conflict(model, scene.solver.tolerance)) return rest->violation;
     const CamModel convex = convex_part(model, ConvexOver::every_motion);
     const double tolerance = scene.solver.tolerance;
     const double necessary = least_violation(convex, tolerance, budget);

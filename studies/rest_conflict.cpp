@@ -9,12 +9,6 @@ namespace camopt {
 
 namespace {
 
-struct Broken {
-    std::string key;
-    KnownPoint where;
-    double value = 0.0, scale = 1.0;
-};
-
 bool speaks_of_rest(const PlacedRule& rule) {
     return rule->limit() && rule->parameters().empty() && rule->highest_order() <= 1 && rule.stretch == -1 &&
            rule->curvature(-infinity, infinity) == Curvature::general;
@@ -22,18 +16,23 @@ bool speaks_of_rest(const PlacedRule& rule) {
 
 }  // namespace
 
-bool report_rest_conflict(Solution& solution, const CamModel& model) {
-    std::optional<Broken> worst;
+std::optional<RestConflict> rest_conflict(const CamModel& model, double tolerance) {
+    std::optional<RestConflict> worst;
     for (const PlacedRule& rule : model.rules) {
         if (!speaks_of_rest(rule)) continue;
         for (const KnownPoint& known : model.known_points) {
             if (!known.at_rest) continue;
             const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
-            const bool broken = value > solution.scene.solver.tolerance * rule->scale();
-            if (broken && (!worst || value / rule->scale() > worst->value / worst->scale))
-                worst = Broken{rule->name(), known, value, rule->scale()};
+            const double violation = value / rule->scale();
+            if (violation > tolerance && (!worst || violation > worst->violation))
+                worst = RestConflict{rule->name(), known, violation};
         }
     }
+    return worst;
+}
+
+bool report_rest_conflict(Solution& solution, const CamModel& model) {
+    const auto worst = rest_conflict(model, solution.scene.solver.tolerance);
     if (!worst) return false;
     solution.certificate.verdict = Verdict::infeasible;
     solution.certificate.reason = "limit_broken_at_rest";
