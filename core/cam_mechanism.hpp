@@ -36,6 +36,7 @@ struct MechanismValue {
     double value = 0.0;
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
+    double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
 };
 
 /// One state of one mechanism.

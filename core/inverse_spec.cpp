@@ -8,7 +8,7 @@ namespace camopt {
 
 const char* name_of_number(InverseNumber value) {
     static constexpr std::array<const char*, inverse_number_count> names = {
-        "roller_radius", "roller_rest",    "roller_from",    "roller_to",     "rise",        "pin_distance",
+        "roller_radius", "roller_rest",    "roller_end",     "roller_angle",  "roller_from", "pin_distance",
         "pin_angle",     "rocker_pivot_x", "rocker_pivot_y", "feeder_offset", "feeder_start"};
     return names[static_cast<std::size_t>(value)];
 }
@@ -18,7 +18,7 @@ MechanismSpec inverse_spec() {
     spec.type = "inverse";
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto number = static_cast<InverseNumber>(i);
-        const bool angle = number == InverseNumber::rise || number == InverseNumber::pin_angle;
+        const bool angle = number == InverseNumber::roller_angle || number == InverseNumber::pin_angle;
         spec.dimensions.push_back({name_of_number(number), {}, angle});
     }
     return spec;

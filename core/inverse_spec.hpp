@@ -10,9 +10,9 @@ namespace camopt {
 enum class InverseNumber {
     roller_radius,
     roller_rest,     ///< L where the roller started from rest
+    roller_end,      ///< L where its stroke ends
+    roller_angle,    ///< cam angle of that stroke, rad
     roller_from,     ///< L where the rise begins
-    roller_to,       ///< L where it ends
-    rise,            ///< cam angle of the rise, rad; the scene's, no key of its own
     pin_distance,    ///< L1
     pin_angle,       ///< al0, rad
     rocker_pivot_x,  ///< C

@@ -15,7 +15,7 @@ constexpr double least_scale = 1e-3;
 
 MechanismValue sum(double factor_a, const MechanismValue& a, double factor_b, const MechanismValue& b) {
     return {factor_a * a.value + factor_b * b.value, factor_a * a.gradient + factor_b * b.gradient,
-            factor_a * a.hessian + factor_b * b.hessian};
+            factor_a * a.hessian + factor_b * b.hessian, factor_a * a.by_angle + factor_b * b.by_angle};
 }
 
 MechanismValue shifted(MechanismValue value, double by) {
@@ -26,7 +26,8 @@ MechanismValue shifted(MechanismValue value, double by) {
 MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
     const Eigen::MatrixXd cross = a.gradient * b.gradient.transpose();
     return {a.value * b.value, a.value * b.gradient + b.value * a.gradient,
-            a.value * b.hessian + b.value * a.hessian + cross + cross.transpose()};
+            a.value * b.hessian + b.value * a.hessian + cross + cross.transpose(),
+            a.value * b.by_angle + b.value * a.by_angle};
 }
 
 void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {

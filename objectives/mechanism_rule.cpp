@@ -56,6 +56,7 @@ RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorX
         for (Eigen::Index b = 0; b < 3 + variables; ++b)
             rule.hessian(to(a), to(b)) = units_[a] * units_[b] * physical.hessian(a, b);
     }
+    rule.by_place = mechanism_->scale.unit_angle * physical.by_angle;
     return rule;
 }
 

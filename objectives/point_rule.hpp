@@ -22,6 +22,7 @@ struct RuleValue {
     double value = 0.0;
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
+    double by_place = 0.0;  ///< partial by x alone, for rules that depend on it besides the point
 };
 
 /// The shape of g over all motions whose displacements stay in a range, and all parameters in their bounds.

@@ -28,7 +28,7 @@ struct SlopeAt {
 SlopeAt slope_at(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q, double x, Side side) {
     const MotionPoint point = motion.at(x, side);
     const RuleValue value = rule.evaluate(point, q);
-    double slope = 0.0;
+    double slope = value.by_place;
     for (int order = 0; order < 3; ++order) slope += value.gradient[order] * point.derivative[order + 1];
     return {value.value, slope};
 }

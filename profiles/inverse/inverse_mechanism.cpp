@@ -20,6 +20,7 @@ namespace {
 
 using enum InverseNumber;
 constexpr int station_count = 2;
+constexpr int angle_column = 3;   // of the partials: s, s', s'', θ, numbers
 constexpr int reach_places = 64;  // displacements at which the reach is looked at
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -34,28 +35,33 @@ double side_of(int station) {
 
 /// The roller at a cam angle, over any scalar.
 template <class T>
-inverse::Roller<T> roller_at(const std::array<T, inverse_number_count>& numbers, double theta) {
+inverse::Roller<T> roller_at(const std::array<T, inverse_number_count>& numbers, const T& theta) {
     using std::sqrt;
     const auto of = [&](InverseNumber which) { return numbers[static_cast<std::size_t>(which)]; };
     const T begin = sqrt(T(of(roller_from) - of(roller_rest)));
-    const T end = sqrt(T(of(roller_to) - of(roller_rest)));
-    const T rate = T(end - begin) / of(rise);
+    const T rate = T(sqrt(T(of(roller_end) - of(roller_rest)))) / of(roller_angle);
     const T root = begin + T(rate * theta);
     return {T(of(roller_rest) + T(root * root)), T(2.0 * T(root * rate)), T(2.0 * T(rate * rate))};
 }
 
+/// What a quantity depends on besides numbers.
+struct Wall {
+    inverse::Branch branch;
+    double side = 1.0;
+};
+
 template <class T>
 T value_of(MechanismQuantity which, const std::array<T, inverse_number_count>& numbers,
-           const inverse::Feeder<T>& output, const inverse::Branch& branch, double theta, double side) {
+           const inverse::Feeder<T>& output, const T& theta, const Wall& wall) {
     const auto of = [&](InverseNumber index) { return numbers[static_cast<std::size_t>(index)]; };
     const inverse::Roller<T> roller = roller_at<T>(numbers, theta);
     if (which == MechanismQuantity::pressure_denominator) return roller.velocity;
     const inverse::LinkageNumbers<T> linkage{of(pin_distance), of(rocker_pivot_x), of(rocker_pivot_y),
                                              of(feeder_offset)};
     const auto body = inverse::backwards<T>(
-        linkage, branch, {T(output.position + of(feeder_start)), output.velocity, output.acceleration});
+        linkage, wall.branch, {T(output.position + of(feeder_start)), output.velocity, output.acceleration});
     if (which == MechanismQuantity::pressure_numerator) return -T(roller.distance * body.velocity);
-    const T curvature = side * inverse::guide_curvature<T>(roller, body);
+    const T curvature = wall.side * inverse::guide_curvature<T>(roller, body);
     if (which == MechanismQuantity::pitch_curvature) return curvature;
     return T(1.0) - T(of(roller_radius) * curvature);
 }
@@ -96,7 +102,7 @@ class InverseMechanism final : public CamMechanism {
     }
     [[nodiscard]] bool planar() const override { return false; }
     [[nodiscard]] double length(std::span<const double> numbers) const override {
-        return number(numbers, roller_to);
+        return number(numbers, roller_end);
     }
     [[nodiscard]] std::string fault(std::span<const double> numbers, double least,
                                     double most) const override;
@@ -107,8 +113,8 @@ class InverseMechanism final : public CamMechanism {
             return {nowhere, Eigen::VectorXd::Constant(size, nowhere),
                     Eigen::MatrixXd::Constant(size, size, nowhere)};
         }
-        return active.empty() ? expanded<3>(which, state, station, active)
-                              : expanded<3 + inverse_number_count>(which, state, station, active);
+        return active.empty() ? expanded<4>(which, state, station, active)
+                              : expanded<4 + inverse_number_count>(which, state, station, active);
     }
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
@@ -129,17 +135,17 @@ MechanismValue InverseMechanism::expanded(MechanismQuantity which, const Mechani
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto place = static_cast<std::size_t>(i);
         const double value = state.dimensions[place];
-        numbers[place] = n > 3 ? variable<n>(value, n > 3 ? 3 + i : 0) : Second<n>(First<n>(value));
+        numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : Second<n>(First<n>(value));
     }
     const inverse::Feeder<Second<n>> output{variable<n>(state.output.s, 0),
                                             variable<n>(state.output.velocity, 1),
                                             variable<n>(state.output.acceleration, 2)};
+    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
     const Second<n> value =
-        value_of<Second<n>>(which, numbers, output, inverse::branch_of(linkage_of(state.dimensions)),
-                            state.theta, side_of(station));
+        value_of<Second<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
     const auto size = static_cast<Eigen::Index>(3 + active.size());
     const auto from = [&](Eigen::Index k) {
-        return k < 3 ? k : 3 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
+        return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);
     };
     MechanismValue result{value.value().value(), Eigen::VectorXd(size), Eigen::MatrixXd(size, size)};
     for (Eigen::Index a = 0; a < size; ++a) {
@@ -147,15 +153,20 @@ MechanismValue InverseMechanism::expanded(MechanismQuantity which, const Mechani
         for (Eigen::Index b = 0; b < size; ++b)
             result.hessian(a, b) = value.derivatives()(from(a)).derivatives()(from(b));
     }
+    result.by_angle = value.value().derivatives()(angle_column);
     return result;
 }
 
 std::string InverseMechanism::fault(std::span<const double> numbers, double least, double most) const {
     const double rest = number(numbers, roller_rest), from = number(numbers, roller_from),
-                 to = number(numbers, roller_to);
+                 to = number(numbers, roller_end);
     if (!(rest >= 0.0 && from > rest && to > from))
-        return fmt::format("the roller rests at {:.6g} m and goes from {:.6g} to {:.6g} m; these must ascend",
-                           rest, from, to);
+        return fmt::format(
+            "the roller rests at {:.6g} m, is at {:.6g} m where the rise begins and at {:.6g} m at the end "
+            "of its stroke; "
+            "these must ascend",
+            rest, from, to);
+    if (!(number(numbers, roller_angle) > 0.0)) return "the cam angle of the roller's stroke must be > 0";
     try {
         linkage_of(numbers).validate();
     } catch (const InputError& error) {
@@ -207,7 +218,15 @@ RollerStroke stroke_of(std::span<const double> numbers) {
     std::array<double, inverse_number_count> copy{};
     for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = numbers[i];
     const auto start = roller_at<double>(copy, 0.0);
-    return {0.0, number(numbers, rise), 0.0, start.distance, start.velocity, start.acceleration};
+    const double rest = number(numbers, roller_rest);
+    const double before =
+        std::sqrt((number(numbers, roller_from) - rest) / (number(numbers, roller_end) - rest));
+    return {0.0,
+            (1.0 - before) * number(numbers, roller_angle),
+            0.0,
+            start.distance,
+            start.velocity,
+            start.acceleration};
 }
 
 std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec) {

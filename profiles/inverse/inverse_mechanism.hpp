@@ -2,9 +2,9 @@
 // An inverse cam and its feeder as the mechanism of a scene: the feeder's lift is the output, the guide is
 // the cam.
 //
-// The roller starts from rest and moves with a constant acceleration; over the cam angles 0 … rise it goes
-// from roller_from to roller_to:
-//   L(θ) = rest + u²,  u = sqrt(from − rest) + (sqrt(to − rest) − sqrt(from − rest)) θ/rise
+// The roller starts from rest and moves with a constant acceleration to the end of its stroke; at cam angle 0
+// of the scene, where the rise begins, it is at roller_from:
+//   L(θ) = rest + u²,  u = sqrt(from − rest) + sqrt(end − rest) θ / roller_angle
 // The feeder is at Y = feeder_start + s. Backwards through the linkage (feeder_linkage.hpp) follow body and
 // guide:
 //   pressure_numerator   −L θ_body'    pressure_denominator  L'        ' by the cam angle θ

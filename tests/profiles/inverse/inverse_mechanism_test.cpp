@@ -24,13 +24,11 @@ using Numbers = std::array<double, inverse_number_count>;
 constexpr double seconds_a_radian = 0.05;
 Numbers reference_numbers() {
     const FeederLinkage linkage = test::reference_linkage();
-    const double from = 5.25 * inch, to = 12.9 * inch;
-    const double duration = time_at(test::forward_stroke(), to) - time_at(test::forward_stroke(), from);
     return {0.5 * inch,
             1.5 * inch,
-            from,
-            to,
-            duration / seconds_a_radian,
+            13.982 * inch,
+            0.158 / seconds_a_radian,
+            5.25 * inch,
             linkage.pin_distance,
             linkage.pin_angle,
             linkage.rocker_pivot.x(),
@@ -59,7 +57,7 @@ TEST(InverseMechanism, PointsAreThoseOfTheGuideOfArcs) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     const Numbers numbers = reference_numbers();
     for (const double part : {0.1, 0.3, 0.5, 0.62, 0.8, 0.95}) {
-        const double theta = part * numbers[static_cast<std::size_t>(InverseNumber::rise)];
+        const double theta = part * stroke_of(numbers).end;
         const MechanismState state{numbers, feeder_of_arcs(guide, theta), theta};
         const double distance = state_of(stroke_of(numbers), theta).distance;
         const GuidePoint expected = guide.at(distance);
@@ -112,6 +110,12 @@ TEST(InverseMechanism, PartialsByEveryNumberAgainstDifferences) {
                       1e-6 * (1e-3 + exact.hessian.cwiseAbs().maxCoeff()))
                 << i;
         }
+        const double turn = 1e-6;
+        const auto at_angle = [&](double angle) {
+            return mechanism().quantity(which, {numbers, output, angle}, 1, {}).value;
+        };
+        const double slope = (at_angle(theta + turn) - at_angle(theta - turn)) / (2 * turn);
+        EXPECT_NEAR(exact.by_angle, slope, 1e-7 * (1.0 + std::abs(slope)));
         const MechanismValue none = mechanism().quantity(which, {numbers, output, theta}, 1, {});
         EXPECT_NEAR(none.value, exact.value, 1e-14 * std::abs(exact.value));
         EXPECT_TRUE(none.gradient.isApprox(exact.gradient.head(3), 1e-13));
