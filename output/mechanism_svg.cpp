@@ -140,8 +140,10 @@ class Page {
                 on.text(shape.points.back() + Vector2d(on.px(16), 0.0), words, "beside");
             if (shape.kind == MechanismShape::Kind::circle) on.text(shape.points.front(), words, "label");
             if (shape.kind == MechanismShape::Kind::link) {
-                const Vector2d& a = shape.points[shape.points.size() - 2];
-                on.text(0.5 * (a + shape.points.back()) + Vector2d(on.px(10), on.px(8)), words, "beside");
+                const bool bent = shape.points.size() > 2;  // its arms leave no room between them
+                const Vector2d &from = shape.points[shape.points.size() - 2], &to = shape.points.back();
+                const Vector2d beside = bent ? Vector2d(0.0, -on.px(20)) : Vector2d(on.px(10), on.px(8));
+                on.text(from + (bent ? 0.3 : 0.5) * (to - from) + beside, words, "beside");
             }
         }
     }
