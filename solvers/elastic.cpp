@@ -20,6 +20,7 @@ class ElasticProblem::Grid final : public Nlp {
         shape_.x_upper.conservativeResize(t_ + 1);
         shape_.x_lower[t_] = -least_slack;
         shape_.x_upper[t_] = infinity;
+        leave_out_idle();
         for (int i = 0; i < shape_.constraints(); ++i) {
             if (!shape_.rows[i].limit) continue;
             if (shape_.g_lower[i] > -infinity) throw ModelError(base.row_name(i) + ": a limit has one side");
@@ -53,10 +54,35 @@ class ElasticProblem::Grid final : public Nlp {
     }
     std::string row_name(int index) const override { return base_.row_name(index); }
 
+    /// Peaks that no limit speaks of: they follow any curve, and are taken from it.
+    const std::vector<int>& idle() const { return idle_; }
+
  private:
+    /// A variable that may grow without end, and only eases the rows it stands in, none of them a limit:
+    /// these rows decide nothing here. They would burden the proof: the boxes of such variables are wide, and
+    /// multiply the rounding of the multipliers.
+    void leave_out_idle() {
+        const SparsityPattern& pattern = shape_.jacobian;
+        std::vector<double> slopes(static_cast<std::size_t>(pattern.size()));
+        base_.jacobian(Eigen::VectorXd::Zero(t_), slopes);
+        std::vector<char> eases(static_cast<std::size_t>(t_), 0), hurts(static_cast<std::size_t>(t_), 0);
+        for (int k = 0; k < pattern.size(); ++k) {
+            const int i = pattern.rows[k], j = pattern.columns[k];
+            const RowKind& row = shape_.rows[i];
+            const bool eased = row.linear && !row.limit && shape_.g_lower[i] == -infinity && slopes[k] < 0.0;
+            (eased ? eases : hurts)[j] = 1;
+        }
+        for (int j = 0; j < t_; ++j)
+            if (eases[j] && !hurts[j] && shape_.x_upper[j] == infinity) idle_.push_back(j);
+        for (int k = 0; k < pattern.size(); ++k)
+            if (std::ranges::binary_search(idle_, pattern.columns[k]))
+                shape_.g_upper[pattern.rows[k]] = infinity;
+    }
+
     const Nlp& base_;
     int t_;
     std::vector<int> relaxed_;
+    std::vector<int> idle_;
 };
 
 ElasticProblem::ElasticProblem(ContinuousProblem& base)
@@ -88,7 +114,12 @@ double ElasticProblem::objective(const Eigen::VectorXd& x) const {
 
 std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, double slack) const {
     const double t = x[x.size() - 1];
-    std::vector<Violation> found = base_.violations(x.head(x.size() - 1), slack + std::max(0.0, -t));
+    Eigen::VectorXd base = x.head(x.size() - 1);
+    if (!grid_->idle().empty()) {
+        const Eigen::VectorXd complete = base_.completed(base);
+        for (const int j : grid_->idle()) base[j] = complete[j];
+    }
+    std::vector<Violation> found = base_.violations(base, slack + std::max(0.0, -t));
     for (Violation& violation : found) {
         if (violation.limit) violation.amount -= t;
     }
