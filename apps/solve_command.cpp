@@ -9,6 +9,7 @@
 #include "output/result_json.hpp"
 #include "output/solution_text.hpp"
 #include "studies/check_cam.hpp"
+#include "studies/inverse/solved_guide.hpp"
 #include "studies/mechanism_report.hpp"
 #include "studies/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
@@ -37,14 +38,18 @@ Solution solve_with_progress(const Scene& scene) {
     return solution;
 }
 
+ForwardCheckReport checked_mechanism(const Solution& solution) {
+    if (has_spatial_cam(solution)) return check_spatial_cam(solution);
+    if (has_inverse_cam(solution)) return check_inverse_cam(solution);
+    return check_mechanism(solution);
+}
+
 /// Runs a follower over the finished cam. Who pressed Ctrl-C waits for the files, not for this.
 void add_forward_check(Solution& solution) {
     if (InterruptWatch::interrupted()) return;
     try {
         if (solution.cam) solution.cam->forward_check = check_cam(solution);
-        if (solution.mechanism)
-            solution.mechanism->forward_check =
-                has_spatial_cam(solution) ? check_spatial_cam(solution) : check_mechanism(solution);
+        if (solution.mechanism) solution.mechanism->forward_check = checked_mechanism(solution);
     } catch (const InputError& error) {
         solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
     }

@@ -20,9 +20,9 @@ constexpr auto needs_forces = Availability::needs_forces;
 // clang-format off
 std::vector<KeyRow> cam_rows() {
     std::vector<KeyRow> rows = {
-        {"cam", "type", text, plain, any, {"disk", "remote", "barrel", "cylindrical"}, "required",
+        {"cam", "type", text, plain, any, {"disk", "remote", "barrel", "cylindrical", "inverse"}, "required",
          "The kind of cam: a disk cam with its follower, one whose lever moves the output through a linkage, a barrel "
-         "cam with its index, a cylindrical cam."},
+         "cam with its index, a cylindrical cam, an inverse cam with its feeder."},
         {"cam", "follower", text, plain, any,
          {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller",
           "oscillating_flat", "rotating", "translating"},
@@ -56,7 +56,9 @@ std::vector<KeyRow> cam_rows() {
             row.cam_type = "disk|cylindrical";
         else if (row.name == "center_distance" || row.name == "arm_length")
             row.cam_type = "disk|barrel|cylindrical";
-        else if (row.name != "type" && row.name != "roller_radius" && row.name != "rotation")
+        else if (row.name == "rotation")
+            row.cam_type = "disk|remote|barrel|cylindrical";
+        else if (row.name != "type" && row.name != "roller_radius")
             row.cam_type = "disk";
     return rows;
 }

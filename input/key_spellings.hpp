@@ -44,6 +44,7 @@ namespace camopt::input {
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> remote_rows();
 [[nodiscard]] std::vector<KeyRow> spatial_rows();
+[[nodiscard]] std::vector<KeyRow> inverse_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 [[nodiscard]] std::vector<KeyRow> cam_limit_rows();

@@ -3,6 +3,7 @@
 
 #include "core/remote_spec.hpp"
 #include "core/units.hpp"
+#include "input/inverse_reader.hpp"
 #include "input/spatial_reader.hpp"
 
 #include <fmt/format.h>
@@ -128,6 +129,7 @@ std::optional<MechanismSpec> read_mechanism(const SceneSource& source, const Mot
     const auto type = source.find("cam", "type");
     if (!type || type->value().text == "disk") return std::nullopt;
     if (type->value().text == "remote") return RemoteReader(source).read(motion);
+    if (type->value().text == "inverse") return read_inverse(source, motion);
     return read_spatial(source, motion);
 }
 

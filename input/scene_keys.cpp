@@ -173,9 +173,9 @@ Rows solver() {
 const std::vector<KeyRow>& scene_keys() {
     static const std::vector<KeyRow> rows = [] {
         Rows all;
-        for (const Rows& part :
-             {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
-              remote_rows(), spatial_rows(), force_rows(), limits(), cam_limit_rows(), solver()})
+        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
+                                 reference(), cam_rows(), remote_rows(), spatial_rows(), inverse_rows(),
+                                 force_rows(), limits(), cam_limit_rows(), solver()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

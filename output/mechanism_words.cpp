@@ -2,6 +2,7 @@
 #include "output/mechanism_words.hpp"
 
 #include "core/units.hpp"
+#include "output/guide_files.hpp"
 #include "output/key_words.hpp"
 #include "output/number_text.hpp"
 
@@ -27,6 +28,13 @@ std::string degrees_at(const Solution& solution, double x) {
 std::string undercut_remark(const Solution& solution) {
     const MechanismSummary& summary = solution.mechanism->summary;
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
+    if (has_guide(solution))
+        return fmt::format(
+            "UNDERCUT at {} deg: a wall of the guide crosses itself there and does not lead the roller as "
+            "designed. A smaller roller or a longer stroke helps; the limit undercut_margin = 0 rules "
+            "undercut "
+            "out.",
+            degrees_at(solution, summary.regularity.at));
     if (!solution.mechanism->mechanism.formulas->planar())
         return fmt::format(
             "UNDERCUT at {} deg: a flank folds there and is cut away by the roller's own sweep. A smaller or "
@@ -49,22 +57,27 @@ std::string limited_remark(const Solution& solution) {
                           : fmt::format("What limits it: {}.", limits);
 }
 
+std::string what_was_driven(const Solution& solution, int points) {
+    if (has_guide(solution))
+        return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
+    if (solution.mechanism->mechanism.formulas->planar())
+        return fmt::format("lever and linkage run over {} points of the cam", points);
+    return fmt::format("the follower is driven by {} points of each flank at either end of its roller",
+                       points);
+}
+
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
     const bool swings = solution.scene.motion.lift_is_angle;
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
         return fmt::format("Forward check: at {} deg no place was found where the roller touches the cam.",
                            where);
-    return fmt::format(
-        "Forward check: {}, and nothing else: the output {} {} {} (at {} deg).",
-        solution.mechanism->mechanism.formulas->planar()
-            ? fmt::format("lever and linkage run over {} points of the cam", check.points)
-            : fmt::format("the follower is driven by {} points of each flank at either end of its roller",
-                          check.points),
-        check.relative <= moves_as_designed ? "moves as designed within"
-                                            : "DEPARTS from the designed motion by",
-        short_text(check.deviation / (swings ? degree : millimetre), check_digits), swings ? "deg" : "mm",
-        where);
+    return fmt::format("Forward check: {}, and nothing else: the output {} {} {} (at {} deg).",
+                       what_was_driven(solution, check.points),
+                       check.relative <= moves_as_designed ? "moves as designed within"
+                                                           : "DEPARTS from the designed motion by",
+                       short_text(check.deviation / (swings ? degree : millimetre), check_digits),
+                       swings ? "deg" : "mm", where);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "output/cam_remarks.hpp"
 #include "output/cam_words.hpp"
 #include "output/display_scale.hpp"
+#include "output/guide_files.hpp"
 #include "output/infeasible_words.hpp"
 #include "output/key_words.hpp"
 #include "output/mechanism_words.hpp"
@@ -65,6 +66,8 @@ std::string mechanism_section(const Solution& solution) {
         text +=
             "![Cam and linkage to scale](mechanism.svg)\n\n"
             "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n";
+    else if (has_guide(solution))
+        text += "![The guide to scale](guide.svg)\n\n![Pressure angle](pressure_angle.svg)\n";
     else
         text += "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
     return text;

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "output/cam_profile.hpp"
 #include "output/certificate_json.hpp"
+#include "output/guide_files.hpp"
 #include "output/mechanism_files.hpp"
 #include "output/motion_csv.hpp"
 #include "output/motion_svg.hpp"
@@ -23,9 +24,10 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has.
-constexpr std::array optional_files = {"motion.csv",    "motion.svg",           "profile.csv",
-                                       "profile.svg",   "profile_diagrams.svg", "profile.dxf",
-                                       "mechanism.svg", "pressure_angle.svg",   "curvature.svg"};
+constexpr std::array optional_files = {
+    "motion.csv",           "motion.svg",  "profile.csv",   "profile.svg",
+    "profile_diagrams.svg", "profile.dxf", "mechanism.svg", "pressure_angle.svg",
+    "curvature.svg",        "guide.csv",   "guide.svg"};
 
 class FolderWriter {
  public:
@@ -85,6 +87,12 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
         writer.write("mechanism.svg", texts.svg);
         writer.write("pressure_angle.svg", texts.pressure_angle_svg);
         writer.write("curvature.svg", texts.curvature_svg);
+    }
+    if (has_guide(solution)) {
+        const GuideTexts texts = guide_texts(solution, options.points);
+        writer.write("guide.csv", texts.csv);
+        writer.write("guide.svg", texts.svg);
+        writer.write("pressure_angle.svg", texts.pressure_angle_svg);
     }
     writer.remove_others();
     writer.write("report.md", report_markdown(solution, origin));

@@ -2,6 +2,7 @@
 #include "profiles/factory/mechanism_factory.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 
@@ -16,10 +17,13 @@ void complete_mechanism(Scene& scene) {
         spec.formulas = std::make_shared<RemoteCam>(spec);
     else if (spec.type == "barrel" || spec.type == "cylindrical")
         spec.formulas = spatial_mechanism(spec);
+    else if (spec.type == "inverse")
+        spec.formulas = inverse_mechanism(spec);
     else
-        throw InputError(fmt::format(
-            "cam.type: found \"{}\"; allowed: \"disk\", \"remote\", \"barrel\" or \"cylindrical\"",
-            spec.type));
+        throw InputError(
+            fmt::format("cam.type: found \"{}\"; allowed: \"disk\", \"remote\", \"barrel\", \"cylindrical\" "
+                        "or \"inverse\"",
+                        spec.type));
     validate(scene);
 }
 

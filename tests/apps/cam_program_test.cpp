@@ -140,6 +140,20 @@ TEST_F(CamProgram, AProgramIsAWholeTurn) {
     EXPECT_NE(run.output.find("cycloidal"), std::string::npos);
 }
 
+TEST_F(CamProgram, AnInverseCamHasItsGuide) {
+    const std::string solve =
+        "solve " + test::scene("inverse_feeder") + " --set solver.starts=1 --points 500";
+    const ProgramRun run = run_camopt(solve + " --out '" + out() + "'");
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    for (const char* file : {"guide.csv", "guide.svg", "pressure_angle.svg", "report.md"})
+        EXPECT_TRUE(wrote(file)) << file;
+    EXPECT_FALSE(wrote("profile.csv"));
+    const json check = result()["cam"]["forward_check"];
+    ASSERT_FALSE(check.is_null());
+    EXPECT_LT(check["relative"].get<double>(), 1e-8);
+    EXPECT_NE(run.output.find("points of the guide's walls"), std::string::npos) << run.output;
+}
+
 TEST_F(CamProgram, CheckSaysWhichLimitsAreLinear) {
     const ProgramRun run = run_camopt("check " + file(cam_scene) + " --set limits.cam_radius_min_mm=1");
     EXPECT_EQ(run.exit_code, 0) << run.output << run.errors;
@@ -148,9 +162,9 @@ TEST_F(CamProgram, CheckSaysWhichLimitsAreLinear) {
 }
 
 TEST_F(CamProgram, InterruptedItStillWritesItsFolder) {
-    // Large enough to be still at work after the wait on any machine of today.
+    // So many starts that it is still at work after the wait on any machine.
     const ProgramRun run = test::run_camopt_interrupted(
-        "solve " + file(cam_scene) + " --set spline.segments=4096 --out '" + out() + "'", 0.5);
+        "solve " + test::scene("cam_undercut") + " --set solver.starts=100000 --out '" + out() + "'", 1.0);
     ASSERT_TRUE(wrote("result.json")) << run.output << run.errors;
     const json found = result();
     EXPECT_EQ(found["solver"]["termination"], "interrupted");

@@ -66,8 +66,9 @@ std::vector<BrokenScene> broken_cams() {
          "objective.jerk = 1\n"
          "motion.type = \"DRD\"\n"
          "cam.type = \"cylinder\"\n",
-         "s.toml:3:12: cam.type: found \"cylinder\"; allowed: \"disk\", \"remote\", \"barrel\" or "
-         "\"cylindrical\""},
+         "s.toml:3:12: cam.type: found \"cylinder\"; allowed: \"disk\", \"remote\", \"barrel\", "
+         "\"cylindrical\" "
+         "or \"inverse\""},
         {"cam_follower_missing", start,
          "s.toml:3:1: cam.follower: missing; allowed: \"translating_roller\", \"translating_flat\", "
          "\"translating_knife\", \"oscillating_roller\", \"oscillating_flat\", \"rotating\" or "

@@ -326,7 +326,8 @@ std::vector<BrokenScene> broken_combinations() {
         {"cam_before_anything",
          "[cam]\n"
          "base_radius_mm = 40\n",
-         "s.toml:1:1: cam.type: missing; allowed: \"disk\", \"remote\", \"barrel\" or \"cylindrical\""},
+         "s.toml:1:1: cam.type: missing; allowed: \"disk\", \"remote\", \"barrel\", \"cylindrical\" or "
+         "\"inverse\""},
         {"knots_free_in_hundreds",
          "[motion]\n"
          "type = \"DRD\"\n"

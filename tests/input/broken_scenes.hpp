@@ -29,6 +29,7 @@ std::vector<BrokenScene> broken_programs();
 std::vector<BrokenScene> broken_cams();
 std::vector<BrokenScene> broken_mechanisms();
 std::vector<BrokenScene> broken_spatial();
+std::vector<BrokenScene> broken_inverse();
 std::vector<BrokenScene> broken_forces();
 std::vector<BrokenScene> broken_overrides();
 

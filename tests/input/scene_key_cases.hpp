@@ -25,6 +25,7 @@ std::vector<KeyCase> objective_cases();
 std::vector<KeyCase> cam_cases();
 std::vector<KeyCase> remote_cases();
 std::vector<KeyCase> spatial_cases();
+std::vector<KeyCase> inverse_cases();
 std::vector<KeyCase> force_cases();
 std::vector<KeyCase> dimension_weight_cases();
 std::vector<KeyCase> limit_cases();

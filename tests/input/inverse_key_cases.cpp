@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "core/inverse_spec.hpp"
+#include "tests/input/scene_key_cases.hpp"
+
+#include <numbers>
+
+namespace camopt::input {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool is_angle(const std::string& name) {
+    return name.ends_with("angle");
+}
+
+/// An inverse cam's scene, without one of its numbers.
+std::string inverse(const std::string& except) {
+    std::string toml = "motion.lift_mm = 20\n";
+    if (except != "cam.type") toml += "cam.type = \"inverse\"\n";
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const std::string name = name_of_number(static_cast<InverseNumber>(i));
+        if ("cam." + name != except) toml += "cam." + name + (is_angle(name) ? "_deg = 90\n" : "_mm = 100\n");
+    }
+    return toml;
+}
+
+}  // namespace
+
+std::vector<KeyCase> inverse_cases() {
+    std::vector<KeyCase> all = {
+        {"cam.type", "\"inverse\"", 1,
+         [](const Scene& s) { return s.mechanism.value().type == "inverse" ? 1.0 : 0.0; },
+         inverse("cam.type")},
+    };
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const std::string name = name_of_number(static_cast<InverseNumber>(i));
+        const std::string key = "cam." + name;
+        const auto add = [&](const char* unit, const char* text, double value) {
+            const auto low = [i](const Scene& s) {
+                return s.mechanism.value().dimensions.at(static_cast<std::size_t>(i)).value.low;
+            };
+            all.push_back({key + unit, text, value, low, inverse(key)});
+        };
+        if (is_angle(name)) {
+            add("_deg", "45", pi / 4);
+            add("_rad", "0.5", 0.5);
+        } else {
+            add("_mm", "120", 0.12);
+            add("_in", "2", 0.0508);
+            add("_m", "0.25", 0.25);
+        }
+    }
+    return all;
+}
+
+}  // namespace camopt::input
