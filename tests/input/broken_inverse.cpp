@@ -5,13 +5,13 @@
 namespace camopt::input {
 namespace {
 
+const std::string objective = "objective.jerk = 1\n";
 /// Five lines.
-const std::string start =
-    "objective.jerk = 1\n"
-    "motion.type = \"DRD\"\n"
-    "motion.lift_mm = 60\n"
-    "[cam]\n"
-    "type = \"inverse\"\n";
+const std::string start = objective +
+                          "motion.type = \"DRD\"\n"
+                          "motion.lift_mm = 60\n"
+                          "[cam]\n"
+                          "type = \"inverse\"\n";
 
 }  // namespace
 
@@ -20,27 +20,26 @@ std::vector<BrokenScene> broken_inverse() {
         {"WithoutItsRoller", start,
          "s.toml:4:1: cam.roller_radius_mm: missing for an inverse cam; allowed: a number > 0, or a range { "
          "min = …, max = … }"},
-        {"ThatSwings",
-         "objective.jerk = 1\nmotion.type = \"DRD\"\nmotion.lift_deg = 20\ncam.type = \"inverse\"\n",
+        {"ThatSwings", objective + "motion.type = \"DRD\"\nmotion.lift_deg = 20\ncam.type = \"inverse\"\n",
          "s.toml:4:12: cam.type: found \"inverse\" where the lift is an angle; allowed: motion.lift_mm, "
          "motion.lift_in or motion.lift_m, the stroke of its feeder"},
-        {"ThatReturns",
-         "objective.jerk = 1\nmotion.type = \"RR\"\nmotion.lift_mm = 20\ncam.type = \"inverse\"\n",
-         "s.toml:4:12: cam.type: found \"inverse\" with the motion \"RR\"; allowed: the motion "
-         "\"DRD\"s.toml:6:1: cam.follower: found a key for cams of type \"disk\" or \"cylindrical\"; "
-         "allowed: only with cam.type = \"disk\" or \"cylindrical\"s.toml:6:1: cam.rotation: found a key for "
-         "cams of type \"disk\" or \"remote\" or \"barrel\" or \"cylindrical\"; allowed: only with cam.type "
-         "= \"disk\" or \"remote\" or \"barrel\" or \"cylindrical\"s.toml:6:19: cam.pin_distance_mm: found "
-         "-3; allowed: a number > 0, or a range { min = …, max = … }"},
+        {"ThatReturns", objective + "motion.type = \"RR\"\nmotion.lift_mm = 20\ncam.type = \"inverse\"\n",
+         "s.toml:4:12: cam.type: found \"inverse\" with the motion \"RR\"; allowed: the motion \"DRD\""},
         {"WithAFollower", start + "follower = \"rotating\"\n",
+         "s.toml:6:1: cam.follower: found a key for cams of type \"disk\" or \"cylindrical\"; allowed: only "
+         "with cam.type = \"disk\" or \"cylindrical\""},
+        {"WithARotation", start + "rotation = \"clockwise\"\n",
+         "s.toml:6:1: cam.rotation: found a key for cams of type \"disk\" or \"remote\" or \"barrel\" or "
+         "\"cylindrical\"; allowed: only with cam.type = \"disk\" or \"remote\" or \"barrel\" or "
+         "\"cylindrical\""},
+        {"WithANegativePin", start + "pin_distance_mm = -3\n",
+         "s.toml:6:19: cam.pin_distance_mm: found -3; allowed: a number > 0, or a range { min = …, max = … "
+         "}"},
+        {"ADiskWithAPin",
+         objective + "motion.type = \"DRD\"\nmotion.lift_mm = 60\n[cam]\ntype = \"disk\"\nfollower = "
+                     "\"translating_knife\"\nbase_radius_mm = 40\npin_distance_mm = 3\n",
          "s.toml:8:1: cam.pin_distance_mm: found a key for cams of type \"inverse\"; allowed: only with "
          "cam.type = \"inverse\""},
-        {"WithARotation", start + "rotation = \"clockwise\"\n", ""},
-        {"WithANegativePin", start + "pin_distance_mm = -3\n", ""},
-        {"ADiskWithAPin",
-         "objective.jerk = 1\nmotion.type = \"DRD\"\nmotion.lift_mm = 60\n[cam]\ntype = \"disk\"\n"
-         "follower = \"translating_knife\"\nbase_radius_mm = 40\npin_distance_mm = 3\n",
-         ""},
     };
 }
 
