@@ -194,8 +194,9 @@ void Iteration::polish_multipliers(InteriorPointResult& result) {
     constexpr int most = 2;
     constexpr double rounding = 1e-15, most_shrunk = 0.9;
     for (int k = 0; k < most && result.errors.dual > rounding; ++k) {
+        // Linear costs: any factorization removes it, that of the last step too.
         bool finite = true;
-        if (!newton_.prepare(point_, finite)) return;
+        if (model_.kind != CostKind::linear && !newton_.prepare(point_, finite)) return;
         tried_rest_ = rest_;
         tried_rest_.equality.setZero();
         tried_rest_.bound.setZero();
