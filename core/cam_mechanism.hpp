@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/cam_spec.hpp"
+#include "core/curvature.hpp"
 #include "core/follower_state.hpp"
 
 #include <Eigen/Core>
@@ -38,6 +39,10 @@ struct MechanismValue {
     Eigen::MatrixXd hessian;
     double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
 };
+
+/// factor_a a + factor_b b.
+[[nodiscard]] MechanismValue combined(double factor_a, const MechanismValue& a, double factor_b,
+                                      const MechanismValue& b);
 
 /// One state of one mechanism.
 struct MechanismState {
@@ -104,6 +109,17 @@ class CamMechanism {
     /// active: which dimensions the partials are by.
     [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
                                                   int station, std::span<const int> active) const = 0;
+    /// sign · N cos φ − D sin φ with the limit φ of the pressure angle, N and D its numerator and
+    /// denominator:
+    /// <= 0 where it is kept to that side. A mechanism may continue it otherwise where no motion comes that
+    /// keeps the limit to both sides at every cam angle.
+    [[nodiscard]] virtual MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
+                                                         int station, std::span<const int> active) const;
+    /// The shape of pressure_excess over all s and s', and the active dimensions.
+    [[nodiscard]] virtual Curvature pressure_shape(std::span<const int> active) const {
+        static_cast<void>(active);
+        return Curvature::general;
+    }
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;
     /// Its links at one output; empty where it cannot be drawn.

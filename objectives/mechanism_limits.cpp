@@ -13,11 +13,6 @@ using Shared = std::shared_ptr<const MechanismVariables>;
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 constexpr double least_scale = 1e-3;
 
-MechanismValue sum(double factor_a, const MechanismValue& a, double factor_b, const MechanismValue& b) {
-    return {factor_a * a.value + factor_b * b.value, factor_a * a.gradient + factor_b * b.gradient,
-            factor_a * a.hessian + factor_b * b.hessian, factor_a * a.by_angle + factor_b * b.by_angle};
-}
-
 MechanismValue shifted(MechanismValue value, double by) {
     value.value += by;
     return value;
@@ -34,14 +29,17 @@ void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int
     const auto& limit = scene.limits.pressure_angle;
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
     const double length = mechanism->formulas->length(mechanism->dimensions);
-    const double cosine = std::cos(limit->value) / length, sine = std::sin(limit->value) / length;
+    std::vector<int> active;
+    for (const MechanismVariables::Variable& variable : mechanism->variables)
+        active.push_back(variable.dimension);
     for (const int sign : {1, -1}) {
-        const auto value = [sign, cosine, sine](const MechanismCall& call) {
-            return sum(sign * cosine, call(MechanismQuantity::pressure_numerator), -sine,
-                       call(MechanismQuantity::pressure_denominator));
+        const auto value = [sign, length, angle = limit->value](const MechanismCall& call) {
+            const MechanismValue excess = call.pressure_excess(angle, sign);
+            return combined(1.0 / length, excess, 0.0, excess);
         };
-        rules.push_back(std::make_shared<MechanismRule>(
-            mechanism, MechanismFormula{limit->key, station, value, 1, limit->value}));
+        MechanismFormula formula{limit->key, station, value, 1, limit->value};
+        formula.shape = mechanism->formulas->pressure_shape(active);
+        rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
 }
 
@@ -79,7 +77,7 @@ void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int s
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
         const MechanismValue regularity = call(MechanismQuantity::regularity);
-        return shifted(sum(-1.0, regularity, 0.0, regularity), margin);
+        return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
     };
     rules.push_back(
         std::make_shared<MechanismRule>(mechanism, MechanismFormula{limit->key, station, value, 2, 1.0}));

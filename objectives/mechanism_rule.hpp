@@ -44,6 +44,9 @@ struct MechanismCall {
     [[nodiscard]] MechanismValue operator()(MechanismQuantity which) const {
         return formulas.quantity(which, state, station, active);
     }
+    [[nodiscard]] MechanismValue pressure_excess(double limit, int sign) const {
+        return formulas.pressure_excess(limit, sign, state, station, active);
+    }
     /// One of its dimensions as a quantity.
     [[nodiscard]] MechanismValue dimension(int index) const;
 };
@@ -55,6 +58,7 @@ struct MechanismFormula {
     std::function<MechanismValue(const MechanismCall&)> value;
     int highest_order = 2;
     double scale = 1.0;  ///< a value of this is a violation of 100 %
+    Curvature shape = Curvature::general;
 };
 
 class MechanismRule final : public PointRule {
@@ -63,7 +67,8 @@ class MechanismRule final : public PointRule {
 
     [[nodiscard]] std::string name() const override { return formula_.name; }
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
-    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] bool linear() const override { return formula_.shape == Curvature::linear; }
+    [[nodiscard]] Curvature curvature(double, double) const override { return formula_.shape; }
     [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return formula_.scale; }
@@ -77,7 +82,7 @@ class MechanismRule final : public PointRule {
 };
 
 /// Every limit of the scene on its mechanism, at every station:
-///   pressure angle   (± N cos φm − D sin φm)/L
+///   pressure angle   (± N cos φm − D sin φm)/L, by pressure_excess of the mechanism
 ///   convex radius    (r + ρ_min) κ − 1          planar
 ///   concave radius   −(ρ_c − r) κ − 1           planar
 ///   undercut margin  margin − regularity

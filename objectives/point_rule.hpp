@@ -6,6 +6,7 @@
 // the design vector: constant sparse maps do the chain rule (grid_nlp.hpp).
 #pragma once
 
+#include "core/curvature.hpp"
 #include "core/motion.hpp"
 #include "core/nlp.hpp"
 
@@ -24,9 +25,6 @@ struct RuleValue {
     Eigen::MatrixXd hessian;
     double by_place = 0.0;  ///< partial by x alone, for rules that depend on it besides the point
 };
-
-/// The shape of g over all motions whose displacements stay in a range, and all parameters in their bounds.
-enum class Curvature { linear, convex, general };
 
 /// Values of y' that a rule allows at all.
 struct SlopeRange {

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace camopt {
 namespace {
@@ -92,6 +94,10 @@ class SpatialMechanism final : public CamMechanism {
                 directions.transpose() * value.hessian * directions};
     }
 
+    [[nodiscard]] MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
+                                                 int station, std::span<const int> active) const override;
+    [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const override;
+
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
         const SpatialCam own = cam(state.dimensions);
@@ -124,6 +130,38 @@ class SpatialMechanism final : public CamMechanism {
     SpatialFollower follower_;
     Rotation rotation_;
 };
+
+/// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
+///   ±r ψ' cos φ − ρ sin u,  u = φ ± ψ,
+/// convex where 0 <= u <= π. A motion that rests at its ends and keeps the limit to both sides stays there:
+/// its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
+Curvature SpatialMechanism::pressure_shape(std::span<const int> active) const {
+    if (follower_ == SpatialFollower::cylindrical_translating) return Curvature::linear;
+    if (follower_ != SpatialFollower::barrel) return Curvature::general;
+    const bool fixed = std::ranges::none_of(active, [](int number) {
+        const auto which = static_cast<SpatialNumber>(number);
+        return which != SpatialNumber::roller_radius && which != SpatialNumber::lateral_offset &&
+               which != SpatialNumber::axial_offset;
+    });
+    return fixed ? Curvature::convex : Curvature::general;
+}
+
+/// Barrel cams: beyond 0 <= u <= π continued by the tangents of −ρ sin u, so that it is convex everywhere.
+MechanismValue SpatialMechanism::pressure_excess(double limit, int sign, const MechanismState& state,
+                                                 int station, std::span<const int> active) const {
+    MechanismValue excess = CamMechanism::pressure_excess(limit, sign, state, station, active);
+    if (pressure_shape(active) != Curvature::convex) return excess;
+    const SpatialCam own = cam(state.dimensions);
+    const double side = rotation_ == Rotation::clockwise ? -sign : sign;
+    const double u = limit + side * (own.start + state.output.s);
+    if (u >= 0.0 && u <= std::numbers::pi) return excess;
+    const double rho = own[SpatialDimension::center_distance] - station_of(own, station).height;
+    const double tangent = u < 0.0 ? -u : u - std::numbers::pi, slope = u < 0.0 ? -1.0 : 1.0;
+    excess.value += rho * (std::sin(u) + tangent);
+    excess.gradient(0) += rho * side * (std::cos(u) + slope);
+    excess.hessian(0, 0) -= rho * std::sin(u);
+    return excess;
+}
 
 }  // namespace
 

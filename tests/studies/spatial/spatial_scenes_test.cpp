@@ -102,6 +102,7 @@ void expect_sound_flanks(const Solution& solution) {
 /// Under 42 deg, where the modified sine has 43.78, and gentler than it in every peak.
 TEST(SpatialScenes, PaperCupMachineBelowTheModifiedSinesPressureAngle) {
     const Solution solution = solved("barrel_paper_cup");
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     expect_motion_of_the_scene(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const Rebuilt cam = paper_cup(150.0);
@@ -126,6 +127,7 @@ TEST(SpatialScenes, IndexingByACylindricalCam) {
 /// tan φ = s'/ρ, largest at the far end, 45 mm from the cam's axis.
 TEST(SpatialScenes, SlideOnACylindricalCam) {
     const Solution solution = solved("cylinder_slide");
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     expect_motion_of_the_scene(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const auto largest = [&](const Motion& motion) {
