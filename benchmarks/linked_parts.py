@@ -6,40 +6,32 @@ Shared libraries are those the program names itself (readelf -d); objects are co
 camopt; ldd counts what the loader brings in all. Bytes are those of code and data (size).
 """
 
-import collections
 import pathlib
 import re
 import subprocess
 import sys
 
-PROGRAMS = {"embed_laws": "motions", "embed_profile": "motions, profiles", "embed_solve": "studies and what it needs"}
-MEMBER = re.compile(r"^\S*libcamopt_(\w+)\.a\((\S+)\)")
+from linker_map import linked_objects
+
+PROGRAMS = {"benchmarks/embed_laws": "motions", "benchmarks/embed_profile": "motions, profiles",
+            "benchmarks/embed_solve": "studies and what it needs",
+            "tests/linking/solve_disk": "studies, input", "tests/linking/solve_remote": "the same, profiles_remote",
+            "tests/linking/solve_inverse": "the same, profiles_inverse",
+            "tests/linking/solve_spatial": "the same, profiles_spatial"}
 
 
 def output(*command):
     return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
-def linked_objects(path):
-    """How many object files of each camopt library the linker took."""
-    members = set()
-    for line in path.read_text(errors="replace").splitlines():
-        found = MEMBER.match(line)
-        if found:
-            members.add(found.groups())
-        if line.startswith("Memory Configuration"):
-            break
-    return collections.Counter(library for library, _ in sorted(members))
-
-
 def row(build, name, targets):
-    program = build / "benchmarks" / name
+    program = build / name
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", output("readelf", "-d", program))
     loaded = len(output("ldd", program).splitlines())
     text, data, bss = output("size", program).splitlines()[1].split()[:3]
-    objects = linked_objects(program.with_name(name + ".map"))
+    objects = linked_objects(program.with_suffix(".map"))
     counts = "; ".join(f"{library} {count}" for library, count in sorted(objects.items()))
-    return [build.name, name, targets, " ".join(needed), loaded, counts, sum(objects.values()),
+    return [build.name, program.name, targets, " ".join(needed), loaded, counts, sum(objects.values()),
             int(text) + int(data) + int(bss)]
 
 
@@ -47,7 +39,7 @@ def main():
     print("build,program,links,shared_libraries_named,shared_libraries_loaded,objects_by_folder,objects,bytes")
     for build in map(pathlib.Path, sys.argv[1:]):
         for name, targets in PROGRAMS.items():
-            if (build / "benchmarks" / name).exists():
+            if (build / name).exists():
                 print(",".join(f'"{cell}"' if isinstance(cell, str) else str(cell) for cell in row(build, name, targets)))
 
 

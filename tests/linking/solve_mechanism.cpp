@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// solve_…  SCENE: what a program for one kind of cam is made of. Each kind has its own formulas (FORMULAS,
+// below) and none of the others; the linker's map is then looked at.
+//
+// Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
+#include "input/scene_reader.hpp"
+#include "motions/law_catalogue.hpp"
+#include "solvers/registry.hpp"
+#include "studies/solve.hpp"
+
+#include <cstdio>
+#include <exception>
+
+#if defined(KIND_remote)
+#include "profiles/remote/remote_cam.hpp"
+#define FORMULAS(spec) std::make_shared<RemoteCam>(spec)
+#elif defined(KIND_inverse)
+#include "profiles/inverse/inverse_mechanism.hpp"
+#define FORMULAS(spec) inverse_mechanism(spec)
+#elif defined(KIND_spatial)
+#include "profiles/spatial/spatial_mechanism.hpp"
+#define FORMULAS(spec) spatial_mechanism(spec)
+#endif
+
+namespace camopt {
+
+namespace {
+
+Scene scene_of(const char* file) {
+    input::KnownNames known;
+    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
+    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
+    const std::vector<std::string> small = {"spline.segments=12", "solver.starts=1"};
+    Scene scene = input::read_scene_file(file, known, small);
+#ifdef FORMULAS
+    scene.mechanism.value().formulas = FORMULAS(*scene.mechanism);
+#endif
+    return scene;
+}
+
+bool solved_by_its_own_formulas(const char* file) {
+    const Solution solution = solve(scene_of(file));
+    std::printf("%s, %ld points of a profile\n", name_of(solution.certificate.verdict),
+                solution.evaluations.profile_points);
+#ifdef FORMULAS
+    return solution.motion && solution.mechanism && !solution.cam && solution.evaluations.profile_points > 0;
+#else
+    return solution.motion && solution.cam && !solution.mechanism && solution.evaluations.profile_points > 0;
+#endif
+}
+
+}  // namespace
+
+}  // namespace camopt
+
+int main(int, char** arguments) {
+    try {
+        return camopt::solved_by_its_own_formulas(arguments[1]) ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+}
