@@ -234,6 +234,19 @@ def section_checks(page):
             page.say(f"{other}: largest relative deviation of any follower by points: {worst}.", "")
         page.say(f"A follower runs over the exported points of every kind of cam; the check of one costs "
                  f"{seconds(statistics.median(number(row, 'seconds') for row in rows if row['law'] == law))} (median).", "")
+    rows = page.rows("mechanism_check.csv")
+    if rows:
+        page.say("## The finished cams of the mechanisms", "")
+        page.picture("mechanism_check.svg", pictures.mechanism_check(rows, page.machine), "Mechanism check")
+        lines = []
+        for scene in dict.fromkeys(row["scene"] for row in rows):
+            own = {int(row["asked"]): row for row in rows if row["scene"] == scene}
+            lines.append([scene, own[2000]["type"]] + [short(number(own[asked], "relative")) for asked in (125, 500, 2000, 8000)]
+                         + [seconds(number(own[2000], "seconds_points")), seconds(number(own[2000], "seconds"))])
+        page.say(*table(["scene", "type", "relative deviation, 125 points", "500", "2000", "8000", "making 2000 points",
+                         "their check"], lines, left=2))
+        page.say("Points a turn (remote), a section of either flank (barrel, cylindrical), a wall (inverse). The deviation is "
+                 "the output's, by its lift; of remote followers the roller's, by the prime radius.", "")
     rows = page.rows("peaks_by_sampling.csv")
     if rows:
         page.say("## Peaks: sampled against exact", "")

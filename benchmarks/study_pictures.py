@@ -93,6 +93,23 @@ def forward_check(rows, machine):
     return picture.svg()
 
 
+def mechanism_check(rows, machine):
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))
+    picture = Picture(1000, 500, "The finished cam of a mechanism: its points move the output",
+                      f"Largest deviation of the output, relative; the points alone drive it. {machine}")
+    picture.legend(90, 100, [(name, COLOURS[k], "circle", True) for k, name in enumerate(scenes)])
+    for (key, axis, title), box in zip((("asked", Axis(100, 10000, "points a turn or section"), "by points"),
+                                        ("seconds", Axis(1e-4, 10, "seconds of the check"), "by time")),
+                                       grid_boxes(2, 2, 380, 290)):
+        panel = Panel(picture, box, axis, Axis(1e-16, 1e-4, "relative deviation", stride=2), title)
+        for k, scene in enumerate(scenes):
+            own = [(number(row, key), max(number(row, "relative") or 0, 1e-16)) for row in rows if row["scene"] == scene]
+            panel.line(own, COLOURS[k])
+            for across, up in own:
+                panel.mark(across, up, COLOURS[k], size=3)
+    return picture.svg()
+
+
 def peaks_by_sampling(rows, machine):
     curves = list(dict.fromkeys(row["curve"] for row in rows))
     picture = Picture(1400, 515, "Peaks looked up on samples against exact extrema",
