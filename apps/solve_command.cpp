@@ -28,7 +28,14 @@ namespace {
 Scene requested_scene(const SolveRequest& request) {
     std::vector<std::string> settings = request.settings;
     if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    return load_scene(request.scene, settings);
+    Scene scene = load_scene(request.scene, settings);
+    if (request.dxf && scene.mechanism && scene.mechanism->type != "remote" &&
+        scene.mechanism->type != "inverse")
+        throw InputError(fmt::format(
+            "--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with types "
+            "\"disk\", \"remote\" and \"inverse\"; `camopt export` writes its flanks and solid",
+            scene.mechanism->type));
+    return scene;
 }
 
 Solution solve_with_progress(const Scene& scene) {

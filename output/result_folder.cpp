@@ -5,6 +5,7 @@
 #include "output/cam_profile.hpp"
 #include "output/certificate_json.hpp"
 #include "output/guide_files.hpp"
+#include "output/mechanism_dxf.hpp"
 #include "output/mechanism_files.hpp"
 #include "output/motion_csv.hpp"
 #include "output/motion_svg.hpp"
@@ -94,6 +95,8 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
         writer.write("guide.svg", texts.svg);
         writer.write("pressure_angle.svg", texts.pressure_angle_svg);
     }
+    if (options.dxf && has_plane_mechanism(solution))
+        writer.write("profile.dxf", mechanism_dxf(solution).text);
     writer.remove_others();
     writer.write("report.md", report_markdown(solution, origin));
     writer.write("certificate.json", certificate_json(solution.certificate));

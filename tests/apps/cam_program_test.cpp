@@ -148,10 +148,20 @@ TEST_F(CamProgram, AnInverseCamHasItsGuide) {
     for (const char* file : {"guide.csv", "guide.svg", "pressure_angle.svg", "report.md"})
         EXPECT_TRUE(wrote(file)) << file;
     EXPECT_FALSE(wrote("profile.csv"));
+    EXPECT_FALSE(wrote("profile.dxf"));
     const json check = result()["cam"]["forward_check"];
     ASSERT_FALSE(check.is_null());
     EXPECT_LT(check["relative"].get<double>(), 1e-8);
     EXPECT_NE(run.output.find("points of the guide's walls"), std::string::npos) << run.output;
+}
+
+TEST_F(CamProgram, ADrumHasNoDrawing) {
+    const ProgramRun run =
+        run_camopt("solve " + test::scene("barrel_paper_cup") + " --dxf --out '" + out() + "'");
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.errors.find("allowed: with types \"disk\", \"remote\" and \"inverse\""), std::string::npos)
+        << run.errors;
+    EXPECT_FALSE(wrote("result.json"));
 }
 
 TEST_F(CamProgram, CheckSaysWhichLimitsAreLinear) {
