@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "benchmarks/stability/mechanism_claims.hpp"
 #include "benchmarks/stability/profile_claims.hpp"
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
@@ -165,6 +166,7 @@ std::vector<StabilityCase> claim_cases() {
     claims.add("laws on a cam: modified sine", false, base_of_modified_sine);
     claims.add("numbers in files", true, numbers_read_back);
     for (StabilityCase& one : profile_claims()) claims.list.push_back(std::move(one));
+    for (StabilityCase& one : mechanism_claims()) claims.list.push_back(std::move(one));
     return std::move(claims.list);
 }
 

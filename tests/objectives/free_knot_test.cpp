@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{.name = "rms", .degree = 5, .segments = 4, .rms = true},
                     Case{.name = "via", .segments = 6, .via = true},
                     Case{.name = "cam", .segments = 5, .cam = true}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace camopt

@@ -121,8 +121,9 @@ TEST_F(LawLossesOfDrd, TheLeastJerkAtALawsVelocityAndAcceleration) {
     EXPECT_NEAR(more_jerk("cycloidal"), 14.0, 4.0);
     for (const LawLoss& loss : losses().laws) {
         for (std::size_t i = 0; i < 3; ++i) {
-            if (loss.least[i] && loss.closest->loss_percent > 0.0)
+            if (loss.least[i] && loss.closest->loss_percent > 0.0) {
                 EXPECT_LE(*loss.least[i], loss.peaks[i] + 1e-9);
+            }
         }
     }
 }

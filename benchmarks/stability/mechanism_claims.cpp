@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/stability/mechanism_claims.hpp"
+
+#include "benchmarks/stability/stability_scenes.hpp"
+#include "core/spatial_spec.hpp"
+#include "core/units.hpp"
+#include "output/mechanism_dxf.hpp"
+#include "output/profile_dxf.hpp"
+#include "output/profile_shape.hpp"
+#include "profiles/factory/mechanism_factory.hpp"
+#include "studies/check_cam.hpp"
+#include "studies/inverse/solved_guide.hpp"
+#include "studies/mechanism_report.hpp"
+#include "studies/solve.hpp"
+#include "studies/spatial/solved_cam.hpp"
+
+#include <cmath>
+
+namespace camopt::stability {
+
+namespace {
+
+using units::degree, units::millimetre;
+
+constexpr double micrometre = 1e-6;
+
+Scene mechanism_scene(const std::string& file) {
+    Scene scene = scene_of_file(file);
+    scene.solver.starts = 1;
+    complete_mechanism(scene);
+    return scene;
+}
+
+Expectation at_most(double value, std::string source) {
+    Expectation expected;
+    expected.most = value;
+    expected.accuracy = 0.0;
+    expected.source = std::move(source);
+    return expected;
+}
+
+StabilityRow drawing_of_disk(const std::string& file) {
+    const Solution solution = solve(scene_of_file(file));
+    const MotionChain motion = cam_motion(solution);
+    const ProfileShape shape = profile_shape(solution.cam.value().cam, motion, motion_scale(solution.scene));
+    return figure_row("arcs from the cam, µm", profile_dxf(shape).deviation / micrometre,
+                      at_most(1.0, "docs/cams.md: within 1 µm"));
+}
+
+StabilityRow drawing_of_mechanism(const std::string& file) {
+    return figure_row("arcs from the cam, µm",
+                      mechanism_dxf(solve(mechanism_scene(file))).deviation / micrometre,
+                      at_most(1.0, "docs/cams.md: within 1 µm"));
+}
+
+StabilityRow tappet_on_points() {
+    const Solution solution = solve(mechanism_scene("tappet_75.toml"));
+    return figure_row("deviation, mm", check_mechanism(solution, 6000).deviation / millimetre,
+                      at_most(1e-6, "docs/papers/003.md: 6000 points"));
+}
+
+StabilityRow drum_on_points(const std::string& file, double unit, const std::string& quantity) {
+    const Solution solution = solve(mechanism_scene(file));
+    return figure_row(quantity, check_spatial_cam(solution, 1601).deviation / unit,
+                      at_most(1e-8, "docs/papers: 1601 points a section"));
+}
+
+StabilityRow guide_on_points() {
+    const Solution solution = solve(mechanism_scene("inverse_feeder.toml"));
+    return figure_row("deviation / lift", check_inverse_cam(solution, 2000).relative,
+                      at_most(1e-9, "docs/papers/000.md"));
+}
+
+/// The slide's pressure angle is a cap on its velocity: the same optimum, by a scene without a cam.
+StabilityRow slide_as_a_cap() {
+    const Scene scene = mechanism_scene("cylinder_slide.toml");
+    const auto number = [&](SpatialNumber which) {
+        return scene.mechanism->dimensions[static_cast<std::size_t>(which)].value.low;
+    };
+    Scene capped = scene;
+    capped.mechanism.reset();
+    capped.limits = {};
+    const double radius = number(SpatialNumber::center_distance) - number(SpatialNumber::roller_length);
+    const double slope = radius * std::tan(scene.limits.pressure_angle->value);
+    const double cap = slope * scene.motion.unit_angle() / scene.motion.lift;
+    capped.limits.velocity = PeakLimit{cap, "limits.velocity", cap, ""};
+    Expectation expected = proved_optimum(capped, "the scene with a cap on the velocity instead, proved");
+    expected.accuracy = 1e-7;
+    return solved_row(scene, expected);
+}
+
+/// docs/papers/002.md: printed with four digits, proved.
+StabilityRow paper_cup_peak() {
+    const Solution solution = solve(mechanism_scene("barrel_paper_cup.toml"));
+    Expectation expected = exactly(5.358, "docs/papers/002.md", 0.0);
+    expected.digits = 0.5001e-3 / 5.358;
+    StabilityRow row = figure_row("A, proved", solution.peaks.acceleration.value, expected);
+    row.verdict = name_of(solution.certificate.verdict);
+    if (solution.certificate.verdict != Verdict::optimal) {
+        row.judgement = Judgement::wrong;
+        row.why = "the manual says proved optimal";
+    }
+    return row;
+}
+
+}  // namespace
+
+std::vector<StabilityCase> mechanism_claims() {
+    std::vector<StabilityCase> cases;
+    const auto add = [&](const std::string& name, bool quick, std::function<StabilityRow()> run) {
+        cases.push_back(make_case("claims", name, quick, std::move(run)));
+    };
+    for (const char* file : {"cam_roller.toml", "cam_flat.toml", "cam_arm_roller.toml"})
+        add(std::string(file) + ": profile.dxf", false, [file] { return drawing_of_disk(file); });
+    for (const char* file : {"tappet_75.toml", "inverse_feeder.toml"})
+        add(std::string(file) + ": profile.dxf", false, [file] { return drawing_of_mechanism(file); });
+    add("tappet_75.toml: forward check", false, tappet_on_points);
+    for (const char* file : {"barrel_paper_cup.toml", "ocrf_indexing.toml"})
+        add(std::string(file) + ": forward check", false,
+            [file] { return drum_on_points(file, 1.0, "deviation, rad"); });
+    add("cylinder_slide.toml: forward check", false,
+        [] { return drum_on_points("cylinder_slide.toml", millimetre, "deviation, mm"); });
+    add("inverse_feeder.toml: forward check", false, guide_on_points);
+    add("cylinder_slide.toml", true, slide_as_a_cap);
+    add("barrel_paper_cup.toml", true, paper_cup_peak);
+    return cases;
+}
+
+}  // namespace camopt::stability
