@@ -7,7 +7,10 @@
 
 namespace camopt {
 
-/// Some seconds: two solves.
+/// What the paper has, without a solve.
+[[nodiscard]] PaperReport paper_002_as_printed(const PaperProgress& finished = {});
+
+/// And what an optimised motion gains. Some seconds: two solves.
 [[nodiscard]] PaperReport paper_002(const SolveControl& control = {}, const PaperProgress& finished = {});
 
 }  // namespace camopt
