@@ -7,6 +7,7 @@
 #include "input/scene_reader.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/csv_line.hpp"
+#include "profiles/factory/mechanism_factory.hpp"
 #include "solvers/registry.hpp"
 #include "studies/solve_without_explaining.hpp"
 
@@ -31,11 +32,13 @@ input::KnownNames known_names() {
 
 bool print_row(const std::filesystem::path& file) {
     Scene scene = input::read_scene_file(file, known_names());
+    complete_mechanism(scene);
     scene.solver.max_seconds = std::min(scene.solver.max_seconds, most_seconds);
     const Solution solution = solve_without_explaining(scene, {});
     const EvaluationCounts& counts = solution.evaluations;
     CsvLine line;
-    line.words(file.stem().string()).words(scene.cam ? "yes" : "no").words(solution.solver.name);
+    const bool has_cam = scene.cam || scene.mechanism;
+    line.words(file.stem().string()).words(has_cam ? "yes" : "no").words(solution.solver.name);
     line.words(name_of(solution.certificate.verdict)).words(solution.solver.convex ? "yes" : "no");
     line.count(solution.solver.starts)
         .count(solution.solver.exchange_rounds)
@@ -44,7 +47,7 @@ bool print_row(const std::filesystem::path& file) {
     line.count(counts.hessian).count(counts.profile_points).number(solution.seconds_solve);
     std::fputs(line.finish().c_str(), stdout);
     std::fflush(stdout);
-    const bool kept = scene.cam || counts.profile_points == 0;
+    const bool kept = has_cam || counts.profile_points == 0;
     if (!kept) std::fprintf(stderr, "evaluation_counts: %s has no cam\n", file.c_str());
     return kept;
 }

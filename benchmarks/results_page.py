@@ -309,7 +309,7 @@ def section_rivals(page):
              "ftol 1e-12 up to 64 segments; Octave `glpk` (primal, dual, dual without presolve, interior point up to 64 segments; "
              "tolerances 1e-9) and `sqp` (up to 24 segments, tolerance 1e-10), stopped after 10 s; Clp (dual, primal, with "
              "and without presolve, barrier up to 12 segments; tolerances 1e-9); Ipopt (predictor-corrector, adaptive, "
-             "monotone; peaks as dense columns and as chained copies; tolerance 1e-9). Both forms of the design vector for all but Ipopt and the structured solver "
+             "monotone; peaks as dense columns and as chained copies; tolerance 1e-9); the structured solver (tolerances 1e-7, 1e-8, 1e-9). Both forms of the design vector for all but Ipopt and the structured solver "
              "(`states`). Slow ways are timed once. Every attempt is a row of `final_lp.csv`.", "")
 
 

@@ -2,8 +2,11 @@
 #include "solvers/structured/standard_form.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -14,7 +17,14 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
+/// The nearest one by ratio. Of a normal number: what √2 lacks to 2, added to its bits, carries into the
+/// exponent from √2 on.
 double power_of_two_near(double value) {
+    constexpr std::uint64_t fraction = (std::uint64_t{1} << 52) - 1;
+    constexpr std::uint64_t lacking =
+        (std::uint64_t{1} << 52) - (std::bit_cast<std::uint64_t>(std::numbers::sqrt2) & fraction);
+    if (value >= std::numeric_limits<double>::min() && value <= 0.25 * std::numeric_limits<double>::max())
+        return std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) + lacking) & ~fraction);
     int exponent = 0;
     const double part = std::frexp(value, &exponent);  // in [1/2, 1)
     return std::ldexp(1.0, part < std::numbers::sqrt2 / 2.0 ? exponent - 1 : exponent);
@@ -140,7 +150,10 @@ void StandardForm::read(const VectorXd& start) {
     problem_.constraints(start, at_start);
     constant_ = at_start - full_ * start;
     // Rounding of the difference must not move a homogeneous row.
-    const VectorXd size = at_start.cwiseAbs() + full_.cwiseAbs() * start.cwiseAbs();
+    VectorXd size = at_start.cwiseAbs();
+    for (Index j = 0; j < full_.outerSize(); ++j)
+        for (Matrix::InnerIterator entry(full_, j); entry; ++entry)
+            size[entry.row()] += std::abs(entry.value() * start[j]);
     for (Index i = 0; i < constant_.size(); ++i)
         if (std::abs(constant_[i]) <= 1e-14 * size[i]) constant_[i] = 0.0;
     const bool finite = constant_.allFinite() &&
