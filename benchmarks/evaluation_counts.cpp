@@ -4,11 +4,10 @@
 //
 // CSV on the standard output, a line a scene. Ends with code 1 where a scene without a cam evaluated a point
 // of a profile, or could not be solved at all.
+#include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
 #include "output/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 #include "studies/solve_without_explaining.hpp"
 
 #include <algorithm>
@@ -22,13 +21,6 @@ namespace camopt::benchmarks {
 namespace {
 
 constexpr double most_seconds = 10.0;
-
-input::KnownNames known_names() {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& entry : solver_entries()) known.solvers.push_back(entry.name);
-    return known;
-}
 
 bool print_row(const std::filesystem::path& file) {
     Scene scene = input::read_scene_file(file, known_names());

@@ -6,12 +6,11 @@
 // the output (m or rad), relative (as the check of that mechanism counts it), theta_deg of the largest
 // deviation, seconds to make the points and to look up the design, seconds of the contact simulation. The
 // motion is the scene's optimum from one start.
+#include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
 #include "output/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 #include "studies/inverse/solved_guide.hpp"
 #include "studies/mechanism_report.hpp"
 #include "studies/solve.hpp"
@@ -29,11 +28,8 @@ namespace camopt::benchmarks {
 namespace {
 
 Solution solved(const std::string& file) {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     const std::vector<std::string> one_start = {"solver.starts=1"};
-    Scene scene = input::read_scene_file(file, known, one_start);
+    Scene scene = input::read_scene_file(file, known_names(), one_start);
     complete_mechanism(scene);
     Solution solution = solve(scene);
     if (!solution.motion || !solution.mechanism) throw std::runtime_error(file + ": no cam was delivered");

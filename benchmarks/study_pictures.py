@@ -29,6 +29,12 @@ def grid_boxes(count, columns, width, height):
         yield (90 + (index % columns) * (width + 100), 150 + (index // columns) * (height + 95), width, height)
 
 
+def marked_line(panel, points, colour, size):
+    panel.line(points, colour)
+    for across, up in points:
+        panel.mark(across, up, colour, size=size)
+
+
 def error_against_time(rows, machine):
     backends = list(dict.fromkeys(row["backend"] for row in rows))
     columns = 3
@@ -87,9 +93,7 @@ def forward_check(rows, machine):
         for k, follower in enumerate(followers):
             own = [(number(row, key), max(number(row, "relative") or 0, 1e-16)) for row in rows
                    if row["law"] == law and row["follower"] == follower and row["rotation"] == "counterclockwise"]
-            panel.line(own, COLOURS[k])
-            for across, up in own:
-                panel.mark(across, up, COLOURS[k], size=3)
+            marked_line(panel, own, COLOURS[k], 3)
     return picture.svg()
 
 
@@ -104,9 +108,7 @@ def mechanism_check(rows, machine):
         panel = Panel(picture, box, axis, Axis(1e-16, 1e-4, "relative deviation", stride=2), title)
         for k, scene in enumerate(scenes):
             own = [(number(row, key), max(number(row, "relative") or 0, 1e-16)) for row in rows if row["scene"] == scene]
-            panel.line(own, COLOURS[k])
-            for across, up in own:
-                panel.mark(across, up, COLOURS[k], size=3)
+            marked_line(panel, own, COLOURS[k], 3)
     return picture.svg()
 
 
@@ -124,9 +126,7 @@ def peaks_by_sampling(rows, machine):
         for k, curve in enumerate(curves):
             own = [(int(row["samples"]), max(-(number(row, key) or 0), 1e-10)) for row in rows
                    if row["curve"] == curve and row["samples"] != "0"]
-            panel.line(own, COLOURS[k])
-            for across, up in own:
-                panel.mark(across, up, COLOURS[k], size=2.5)
+            marked_line(panel, own, COLOURS[k], 2.5)
     return picture.svg()
 
 

@@ -35,20 +35,6 @@ bool has_default(DimensionIndex index) {
     return index == DimensionIndex::offset || index == DimensionIndex::face_offset;
 }
 
-Dimension read_dimension(const Given& given) {
-    const Node& value = given.value();
-    const double factor = given.spelling->factor;
-    Dimension dimension;
-    if (value.kind == NodeKind::table)
-        dimension = {value.find("min")->value.as_number() * factor,
-                     value.find("max")->value.as_number() * factor};
-    else
-        dimension = given.number();
-    dimension.key = joined_key("cam", given.member->name);
-    dimension.unit = factor;
-    return dimension;
-}
-
 /// Forces have units of N where the follower translates and of N m where it swings.
 void check_force_unit(const SceneSource& source, std::string_view table, std::string_view quantity,
                       bool oscillating) {
@@ -110,7 +96,7 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
         const auto given = source.find("cam", name_of(index));
         if (given && !owned) refuse_dimension(source, *given, cam.follower, followers_with(index));
         if (!given && owned && !has_default(index)) refuse_missing(source, cam.follower, index);
-        if (given) cam[index] = read_dimension(*given);
+        if (given) cam[index] = given->dimension();
     }
     if (const auto width = source.find("cam", "face_half_width")) {
         if (cam.follower != FollowerType::translating_flat)

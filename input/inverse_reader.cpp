@@ -12,18 +12,6 @@ namespace {
 
 using enum InverseNumber;
 
-Dimension read_dimension(const Given& given) {
-    const Node& value = given.value();
-    const double factor = given.spelling->factor;
-    Dimension dimension = value.kind == NodeKind::table
-                              ? Dimension(value.find("min")->value.as_number() * factor,
-                                          value.find("max")->value.as_number() * factor)
-                              : Dimension(given.number());
-    dimension.key = joined_key("cam", given.member->name);
-    dimension.unit = factor;
-    return dimension;
-}
-
 /// What a scene need not say.
 std::optional<double> default_of(InverseNumber number) {
     if (number == pin_angle || number == rocker_pivot_y) return 0.0;
@@ -33,7 +21,7 @@ std::optional<double> default_of(InverseNumber number) {
 void read_one(const SceneSource& source, InverseNumber number, Dimension& target) {
     const std::string name = name_of_number(number);
     if (const auto given = source.find("cam", name)) {
-        target = read_dimension(*given);
+        target = given->dimension();
         return;
     }
     for (const KeyRow& row : scene_keys()) {

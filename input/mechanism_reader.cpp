@@ -34,18 +34,6 @@ const KeyRow& row_of(RemoteDimension which) {
     return scene_keys().front();
 }
 
-Dimension read_dimension(const Given& given) {
-    const Node& value = given.value();
-    const double factor = given.spelling->factor;
-    Dimension dimension = value.kind == NodeKind::table
-                              ? Dimension(value.find("min")->value.as_number() * factor,
-                                          value.find("max")->value.as_number() * factor)
-                              : Dimension(given.number());
-    dimension.key = joined_key(given.row->table, given.member->name);
-    dimension.unit = factor;
-    return dimension;
-}
-
 class RemoteReader {
  public:
     explicit RemoteReader(const SceneSource& source) : source_(source) {
@@ -93,7 +81,7 @@ class RemoteReader {
             return;
         }
         if (given) {
-            target = read_dimension(*given);
+            target = given->dimension();
             return;
         }
         const std::optional<double> value = default_of(which);

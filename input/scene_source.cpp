@@ -13,6 +13,16 @@ std::string joined_key(std::string_view table, std::string_view key) {
     return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
 }
 
+Dimension Given::dimension() const {
+    const double factor = spelling->factor;
+    const auto end = [&](const char* name) { return value().find(name)->value.as_number() * factor; };
+    Dimension dimension =
+        value().kind == NodeKind::table ? Dimension(end("min"), end("max")) : Dimension(number());
+    dimension.key = joined_key(row->table, member->name);
+    dimension.unit = factor;
+    return dimension;
+}
+
 const Node* SceneSource::table(std::string_view path) const {
     const Node* node = &root;
     while (!path.empty()) {

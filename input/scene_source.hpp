@@ -3,6 +3,7 @@
 // place. Internal to input/.
 #pragma once
 
+#include "core/cam_spec.hpp"
 #include "input/document.hpp"
 #include "input/scene_keys.hpp"
 
@@ -22,6 +23,8 @@ struct Given {
     [[nodiscard]] const Node& value() const { return member->value; }
     /// SI value of a number.
     [[nodiscard]] double number() const { return member->value.as_number() * spelling->factor; }
+    /// A number or a range of one, in SI, with the key and the unit it was written in.
+    [[nodiscard]] Dimension dimension() const;
 };
 
 class SceneSource {

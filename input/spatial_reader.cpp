@@ -14,18 +14,6 @@ namespace {
 
 using enum SpatialFollower;
 
-Dimension read_dimension(const Given& given) {
-    const Node& value = given.value();
-    const double factor = given.spelling->factor;
-    Dimension dimension = value.kind == NodeKind::table
-                              ? Dimension(value.find("min")->value.as_number() * factor,
-                                          value.find("max")->value.as_number() * factor)
-                              : Dimension(given.number());
-    dimension.key = joined_key("cam", given.member->name);
-    dimension.unit = factor;
-    return dimension;
-}
-
 /// How a number is written in [cam]; empty: not at all.
 std::string key_of(SpatialFollower follower, SpatialNumber number) {
     const bool slides = follower == cylindrical_translating;
@@ -107,7 +95,7 @@ class SpatialReader {
         const std::string name = key_of(follower_, number);
         if (!name.empty())
             if (const auto given = source_.find("cam", name)) {
-                target = read_dimension(*given);
+                target = given->dimension();
                 return;
             }
         const KeyRow* row = nullptr;

@@ -7,6 +7,7 @@
 #include "output/mechanism_figures.hpp"
 #include "output/paper_figure_svg.hpp"
 #include "studies/check_cam.hpp"
+#include "studies/mechanism_report.hpp"
 
 namespace camopt {
 
@@ -62,12 +63,9 @@ std::string drawing(const Walls& walls, const std::string& title) {
 
 }  // namespace
 
-bool has_guide(const Solution& solution) {
-    return solution.mechanism && solution.mechanism->mechanism.formulas->type() == "inverse";
-}
-
 GuideTexts guide_texts(const Solution& solution, std::optional<int> points) {
-    if (!has_guide(solution)) throw InputError("a guide needs an inverse cam, and this solution has none");
+    if (!has_inverse_cam(solution))
+        throw InputError("a guide needs an inverse cam, and this solution has none");
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const int count = points.value_or(default_profile_points(motion, scale));

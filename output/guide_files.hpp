@@ -19,9 +19,6 @@ struct GuideTexts {
     std::string csv, svg, pressure_angle_svg;
 };
 
-/// Whether the solution delivers an inverse cam.
-[[nodiscard]] bool has_guide(const Solution& solution);
-
 /// points: of the table, evenly by cam angle; default one a tenth of a degree. Throws InputError where the
 /// solution has no guide.
 [[nodiscard]] GuideTexts guide_texts(const Solution& solution, std::optional<int> points = {});

@@ -4,8 +4,8 @@
 #include "core/errors.hpp"
 #include "output/arc_chain.hpp"
 #include "output/dxf_drawing.hpp"
-#include "output/guide_files.hpp"
 #include "studies/check_cam.hpp"
+#include "studies/mechanism_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,8 @@ ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed,
 }  // namespace
 
 bool has_plane_mechanism(const Solution& solution) {
-    return solution.mechanism && (solution.mechanism->mechanism.formulas->planar() || has_guide(solution));
+    return solution.mechanism &&
+           (solution.mechanism->mechanism.formulas->planar() || has_inverse_cam(solution));
 }
 
 MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
@@ -100,7 +101,7 @@ MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const Outline outline(mechanism, motion, scale);
-    const bool guide = has_guide(solution);
+    const bool guide = has_inverse_cam(solution);
     const char* const cam = guide ? "WALLS" : "CAM";
     DxfDrawing drawing({{cam, 7, DxfLine::continuous},
                         {"PITCH", 5, DxfLine::dashed},

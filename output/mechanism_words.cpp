@@ -2,9 +2,9 @@
 #include "output/mechanism_words.hpp"
 
 #include "core/units.hpp"
-#include "output/guide_files.hpp"
 #include "output/key_words.hpp"
 #include "output/number_text.hpp"
+#include "studies/mechanism_report.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ std::string degrees_at(const Solution& solution, double x) {
 std::string undercut_remark(const Solution& solution) {
     const MechanismSummary& summary = solution.mechanism->summary;
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
-    if (has_guide(solution))
+    if (has_inverse_cam(solution))
         return fmt::format(
             "UNDERCUT at {} deg: a wall of the guide crosses itself there and does not lead the roller as "
             "designed. A smaller roller or a longer stroke helps; the limit undercut_margin = 0 rules "
@@ -58,7 +58,7 @@ std::string limited_remark(const Solution& solution) {
 }
 
 std::string what_was_driven(const Solution& solution, int points) {
-    if (has_guide(solution))
+    if (has_inverse_cam(solution))
         return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
     if (solution.mechanism->mechanism.formulas->planar())
         return fmt::format("lever and linkage run over {} points of the cam", points);

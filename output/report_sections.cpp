@@ -4,7 +4,6 @@
 #include "output/cam_remarks.hpp"
 #include "output/cam_words.hpp"
 #include "output/display_scale.hpp"
-#include "output/guide_files.hpp"
 #include "output/infeasible_words.hpp"
 #include "output/key_words.hpp"
 #include "output/mechanism_words.hpp"
@@ -12,6 +11,7 @@
 #include "output/peak_comparison.hpp"
 #include "output/segment_table.hpp"
 #include "output/text_table.hpp"
+#include "studies/mechanism_report.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +66,7 @@ std::string mechanism_section(const Solution& solution) {
         text +=
             "![Cam and linkage to scale](mechanism.svg)\n\n"
             "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n";
-    else if (has_guide(solution))
+    else if (has_inverse_cam(solution))
         text += "![The guide to scale](guide.svg)\n\n![Pressure angle](pressure_angle.svg)\n";
     else
         text += "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";

@@ -12,6 +12,7 @@
 #include "output/report.hpp"
 #include "output/result_json.hpp"
 #include "output/text_file.hpp"
+#include "studies/mechanism_report.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
         writer.write("pressure_angle.svg", texts.pressure_angle_svg);
         writer.write("curvature.svg", texts.curvature_svg);
     }
-    if (has_guide(solution)) {
+    if (has_inverse_cam(solution)) {
         const GuideTexts texts = guide_texts(solution, options.points);
         writer.write("guide.csv", texts.csv);
         writer.write("guide.svg", texts.svg);

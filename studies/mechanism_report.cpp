@@ -8,6 +8,10 @@
 
 namespace camopt {
 
+bool has_inverse_cam(const Solution& solution) {
+    return solution.mechanism && solution.mechanism->mechanism.formulas->type() == "inverse";
+}
+
 MechanismReport mechanism_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {
     if (!scene.mechanism || !scene.mechanism->formulas)
         throw InputError("a mechanism cannot be reported without its formulas");

@@ -9,6 +9,9 @@
 
 namespace camopt {
 
+/// Whether an inverse cam was delivered.
+[[nodiscard]] bool has_inverse_cam(const Solution& solution);
+
 /// The scene's mechanism with these dimensions, driven by the motion. Throws InputError where its formulas
 /// are missing.
 [[nodiscard]] MechanismReport mechanism_report(const Scene& scene, std::vector<double> dimensions,

@@ -31,14 +31,6 @@ Scene mechanism_scene(const std::string& file) {
     return scene;
 }
 
-Expectation at_most(double value, std::string source) {
-    Expectation expected;
-    expected.most = value;
-    expected.accuracy = 0.0;
-    expected.source = std::move(source);
-    return expected;
-}
-
 StabilityRow drawing_of_disk(const std::string& file) {
     const Solution solution = solve(scene_of_file(file));
     const MotionChain motion = cam_motion(solution);

@@ -21,14 +21,6 @@ namespace {
 
 using units::degree, units::millimetre;
 
-Expectation at_most(double value, std::string source) {
-    Expectation expected;
-    expected.most = value;
-    expected.accuracy = 0.0;
-    expected.source = std::move(source);
-    return expected;
-}
-
 /// benchmarks/README.md: a turn with a dwell, a rise, a dwell and a fall on a roller with offset.
 StabilityRow law_on_points(const std::string& law, int points, double claimed) {
     const std::shared_ptr<const Motion> shape = make_law(law);

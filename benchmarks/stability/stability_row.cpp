@@ -104,6 +104,14 @@ Expectation exactly(double objective, std::string source, double accuracy) {
     return expected;
 }
 
+Expectation at_most(double value, std::string source) {
+    Expectation expected;
+    expected.most = value;
+    expected.accuracy = 0.0;
+    expected.source = std::move(source);
+    return expected;
+}
+
 bool is_available(const std::string& backend) {
     return backend == "auto" || std::ranges::any_of(solver_entries(), [&](const SolverEntry& entry) {
                return entry.name == backend && entry.available;

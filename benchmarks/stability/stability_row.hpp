@@ -29,6 +29,7 @@ struct Expectation {
 };
 
 [[nodiscard]] Expectation exactly(double objective, std::string source, double accuracy = 1e-9);
+[[nodiscard]] Expectation at_most(double value, std::string source);
 
 /// unsolved: a weaker verdict than expected, with its reason; everything it claims is true. wrong: a claim
 /// that is not.

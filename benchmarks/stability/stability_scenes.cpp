@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/stability_scenes.hpp"
 
+#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
-#include "solvers/registry.hpp"
 #include "studies/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -12,13 +11,6 @@
 namespace camopt::stability {
 
 namespace {
-
-input::KnownNames known_names() {
-    input::KnownNames names;
-    for (const LawInfo& law : law_catalogue()) names.laws.emplace_back(law.key);
-    for (const SolverEntry& entry : solver_entries()) names.solvers.push_back(entry.name);
-    return names;
-}
 
 /// A figure printed with so many decimals is known to half the last one.
 Expectation printed(double objective, double last_decimal, std::string source) {

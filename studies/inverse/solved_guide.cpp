@@ -8,6 +8,7 @@
 #include "profiles/sampling.hpp"
 #include "studies/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
+#include "studies/mechanism_report.hpp"
 #include "studies/mechanism_summary.hpp"
 
 #include <algorithm>
@@ -56,13 +57,8 @@ Machine machine_of(const Solution& solution, const Motion& motion) {
 
 }  // namespace
 
-bool has_inverse_cam(const Solution& solution) {
-    return solution.scene.mechanism && solution.scene.mechanism->type == "inverse";
-}
-
 ForwardCheckReport check_inverse_cam(const Solution& solution, int points) {
-    if (!has_inverse_cam(solution) || !solution.mechanism)
-        throw InputError("an inverse cam is needed, and this solution has none");
+    if (!has_inverse_cam(solution)) throw InputError("an inverse cam is needed, and this solution has none");
     const MotionChain motion = cam_motion(solution);
     const Machine machine = machine_of(solution, motion);
     const std::vector<double>& numbers = solution.mechanism->mechanism.dimensions;

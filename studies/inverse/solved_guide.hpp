@@ -6,9 +6,6 @@
 
 namespace camopt {
 
-/// Whether the scene's cam is an inverse one.
-[[nodiscard]] bool has_inverse_cam(const Solution& solution);
-
 /// The roller touches either wall of the slot, of `points` points each (slot_check of inverse_forward.hpp),
 /// at as many places of its stroke. The deviation is that of the feeder, m: the body's by dY/dpsi at that
 /// place; relative: by the lift. Throws InputError for a solution without such a cam or whose wall cannot be

@@ -2,12 +2,11 @@
 #include "core/inverse_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <iterator>
 
 namespace camopt::input {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 bool is_angle(const std::string& name) {
     return name.ends_with("angle");
@@ -35,20 +34,10 @@ std::vector<KeyCase> inverse_cases() {
     for (int i = 0; i < inverse_number_count; ++i) {
         const std::string name = name_of_number(static_cast<InverseNumber>(i));
         const std::string key = "cam." + name;
-        const auto add = [&](const char* unit, const char* text, double value) {
-            const auto low = [i](const Scene& s) {
-                return s.mechanism.value().dimensions.at(static_cast<std::size_t>(i)).value.low;
-            };
-            all.push_back({key + unit, text, value, low, inverse(key)});
+        const auto low = [i](const Scene& s) {
+            return s.mechanism.value().dimensions.at(static_cast<std::size_t>(i)).value.low;
         };
-        if (is_angle(name)) {
-            add("_deg", "45", pi / 4);
-            add("_rad", "0.5", 0.5);
-        } else {
-            add("_mm", "120", 0.12);
-            add("_in", "2", 0.0508);
-            add("_m", "0.25", 0.25);
-        }
+        std::ranges::move(dimension_cases(key, is_angle(name), low, inverse(key)), std::back_inserter(all));
     }
     return all;
 }

@@ -2,15 +2,14 @@
 #include "core/remote_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <iterator>
 
 namespace camopt::input {
 namespace {
 
 using enum RemoteDimension;
 using enum RemoteLinkage;
-
-constexpr double pi = std::numbers::pi;
 
 /// A remote cam's scene, without one of its quantities.
 std::string remote(RemoteLinkage linkage, const std::string& except = "") {
@@ -66,17 +65,7 @@ std::vector<KeyCase> remote_cases() {
         const auto which = static_cast<RemoteDimension>(i);
         const std::string key = std::string(table_of(which)) + "." + name_of(which);
         const std::string rest = remote(linkage_with(which), key);
-        const auto add = [&](const char* unit, const char* text, double value) {
-            all.push_back({key + unit, text, value, low(which), rest});
-        };
-        if (is_angle(which)) {
-            add("_deg", "45", pi / 4);
-            add("_rad", "0.5", 0.5);
-        } else {
-            add("_mm", "120", 0.12);
-            add("_in", "2", 0.0508);
-            add("_m", "0.25", 0.25);
-        }
+        std::ranges::move(dimension_cases(key, is_angle(which), low(which), rest), std::back_inserter(all));
     }
     return all;
 }

@@ -36,6 +36,15 @@ double jerk_cap(const Scene& s) {
 
 }  // namespace
 
+std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
+                                     const std::function<double(const Scene&)>& got,
+                                     const std::string& rest) {
+    if (is_angle) return {{key + "_deg", "45", pi / 4, got, rest}, {key + "_rad", "0.5", 0.5, got, rest}};
+    return {{key + "_mm", "120", 0.12, got, rest},
+            {key + "_in", "2", 0.0508, got, rest},
+            {key + "_m", "0.25", 0.25, got, rest}};
+}
+
 std::vector<KeyCase> motion_cases() {
     return {
         {"title", "\"x\"", 1, [](const Scene& s) { return s.title == "x" ? 1.0 : 0.0; }},

@@ -18,6 +18,10 @@ struct KeyCase {
     std::string rest = {};  ///< what the key needs beside it
 };
 
+/// A dimension in every unit it may be written in; `key` without its unit.
+std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
+                                     const std::function<double(const Scene&)>& got, const std::string& rest);
+
 std::vector<KeyCase> motion_cases();
 std::vector<KeyCase> segment_cases();
 std::vector<KeyCase> spline_cases();

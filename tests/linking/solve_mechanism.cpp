@@ -3,9 +3,8 @@
 // below) and none of the others; the linker's map is then looked at.
 //
 // Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
+#include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
-#include "solvers/registry.hpp"
 #include "studies/solve.hpp"
 
 #include <cstdio>
@@ -27,11 +26,8 @@ namespace camopt {
 namespace {
 
 Scene scene_of(const char* file) {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     const std::vector<std::string> small = {"spline.segments=12", "solver.starts=1"};
-    Scene scene = input::read_scene_file(file, known, small);
+    Scene scene = input::read_scene_file(file, known_names(), small);
 #ifdef FORMULAS
     scene.mechanism.value().formulas = FORMULAS(*scene.mechanism);
 #endif

@@ -3,13 +3,12 @@
 // points between their knots.
 #include "output/mechanism_dxf.hpp"
 
+#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "dxf_text.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
 #include "output/result_folder.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 #include "studies/check_cam.hpp"
 #include "studies/solve.hpp"
 
@@ -22,13 +21,10 @@ constexpr double millimetre = 1e-3;
 constexpr int places = 4001;
 
 Solution solved(const std::string& name, const std::vector<std::string>& settings = {}) {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     std::vector<std::string> quick = {"solver.starts=1"};
     quick.insert(quick.end(), settings.begin(), settings.end());
-    Scene scene =
-        input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml", known, quick);
+    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
+                                         known_names(), quick);
     complete_mechanism(scene);
     return solve(scene);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The optimised scene of an inverse cam, rebuilt from the delivered motion alone: rocker, pin and body from
 // positions with own formulas, the guide's tangent and curvature by differences.
+#include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/law_catalogue.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 #include "studies/inverse/solved_guide.hpp"
 #include "studies/solve.hpp"
 
@@ -28,11 +28,8 @@ constexpr int fine = 20000;
 constexpr double step = 1e-4;  // of the rise, for differences
 
 Scene scene_of_the_feeder() {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     Scene scene =
-        input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/inverse_feeder.toml", known);
+        input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/inverse_feeder.toml", known_names());
     complete_mechanism(scene);
     return scene;
 }

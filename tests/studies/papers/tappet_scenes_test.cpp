@@ -2,12 +2,11 @@
 // What the paper could not do: the tappets' dwells within 30 deg. The delivered motion alone makes the cam
 // again here: own dyads by the law of cosines, the roller's path differentiated numerically, none of the
 // formulas that the optimizer saw.
+#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 #include "studies/mechanism_report.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve.hpp"
@@ -65,10 +64,7 @@ double pressure_angle(const Displacement& s, double theta) {
 }
 
 Scene scene_of(const std::string& file) {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + file, known);
+    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + file, known_names());
     complete_mechanism(scene);
     return scene;
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Every law and solver of this build, for programs and tests that read scene files.
+#pragma once
+
+#include "input/scene_reader.hpp"
+#include "motions/law_catalogue.hpp"
+#include "solvers/registry.hpp"
+
+namespace camopt {
+
+[[nodiscard]] inline input::KnownNames known_names() {
+    input::KnownNames known;
+    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
+    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
+    return known;
+}
+
+}  // namespace camopt
