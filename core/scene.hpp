@@ -84,7 +84,7 @@ struct ObjectiveSpec {
     TieBreak tie_break = TieBreak::rms_jerk;
 };
 
-/// A hard limit on a peak, kept together with the way the user wrote it.
+/// A hard limit on a peak, as the user wrote it. From C++ `normalised` will do (core/written_limits.hpp).
 struct PeakLimit {
     double normalised = 0.0;  ///< on the normalised peak, > 0
     std::string key = {};     ///< as written, e.g. "limits.velocity_mm_s"
@@ -101,7 +101,7 @@ struct PeakLimit {
 /// not 29.999999999999996.
 [[nodiscard]] double as_written(double value);
 
-/// Any other hard limit, kept together with the way the user wrote it.
+/// Any other hard limit, as the user wrote it. From C++ `value` will do (core/written_limits.hpp).
 struct WrittenLimit {
     double value = 0.0;       ///< SI, rad
     std::string key = {};     ///< as written, e.g. "limits.pressure_angle_deg"

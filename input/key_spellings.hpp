@@ -7,10 +7,16 @@
 
 namespace camopt::input::spellings {
 
-inline constexpr Spelling plain[] = {{"", "", 1.0}};
-inline constexpr Spelling length[] = {
-    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch}, {"_m", "m", 1.0}};
-inline constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
+using camopt::spellings::acceleration_limit;
+using camopt::spellings::angle;
+using camopt::spellings::force;
+using camopt::spellings::jerk_limit;
+using camopt::spellings::length;
+using camopt::spellings::moment;
+using camopt::spellings::plain;
+using camopt::spellings::pressure;
+using camopt::spellings::velocity_limit;
+
 inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
                                     {"_in", "in", units::inch},
                                     {"_m", "m", 1.0},
@@ -27,10 +33,7 @@ inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millim
                                            {"_nm_rad", "N m/rad", 1.0},
                                            {"_nm_deg", "N m/deg", 1.0 / units::degree}};
 inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
-inline constexpr Spelling force[] = {{"_n", "N", 1.0}};
-inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0}};
 inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
-inline constexpr Spelling pressure[] = {{"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}};
 
 inline const Range any = {};
 inline const Range positive = Range::above(0.0);

@@ -9,16 +9,6 @@ namespace {
 using enum KeyType;
 using namespace spellings;
 
-constexpr Spelling velocity_limit[] = {
-    {"", "", 1.0},        {"_mm_s", "mm/s", units::millimetre}, {"_in_s", "in/s", units::inch},
-    {"_m_s", "m/s", 1.0}, {"_deg_s", "deg/s", units::degree},   {"_rad_s", "rad/s", 1.0}};
-constexpr Spelling acceleration_limit[] = {
-    {"", "", 1.0},           {"_mm_s2", "mm/s^2", units::millimetre}, {"_in_s2", "in/s^2", units::inch},
-    {"_m_s2", "m/s^2", 1.0}, {"_deg_s2", "deg/s^2", units::degree},   {"_rad_s2", "rad/s^2", 1.0}};
-constexpr Spelling jerk_limit[] = {
-    {"", "", 1.0},           {"_mm_s3", "mm/s^3", units::millimetre}, {"_in_s3", "in/s^3", units::inch},
-    {"_m_s3", "m/s^3", 1.0}, {"_deg_s3", "deg/s^3", units::degree},   {"_rad_s3", "rad/s^3", 1.0}};
-
 const Range within_turn = Range::above_up_to(0.0, 360.0);
 
 using Rows = std::vector<KeyRow>;

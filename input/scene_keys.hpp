@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/range.hpp"
+#include "core/spellings.hpp"
 
 #include <span>
 #include <string>
@@ -33,12 +34,7 @@ enum class Availability {
     needs_forces,  ///< only together with a [forces] table
 };
 
-/// One way to write a quantity: key = name + suffix, SI value = written value · factor.
-struct Spelling {
-    std::string_view suffix;  ///< "_mm"
-    std::string_view unit;    ///< "mm"; empty: dimensionless
-    double factor = 1.0;
-};
+using camopt::Spelling;
 
 struct KeyRow {
     std::string_view table;  ///< "motion", "objective.reference"; empty: top level

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/comparison.hpp"
 
+#include "core/written_limits.hpp"
 #include "motions/law_catalogue.hpp"
 #include "objectives/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
@@ -135,7 +136,8 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
 
 }  // namespace
 
-Comparison compare(const Scene& scene, const SolveControl& control) {
+Comparison compare(const Scene& given, const SolveControl& control) {
+    const Scene scene = with_written_limits(given);
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;

@@ -2,6 +2,7 @@
 #include "studies/pareto_front.hpp"
 
 #include "core/errors.hpp"
+#include "core/written_limits.hpp"
 #include "studies/front_chain.hpp"
 #include "studies/solve_sequence.hpp"
 
@@ -299,8 +300,9 @@ void FrontRequest::validate(const Scene& scene) const {
             keep_weights ? "as the second" : "one of the two"));
 }
 
-ParetoFront pareto_front(const Scene& scene, const FrontRequest& request, const SolveControl& control,
+ParetoFront pareto_front(const Scene& given, const FrontRequest& request, const SolveControl& control,
                          const std::function<void(const FrontPoint&)>& finished) {
+    const Scene scene = with_written_limits(given);
     validate(scene);
     request.validate(scene);
     return Tracer(scene, request, control, finished).trace();

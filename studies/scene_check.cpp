@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/scene_check.hpp"
 
+#include "core/written_limits.hpp"
 #include "objectives/cam_problem.hpp"
 #include "objectives/free_knot_problem.hpp"
 #include "objectives/scene_model.hpp"
@@ -141,7 +142,8 @@ std::vector<LimitShape> limit_shapes(const CamModel& model) {
 
 }  // namespace
 
-SceneCheck check_scene(const Scene& scene) {
+SceneCheck check_scene(const Scene& given) {
+    const Scene scene = with_written_limits(given);
     validate(scene);
     SceneCheck check;
     check.choice = choose_backend(scene);

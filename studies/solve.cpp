@@ -2,6 +2,7 @@
 #include "studies/solve.hpp"
 
 #include "core/errors.hpp"
+#include "core/written_limits.hpp"
 #include "motions/any_curve_limit.hpp"
 #include "objectives/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
@@ -173,7 +174,8 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
 
 }  // namespace
 
-Solution solve_without_explaining(const Scene& scene, const SolveControl& control, GridMemory* memory) {
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
+    const Scene scene = with_written_limits(given);
     validate(scene);
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
@@ -193,7 +195,7 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     const bool to_explain =
         verdict == Verdict::infeasible || solution.certificate.reason == "no_feasible_point";
     if (to_explain && !control.stopped()) {  // a stopped search must not pass for "nothing helps"
-        solution.relaxation = relaxations(scene, control);
+        solution.relaxation = relaxations(with_written_limits(scene), control);
     }
     solution.seconds_total = seconds_since(begin);
     return solution;

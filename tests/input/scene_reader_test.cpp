@@ -2,6 +2,7 @@
 // Every key in every unit arrives in the Scene; what is absent keeps its default; overrides replace.
 #include "input/scene_reader.hpp"
 
+#include "core/written_limits.hpp"
 #include "input/scene_keys.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
@@ -256,6 +257,45 @@ TEST(Overrides, SetCamsAndTheirLimits) {
 
 TEST(Overrides, MendABrokenFile) {
     EXPECT_EQ(read(drd + jerk_only + "spline.degree = 4\n", {"spline.degree=5"}).spline.degree, 5);
+}
+
+/// What a scene file says of a limit: key, number, unit.
+std::vector<std::string> words_of(const LimitSpec& limits) {
+    std::vector<std::string> words;
+    for (const auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
+        if (*limit) words = {(*limit)->key, std::to_string((*limit)->given), (*limit)->unit};
+    for (const auto* limit :
+         {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
+          &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
+          &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
+        if (*limit) words = {(*limit)->key, std::to_string((*limit)->given()), (*limit)->unit};
+    return words;
+}
+
+/// The same limit with nothing but its number and its unit, as an embedder writes it.
+void strip_words(LimitSpec& limits) {
+    for (auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
+        if (*limit) **limit = PeakLimit{.normalised = (*limit)->normalised, .unit = (*limit)->unit};
+    for (auto* limit : {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
+                        &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
+                        &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
+        if (*limit) **limit = WrittenLimit{.value = (*limit)->value, .unit = (*limit)->unit};
+}
+
+TEST(SceneReader, ALimitFromCppSaysWhatTheManualsKeySays) {
+    int compared = 0;
+    for (const auto& part : {limit_cases(), cam_limit_cases()})
+        for (const KeyCase& c : part) {
+            SCOPED_TRACE(c.key);
+            Scene scene = read(scene_with(c));
+            const std::vector<std::string> written = words_of(scene.limits);
+            if (written.empty() || written.front() != c.key) continue;
+            EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
+            strip_words(scene.limits);
+            EXPECT_EQ(words_of(with_written_limits(scene).limits), written);
+            ++compared;
+        }
+    EXPECT_GE(compared, 30);
 }
 
 }  // namespace

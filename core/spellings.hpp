@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The units in which a limit may be written: what its key ends in, the unit as people write it, and its SI
+// value. The reader of scene files and scenes written in C++ share them.
+#pragma once
+
+#include "core/units.hpp"
+
+#include <string_view>
+
+namespace camopt {
+
+/// One way to write a quantity: key = name + suffix, SI value = written value · factor.
+struct Spelling {
+    std::string_view suffix;  ///< "_mm"
+    std::string_view unit;    ///< "mm"; empty: dimensionless
+    double factor = 1.0;
+};
+
+namespace spellings {
+
+inline constexpr Spelling plain[] = {{"", "", 1.0}};
+inline constexpr Spelling length[] = {
+    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch}, {"_m", "m", 1.0}};
+inline constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
+inline constexpr Spelling force[] = {{"_n", "N", 1.0}};
+inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0}};
+inline constexpr Spelling pressure[] = {{"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}};
+// Without a unit: normalised.
+inline constexpr Spelling velocity_limit[] = {
+    {"", "", 1.0},        {"_mm_s", "mm/s", units::millimetre}, {"_in_s", "in/s", units::inch},
+    {"_m_s", "m/s", 1.0}, {"_deg_s", "deg/s", units::degree},   {"_rad_s", "rad/s", 1.0}};
+inline constexpr Spelling acceleration_limit[] = {
+    {"", "", 1.0},           {"_mm_s2", "mm/s^2", units::millimetre}, {"_in_s2", "in/s^2", units::inch},
+    {"_m_s2", "m/s^2", 1.0}, {"_deg_s2", "deg/s^2", units::degree},   {"_rad_s2", "rad/s^2", 1.0}};
+inline constexpr Spelling jerk_limit[] = {
+    {"", "", 1.0},           {"_mm_s3", "mm/s^3", units::millimetre}, {"_in_s3", "in/s^3", units::inch},
+    {"_m_s3", "m/s^3", 1.0}, {"_deg_s3", "deg/s^3", units::degree},   {"_rad_s3", "rad/s^3", 1.0}};
+
+}  // namespace spellings
+}  // namespace camopt
