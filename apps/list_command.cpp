@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt list: the laws, followers and solvers that this camopt knows.
 #include "apps/commands.hpp"
-#include "core/cam_spec.hpp"
+#include "input/follower_kinds.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/json_text.hpp"
 #include "output/number_text.hpp"
@@ -10,7 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -54,45 +55,56 @@ Json laws_json() {
     return list;
 }
 
-constexpr std::array all_followers = {FollowerType::translating_roller, FollowerType::translating_knife,
-                                      FollowerType::translating_flat, FollowerType::oscillating_roller,
-                                      FollowerType::oscillating_flat};
-
-/// The keys of the scene's table [cam] that this follower has, in the order of the key table.
-std::vector<std::string> keys_of(FollowerType follower) {
-    std::vector<std::string> keys;
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        if (has_dimension(follower, which)) keys.push_back(fmt::format("{}_mm", name_of(which)));
-    }
-    if (follower == FollowerType::translating_flat) keys.emplace_back("face_half_width_mm");
-    return keys;
+/// 'cam.type = "disk", cam.follower =': what chooses the kinds below.
+std::string heading_of(const input::FollowerKind& kind) {
+    if (kind.chosen_by.empty()) return fmt::format("cam.type = \"{}\"", kind.cam_type);
+    return fmt::format("cam.type = \"{}\", {} =", kind.cam_type, kind.chosen_by);
 }
 
-const char* touches_with(FollowerType follower) {
-    if (has_roller(follower)) return "a roller";
-    return has_flat_face(follower) ? "a flat face" : "a knife edge";
+/// Of the kinds of one type of cam: they stand below each other.
+std::size_t longest_word(const std::vector<input::FollowerKind>& kinds, const std::string& cam_type) {
+    std::size_t longest = 0;
+    for (const input::FollowerKind& kind : kinds)
+        if (kind.cam_type == cam_type) longest = std::max(longest, kind.word.size());
+    return longest;
 }
 
 std::string followers_text() {
-    std::string text = fmt::format("{:<20} {:<9} {:<13} {}\n", "key", "lift", "touches with", "dimensions");
-    for (const FollowerType follower : all_followers)
-        text += fmt::format("{:<20} {:<9} {:<13} {}\n", name_of(follower),
-                            is_oscillating(follower) ? "lift_deg" : "lift_mm", touches_with(follower),
-                            fmt::join(keys_of(follower), ", "));
+    constexpr std::size_t least_width = 20;
+    const std::vector<input::FollowerKind> kinds = input::follower_kinds();
+    std::string text, heading;
+    for (const input::FollowerKind& kind : kinds) {
+        if (heading_of(kind) != heading) {
+            heading = heading_of(kind);
+            text += fmt::format("{}{}\n", text.empty() ? "" : "\n", heading);
+        }
+        text +=
+            fmt::format("  {:<{}} {:<9} {:<13} {}\n", kind.word,
+                        std::max(least_width, longest_word(kinds, kind.cam_type)),
+                        kind.swings ? "lift_deg" : "lift_mm", kind.touches_with, fmt::join(kind.keys, ", "));
+    }
     return text +
-           "Dimensions are numbers or ranges { min = …, max = … }, keys of [cam]; face_half_width_mm is a "
-           "number.\n";
+           "\nEach line: name, key of its lift, what touches the cam, its dimensions: keys of [cam] or of "
+           "the "
+           "table before the dot. Most are numbers or ranges { min = …, max = … }; docs/scene_file.md has "
+           "every key with its unit, default and meaning.\n";
 }
 
 Json followers_json() {
     Json list = Json::array();
-    for (const FollowerType follower : all_followers)
-        list.push_back({{"key", name_of(follower)},
-                        {"lift", is_oscillating(follower) ? "lift_deg" : "lift_mm"},
-                        {"touches_with", touches_with(follower)},
-                        {"dimensions", keys_of(follower)}});
+    for (const input::FollowerKind& kind : input::follower_kinds())
+        list.push_back({{"key", kind.word},
+                        {"cam", kind.cam_type},
+                        {"chosen_by", kind.chosen_by.empty() ? "cam.type" : kind.chosen_by},
+                        {"lift", kind.swings ? "lift_deg" : "lift_mm"},
+                        {"touches_with", kind.touches_with},
+                        {"dimensions", kind.keys}});
     return list;
+}
+
+std::string absent_text(const NativeOption& option) {
+    if (option.absent.empty()) return "";
+    return fmt::format("; not in this build: {} ({})", fmt::join(option.absent, ", "), option.remedy);
 }
 
 std::string solvers_text() {
@@ -108,8 +120,8 @@ std::string solvers_text() {
         else
             text += fmt::format("{:<23}   not in this build: {}\n", "", entry.remedy);
         for (const NativeOption& option : entry.options)
-            text += fmt::format("{:<23}   {} = {} ({}): {}\n", "", option.name, option.default_value,
-                                option.range, option.meaning);
+            text += fmt::format("{:<23}   {} = {} ({}): {}{}\n", "", option.name, option.default_value,
+                                option.range, option.meaning, absent_text(option));
     }
     return text;
 }

@@ -399,8 +399,8 @@ def section_algebra(page):
                              for name in names] + [quickest])
     page.say(*table(["degree", "n"] + names + ["quickest"], lines, 2))
     page.say("One call on the final grid, tolerance 1e-9, medians of five in turns; only results within 1e-8 of the optimum "
-             "show their time. `auto` is what the solver takes by itself; cholmod and klu are SuiteSparse's, and where a build has "
-             "none the simplicial one stands in.", "")
+             "show their time. `auto` is what the solver takes by itself; cholmod and klu are SuiteSparse's; a build without "
+             "it refuses them.", "")
 
 
 def section_stability(page):

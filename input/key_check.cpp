@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "input/key_check.hpp"
 
+#include "core/spelling_hint.hpp"
+#include "input/meaning_hint.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace camopt::input {
 namespace {
 
 constexpr std::string_view not_yet = "not available yet in this version of camopt";
-
-/// Levenshtein distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -94,6 +80,8 @@ class KeyCheck {
         for (const KeyRow& row : scene_keys())  // the unit forgotten
             if (row.table == table && row.name == member.name)
                 hint = fmt::format("; did you mean '{}'?", row.key(row.spellings.front()));
+        if (const std::string meant = key_meant(table, member.name); !meant.empty())  // another word
+            hint = did_you_mean({meant});
         for (const KeyRow& row : scene_keys())  // in the wrong table
             if (hint.empty() && match_key(row.table, member.name).row)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
@@ -146,9 +134,12 @@ class KeyCheck {
             source_.fail_unavailable(value.place, key,
                                      fmt::format("found {}, which is {}; allowed: {}", value.shown(), not_yet,
                                                  given.row->allowed(*given.spelling)));
-        refuse_unless(value.kind == NodeKind::text &&
-                          (choices.empty() || std::ranges::find(choices, value.text) != choices.end()),
-                      given, key);
+        refuse_unless(value.kind == NodeKind::text, given, key);
+        if (choices.empty() || std::ranges::find(choices, value.text) != choices.end()) return;
+        const std::vector<std::string> words(choices.begin(), choices.end());
+        source_.fail(value.place, key,
+                     fmt::format("found {}; allowed: {}{}", value.shown(),
+                                 given.row->allowed(*given.spelling), choice_hint(key, value.text, words)));
     }
 
     void check_integer(const Given& given, const std::string& key) const {
@@ -246,21 +237,6 @@ class KeyCheck {
 
 }  // namespace
 
-std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates) {
-    // Two slips in a long word, one in a short one: more would suggest words that have nothing to do with it.
-    const std::size_t limit = word.size() < 5 ? 1 : 2;
-    if (word.size() > 64) return "";
-    const std::string* nearest = nullptr;
-    std::size_t least = limit + 1;
-    for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word, candidate);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = &candidate;
-    }
-    return nearest ? fmt::format("; did you mean '{}'?", *nearest) : "";
-}
-
 void check_name(const SceneSource& source, const Given& given, const std::string& key,
                 const AllowedNames& allowed) {
     const std::string& text = given.value().text;
@@ -270,7 +246,7 @@ void check_name(const SceneSource& source, const Given& given, const std::string
         list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
     source.fail(given.value().place, key,
                 fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before, list,
-                            allowed.after, spelling_hint(text, allowed.names)));
+                            allowed.after, choice_hint(key, text, allowed.names)));
 }
 
 void check_keys(const SceneSource& source) {

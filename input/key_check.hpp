@@ -10,9 +10,6 @@ namespace camopt::input {
 
 void check_keys(const SceneSource& source);
 
-/// "; did you mean 'lift_mm'?" for the candidate nearest to a misspelt word, or nothing.
-[[nodiscard]] std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
-
 /// Names, and the words around their list in an error message.
 struct AllowedNames {
     const std::vector<std::string>& names;

@@ -14,15 +14,6 @@ namespace {
 
 using enum SpatialFollower;
 
-/// How a number is written in [cam]; empty: not at all.
-std::string key_of(SpatialFollower follower, SpatialNumber number) {
-    const bool slides = follower == cylindrical_translating;
-    if (number == SpatialNumber::center_distance && slides) return "cylinder_radius";
-    if (number == SpatialNumber::arm_length && slides) return {};
-    if (number == SpatialNumber::start) return slides ? "" : "start_angle";
-    return name_of_number(number);
-}
-
 /// What a scene need not say.
 std::optional<double> default_of(SpatialFollower follower, SpatialNumber number, double lift) {
     if (number == SpatialNumber::axial_offset) return 0.0;
@@ -83,7 +74,7 @@ class SpatialReader {
             const auto given = source_.find("cam", name);
             bool owned = false;
             for (int i = 0; i < spatial_number_count; ++i)
-                owned = owned || key_of(follower_, static_cast<SpatialNumber>(i)) == name;
+                owned = owned || spatial_key(follower_, static_cast<SpatialNumber>(i)) == name;
             if (given && !owned)
                 source_.fail(
                     given->member->place, joined_key("cam", given->member->name),
@@ -92,7 +83,7 @@ class SpatialReader {
         }
     }
     void read_one(SpatialNumber number, double lift, Dimension& target) const {
-        const std::string name = key_of(follower_, number);
+        const std::string name = spatial_key(follower_, number);
         if (!name.empty())
             if (const auto given = source_.find("cam", name)) {
                 target = given->dimension();
@@ -115,6 +106,14 @@ class SpatialReader {
 };
 
 }  // namespace
+
+std::string spatial_key(SpatialFollower follower, SpatialNumber number) {
+    const bool slides = follower == cylindrical_translating;
+    if (number == SpatialNumber::center_distance && slides) return "cylinder_radius";
+    if (number == SpatialNumber::arm_length && slides) return {};
+    if (number == SpatialNumber::start) return slides ? "" : "start_angle";
+    return name_of_number(number);
+}
 
 MechanismSpec read_spatial(const SceneSource& source, const MotionSpec& motion) {
     return SpatialReader(source).read(motion);

@@ -3,11 +3,15 @@
 #pragma once
 
 #include "core/scene.hpp"
+#include "core/spatial_spec.hpp"
 #include "input/scene_source.hpp"
 
 namespace camopt::input {
 
 /// cam.type is "barrel" or "cylindrical". Throws InputError with the place.
 [[nodiscard]] MechanismSpec read_spatial(const SceneSource& source, const MotionSpec& motion);
+
+/// The name of the key in [cam] that says a number of such a cam; empty: none.
+[[nodiscard]] std::string spatial_key(SpatialFollower follower, SpatialNumber number);
 
 }  // namespace camopt::input

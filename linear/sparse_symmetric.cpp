@@ -137,7 +137,7 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind, const Ma
     std::unique_ptr<SymmetricFactor> factor;
     if (kind == FactorKind::cholmod) factor = make_cholmod_factor();
     if (kind == FactorKind::klu) factor = make_klu_factor();
-    if (!factor) factor = make_simplicial_factor();
+    if (kind == FactorKind::simplicial || !factor) factor = make_simplicial_factor();
     factor->analyse(lower, signs);
     return factor;
 }

@@ -49,10 +49,16 @@ enum class FactorKind {
     automatic,  ///< chain where the matrix is one, else simplicial: the fastest as measured in benchmarks/
     chain,      ///< chain_factor.hpp; simplicial where the matrix is no chain
     simplicial,
-    cholmod,  ///< SuiteSparse's simplicial LDLᵀ; simplicial where the build has none
-    klu       ///< SuiteSparse's LU for circuit matrices; simplicial where the build has none
+    cholmod,  ///< SuiteSparse's simplicial LDLᵀ
+    klu       ///< SuiteSparse's LU for circuit matrices
 };
-/// Of an analysed `lower`, whose values in the rows of sign −1 are those they will always have.
+/// Whether this build has cholmod and klu.
+[[nodiscard]] bool has_suitesparse_factors();
+/// What to do where it has not.
+inline constexpr const char* suitesparse_remedy =
+    "install libsuitesparse-dev and configure camopt again with CAMOPT_WITH_SUITESPARSE=ON";
+/// Of an analysed `lower`, whose values in the rows of sign −1 are those they will always have. Throws
+/// UnavailableError for a kind that this build has not: it never stands in for another.
 [[nodiscard]] std::unique_ptr<SymmetricFactor> make_symmetric_factor(FactorKind kind,
                                                                      const SymmetricFactor::Matrix& lower,
                                                                      const std::vector<int>& signs);

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: MIT
 // A build without SuiteSparse.
+#include "core/errors.hpp"
 #include "linear/suitesparse_factors.hpp"
 
+#include <string>
+
 namespace camopt {
+namespace {
+
+[[noreturn]] void throw_absent(const char* factor) {
+    throw UnavailableError(std::string("factorization '") + factor +
+                           "' is not built into this camopt; there are auto, chain and simplicial; " +
+                           suitesparse_remedy);
+}
+
+}  // namespace
+
+bool has_suitesparse_factors() {
+    return false;
+}
 
 std::unique_ptr<SymmetricFactor> make_cholmod_factor() {
-    return nullptr;
+    throw_absent("cholmod");
 }
 
 std::unique_ptr<SymmetricFactor> make_klu_factor() {
-    return nullptr;
+    throw_absent("klu");
 }
 
 }  // namespace camopt

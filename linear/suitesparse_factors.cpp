@@ -102,6 +102,10 @@ class KluFactor final : public ShiftedFactor {
 
 }  // namespace
 
+bool has_suitesparse_factors() {
+    return true;
+}
+
 std::unique_ptr<SymmetricFactor> make_cholmod_factor() {
     return std::make_unique<CholmodFactor>();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Internal to linear/: the factorizations of SuiteSparse behind SymmetricFactor; null where the build has
-// none.
+// Internal to linear/: the factorizations of SuiteSparse behind SymmetricFactor. Both throw UnavailableError
+// where the build has none.
 #pragma once
 
 #include "linear/sparse_symmetric.hpp"

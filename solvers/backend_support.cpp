@@ -2,6 +2,7 @@
 #include "solvers/backend_support.hpp"
 
 #include "core/errors.hpp"
+#include "core/spelling_hint.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -106,6 +107,22 @@ NativeOption text_option(std::string name, std::string default_value,
     return option;
 }
 
+namespace {
+
+/// A choice that this build leaves out is refused before the work; nothing stands in for it.
+void refuse_absent(const SolverEntry& entry, const NativeOption& option, const OptionValue& value) {
+    const auto* word = std::get_if<std::string>(&value);
+    if (word == nullptr || std::ranges::find(option.absent, *word) == option.absent.end()) return;
+    std::vector<std::string> there;
+    for (const std::string& choice : option.choices)
+        if (std::ranges::find(option.absent, choice) == option.absent.end()) there.push_back(choice);
+    throw UnavailableError(
+        fmt::format("option '{}' of {}: '{}' is not built into this camopt; there are {}; {}", option.name,
+                    entry.name, *word, fmt::join(there, ", "), option.remedy));
+}
+
+}  // namespace
+
 void check_native_options(const SolverEntry& entry, const std::map<std::string, OptionValue>& options) {
     for (const auto& [name, value] : options) {
         const auto found =
@@ -114,12 +131,14 @@ void check_native_options(const SolverEntry& entry, const std::map<std::string, 
         if (found == entry.options.end()) {
             std::vector<std::string> names;
             for (const NativeOption& option : entry.options) names.push_back(option.name);
-            throw InputError(fmt::format("unknown option '{}' of {}; allowed: {}", name, entry.name,
-                                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+            throw InputError(fmt::format("unknown option '{}' of {}; allowed: {}{}", name, entry.name,
+                                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                                         spelling_hint(name, names)));
         }
         if (!takes(*found, value))
             throw InputError(fmt::format("option '{}' of {}: found {}, allowed is a {}: {}", name, entry.name,
                                          in_words(value), found->kind, found->range));
+        refuse_absent(entry, *found, value);
     }
 }
 

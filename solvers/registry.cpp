@@ -2,6 +2,7 @@
 #include "solvers/registry.hpp"
 
 #include "core/errors.hpp"
+#include "core/spelling_hint.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"
@@ -41,9 +42,10 @@ std::size_t index_of(std::string_view name) {
     const auto found = std::find_if(entries.begin(), entries.end(),
                                     [&](const SolverEntry& entry) { return entry.name == name; });
     if (found != entries.end()) return static_cast<std::size_t>(found - entries.begin());
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     for (const SolverEntry& entry : entries) names.push_back(entry.name);
-    throw InputError(fmt::format("unknown solver '{}'; allowed: {}", name, fmt::join(names, ", ")));
+    throw InputError(fmt::format("unknown solver '{}'; allowed: {}{}", name, fmt::join(names, ", "),
+                                 spelling_hint(name, names)));
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ struct NativeOption {
     double minimum = -infinity, maximum = infinity;  ///< of an integer or a number
     bool minimum_excluded = false;                   ///< the number must be greater than `minimum`
     std::vector<std::string> choices{};              ///< of a text
+    std::vector<std::string> absent{};               ///< of these, what this build leaves out
+    std::string remedy{};                            ///< where there are such: which package to install
 };
 
 struct SolverEntry {

@@ -149,13 +149,31 @@ TEST(Program, ListsWhatItKnows) {
 
 TEST(Program, ListsTheFollowersWithTheirDimensions) {
     const json followers = json::parse(run_camopt("list followers --json").output);
-    ASSERT_EQ(followers.size(), 5U);
+    ASSERT_EQ(followers.size(), 13U);  // 5 on disks, 4 linkages, 3 on drums, 1 inverse
     EXPECT_EQ(followers[3]["key"], "oscillating_roller");
     EXPECT_EQ(followers[3]["lift"], "lift_deg");
     EXPECT_EQ(followers[3]["dimensions"],
               (json{"base_radius_mm", "roller_radius_mm", "center_distance_mm", "arm_length_mm"}));
     EXPECT_NE(run_camopt("list followers").output.find("translating_flat     lift_mm   a flat face"),
               std::string::npos);
+}
+
+TEST(Program, ListsTheFollowersOfEveryKindOfCam) {
+    const json followers = json::parse(run_camopt("list followers --json").output);
+    const auto keys_of = [&](const char* cam, const char* key) {
+        for (const json& row : followers)
+            if (row["cam"] == cam && row["key"] == key) return row["dimensions"].dump();
+        return std::string("not listed");
+    };
+    EXPECT_NE(keys_of("remote", "lever_coupler_slider").find("\"linkage.coupler_mm\""), std::string::npos);
+    EXPECT_NE(keys_of("barrel", "barrel").find("\"lateral_offset_mm\""), std::string::npos);
+    EXPECT_NE(keys_of("cylindrical", "translating").find("\"cylinder_radius_mm\""), std::string::npos);
+    EXPECT_NE(keys_of("cylindrical", "rotating").find("\"start_angle_deg\""), std::string::npos);
+    EXPECT_NE(keys_of("inverse", "inverse").find("\"feeder_offset_mm\""), std::string::npos);
+    const std::string text = run_camopt("list followers").output;
+    for (const char* words : {"cam.type = \"remote\", linkage.type =", "cam.type = \"barrel\"",
+                              "cam.type = \"cylindrical\", cam.follower =", "cam.type = \"inverse\""})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
 }
 
 TEST(Program, SaysItsVersionAndHelps) {

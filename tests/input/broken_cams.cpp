@@ -76,7 +76,7 @@ std::vector<BrokenScene> broken_cams() {
         {"cam_follower_unknown", start + "follower = \"roller\"\n",
          "s.toml:5:12: cam.follower: found \"roller\"; allowed: \"translating_roller\", "
          "\"translating_flat\", \"translating_knife\", \"oscillating_roller\", \"oscillating_flat\", "
-         "\"rotating\" or \"translating\""},
+         "\"rotating\" or \"translating\"; did you mean 'translating_roller' or 'oscillating_roller'?"},
         {"cam_base_radius_missing", start + "follower = \"translating_knife\"\n",
          "s.toml:3:1: cam.base_radius_mm: missing; allowed: a number > 0, or a range { min = …, max = … }"},
         {"cam_rotation_unknown", roller + "rotation = \"left\"\n",

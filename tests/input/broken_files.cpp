@@ -199,7 +199,7 @@ std::vector<BrokenScene> broken_files() {
          "[solver]\n"
          "max_time = 3\n",
          "s.toml:6:1: solver.max_time: found an unknown key; allowed: name, tolerance, gap, max_seconds, "
-         "starts, seed, options"},
+         "starts, seed, options; did you mean 'max_seconds'?"},
         {"unknown_via",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -246,7 +246,8 @@ std::vector<BrokenScene> broken_files() {
          "type = \"drd\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\", \"RR\" or \"program\""},
+         "s.toml:2:8: motion.type: found \"drd\"; allowed: \"DRD\", \"RR\" or \"program\"; did you mean "
+         "'DRD'?"},
         {"type_long",
          "[motion]\n"
          "type = \"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx\"\n"

@@ -59,7 +59,8 @@ std::vector<BrokenScene> broken_overrides() {
          {"spline.degree=3.0"}},
         {"set_bare_word",
          plain_scene,
-         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\", \"RR\" or \"program\"",
+         "--set motion.type=rr: motion.type: found \"rr\"; allowed: \"DRD\", \"RR\" or \"program\"; did you "
+         "mean 'RR'?",
          {"motion.type=rr"}},
         {"set_unknown_key",
          plain_scene,

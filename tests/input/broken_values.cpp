@@ -193,14 +193,15 @@ std::vector<BrokenScene> broken_values() {
          "[spline]\n"
          "design = \"Auto\"\n",
          "s.toml:6:10: spline.design: found \"Auto\"; allowed: \"auto\", \"ordinates\", \"coefficients\" or "
-         "\"states\""},
+         "\"states\"; did you mean 'auto'?"},
         {"tie_break_unknown",
          "[motion]\n"
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n"
          "tie_break = \"jerk\"\n",
-         "s.toml:5:13: objective.tie_break: found \"jerk\"; allowed: \"rms_jerk\" or \"none\""},
+         "s.toml:5:13: objective.tie_break: found \"jerk\"; allowed: \"rms_jerk\" or \"none\"; did you mean "
+         "'rms_jerk'?"},
         {"law_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"

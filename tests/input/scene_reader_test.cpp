@@ -2,7 +2,9 @@
 // Every key in every unit arrives in the Scene; what is absent keeps its default; overrides replace.
 #include "input/scene_reader.hpp"
 
+#include "core/errors.hpp"
 #include "core/written_limits.hpp"
+#include "input/follower_kinds.hpp"
 #include "input/scene_keys.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
@@ -296,6 +298,70 @@ TEST(SceneReader, ALimitFromCppSaysWhatTheManualsKeySays) {
             ++compared;
         }
     EXPECT_GE(compared, 30);
+}
+
+/// What stands behind "; did you mean " in the refusal of a scene.
+std::string hint_for(const std::string& toml) {
+    try {
+        (void)read(toml);
+    } catch (const InputError& error) {
+        const std::string message = error.what(), words = "; did you mean ";
+        const std::size_t at = message.find(words);
+        return at == std::string::npos ? "no hint: " + message : message.substr(at + words.size());
+    }
+    return "accepted";
+}
+
+TEST(SceneReader, WordsFromElsewhereGetAHint) {
+    const auto follower = [](const std::string& word) {
+        return hint_for(drd + jerk_only + "cam.type = \"disk\"\ncam.follower = \"" + word + "\"\n");
+    };
+    EXPECT_EQ(follower("flat"), "'translating_flat' or 'oscillating_flat'?");
+    EXPECT_EQ(follower("roller"), "'translating_roller' or 'oscillating_roller'?");
+    EXPECT_EQ(follower("oscillating"), "'oscillating_roller' or 'oscillating_flat'?");
+    EXPECT_EQ(follower("Translating_Flat"), "'translating_flat'?");
+    EXPECT_EQ(follower("swinging roller"), "'oscillating_roller'?");
+    EXPECT_EQ(follower("transalting_knife"), "'translating_knife'?");
+    EXPECT_EQ(hint_for(drd + jerk_only + "motion.swing_deg = 20\n"), "'lift_deg'?");
+    EXPECT_EQ(hint_for(drd + jerk_only + "motion.stroke = 20\n"), "'lift_mm'?");
+    EXPECT_EQ(hint_for(drd + jerk_only + "cam.type = \"disk\"\ncam.base_circle_radius_mm = 20\n"),
+              "'base_radius_mm'?");
+    const auto motion = [](const std::string& word) {
+        return hint_for("motion.type = \"" + word + "\"\n" + jerk_only);
+    };
+    const std::string program = "'program', with its rises, returns and dwells as [[motion.segments]]?";
+    EXPECT_EQ(motion("DRDR"), program);
+    EXPECT_EQ(motion("DRDRD"), program);
+    EXPECT_EQ(motion("rdf"), program);
+    EXPECT_EQ(motion("DRRD"), "'RR'?");
+    EXPECT_EQ(motion("drd"), "'DRD'?");
+    EXPECT_EQ(motion("programm"), "'program'?");
+    EXPECT_EQ(motion("sideways").substr(0, 8), "no hint:");
+    EXPECT_EQ(hint_for(drd + "objective = { jerk = 1, reference = \"sine\" }\n"), "'modified_sine'?");
+    EXPECT_EQ(hint_for(drd + jerk_only + "solver.name = \"slsqp\"\n"), "'nlopt.slsqp'?");
+    EXPECT_EQ(hint_for(drd + jerk_only + "cam = { type = \"disk\", rotation = \"ccw\" }\n"),
+              "'counterclockwise'?");
+}
+
+TEST(FollowerKinds, AreAllThatTheKeyTableKnows) {
+    std::set<std::string> words, keys;
+    for (const FollowerKind& kind : follower_kinds()) {
+        EXPECT_TRUE(words.insert(kind.cam_type + "/" + kind.word).second) << kind.word;
+        words.insert(kind.cam_type);
+        words.insert(kind.word);
+        keys.insert(kind.keys.begin(), kind.keys.end());
+    }
+    for (const KeyRow& row : scene_keys()) {
+        const bool chooses = (row.table == "cam" && (row.name == "type" || row.name == "follower")) ||
+                             (row.table == "linkage" && row.name == "type");
+        if (chooses)
+            for (const std::string_view choice : row.choices)
+                EXPECT_TRUE(words.contains(std::string(choice)));
+        const bool number = row.type == KeyType::number || row.type == KeyType::number_or_range;
+        if (!number || (row.table != "cam" && row.table != "linkage")) continue;
+        const std::string key = row.key(row.spellings.front());
+        EXPECT_TRUE(keys.contains(row.table == "cam" ? key : "linkage." + key)) << key;
+    }
 }
 
 }  // namespace

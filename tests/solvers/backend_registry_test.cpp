@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "solvers/backend_support.hpp"
 #include "solvers/registry.hpp"
 
 #include <gmock/gmock.h>
@@ -116,6 +117,21 @@ TEST(NativeOptions, RangeIsChecked) {
 // The packaged Ipopt 3.11 ends the whole process on ma97.
 TEST(NativeOptions, NoOtherLinearSolverThanMumpsReachesIpopt) {
     EXPECT_THAT(refusal("ipopt", "linear_solver", std::string("ma97")), HasSubstr("found 'ma97'"));
+}
+
+TEST(NativeOptions, AChoiceThatIsNotInTheBuildIsRefusedWithWhatIsThere) {
+    SolverEntry entry;
+    entry.name = "structured";
+    entry.options = {text_option("factorization", "auto", {"auto", "chain", "klu"}, "")};
+    entry.options.front().absent = {"klu"};
+    entry.options.front().remedy = "install libsuitesparse-dev";
+    EXPECT_NO_THROW(check_native_options(entry, {{"factorization", std::string("chain")}}));
+    EXPECT_EQ(
+        message_of<UnavailableError>([&] {
+            check_native_options(entry, {{"factorization", std::string("klu")}});
+        }),
+        "option 'factorization' of structured: 'klu' is not built into this camopt; there are auto, chain; "
+        "install libsuitesparse-dev");
 }
 
 TEST(NativeOptions, RightOnesPass) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Which of the words that are allowed a wrong one was meant to be: for error messages.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// The candidates that a wrong word may mean, nearest first: the one that differs by a slip or two of the
+/// keyboard (upper and lower case count as the same), else those that hold every part of it ("flat" is a part
+/// of "translating_flat"; parts end at '_', '.' and '-'). Few or none.
+[[nodiscard]] std::vector<std::string> words_like(std::string_view word,
+                                                  const std::vector<std::string>& candidates);
+
+/// "; did you mean 'lift_mm'?", "; did you mean 'translating_flat' or 'oscillating_flat'?", or nothing.
+[[nodiscard]] std::string did_you_mean(const std::vector<std::string>& words);
+
+/// Both together.
+[[nodiscard]] std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace camopt
