@@ -2,13 +2,14 @@
 #include "apps/sweep_request.hpp"
 
 #include "core/errors.hpp"
+#include "core/number_parsing.hpp"
 #include "output/text_file.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace camopt::apps {
 
@@ -17,10 +18,9 @@ namespace {
 constexpr std::string_view simplex = "simplex:";
 
 std::optional<int> integer(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    const std::optional<long long> value = integer_in(text);
+    if (!value || !std::in_range<int>(*value)) return std::nullopt;
+    return static_cast<int>(*value);
 }
 
 SweepAxis weights_axis(const std::string& weights) {

@@ -10,6 +10,7 @@
 #include "benchmarks/child_process.hpp"
 #include "benchmarks/machine.hpp"
 #include "benchmarks/solver_variants.hpp"
+#include "core/number_parsing.hpp"
 #include "output/result_folder.hpp"
 #include "output/text_file.hpp"
 #include "studies/solve_without_explaining.hpp"
@@ -159,7 +160,7 @@ int main(int count, char** words) {
         return 2;
     }
     try {
-        camopt::benchmarks::run(words[1], count == 3 ? std::atof(words[2]) : 600.0);
+        camopt::benchmarks::run(words[1], count == 3 ? camopt::required_number(words[2]) : 600.0);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cam_error_against_time: %s\n", error.what());

@@ -13,6 +13,7 @@
 #include "benchmarks/linear_program_text.hpp"
 #include "benchmarks/measurement.hpp"
 #include "core/errors.hpp"
+#include "core/number_parsing.hpp"
 #include "output/csv_line.hpp"
 #include "output/text_file.hpp"
 
@@ -26,7 +27,9 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace camopt::benchmarks {
@@ -120,8 +123,12 @@ void export_all(const Task& task) {
 Eigen::VectorXd numbers_of(const std::filesystem::path& file, Eigen::Index size) {
     std::istringstream text(read_text_file(file));
     Eigen::VectorXd x(size);
-    for (double& entry : x)
-        if (!(text >> entry)) return {};
+    std::string word;
+    for (double& entry : x) {
+        const std::optional<double> value = text >> word ? number_in(word) : std::nullopt;
+        if (!value) return {};
+        entry = *value;
+    }
     return x;
 }
 

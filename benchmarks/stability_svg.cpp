@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability_report.hpp"
+#include "core/number_parsing.hpp"
 #include "output/plot_frame.hpp"
 #include "output/svg_canvas.hpp"
 
@@ -94,7 +95,7 @@ bool belongs(const StabilityRow& row, const Series& series, int& segments) {
     const std::string begin =
         fmt::format("{} {} n = ", series.degree == 3 ? "cubic" : "quintic", series.kind);
     if (row.backend != "structured" || !row.name.starts_with(begin)) return false;
-    segments = std::stoi(row.name.substr(begin.size()));
+    segments = static_cast<int>(integer_in(std::string_view(row.name).substr(begin.size())).value());
     return true;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/scene.hpp"
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
+#include "core/number_parsing.hpp"
+
+#include <fmt/format.h>
 
 namespace camopt {
 
@@ -32,9 +32,7 @@ const char* name_of(SegmentKind value) {
 }
 
 double as_written(double value) {
-    std::array<char, 32> text{};
-    const int length = std::snprintf(text.data(), text.size(), "%.15g", value);
-    return length > 0 ? std::strtod(text.data(), nullptr) : value;
+    return number_in(fmt::format("{:.15g}", value)).value_or(value);
 }
 
 double MotionSpec::unit_angle() const {

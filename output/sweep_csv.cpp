@@ -2,6 +2,7 @@
 #include "output/sweep_csv.hpp"
 
 #include "core/errors.hpp"
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "output/csv_line.hpp"
 #include "output/csv_reader.hpp"
@@ -11,9 +12,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <type_traits>
+#include <utility>
 
 namespace camopt {
 
@@ -69,12 +71,15 @@ class Cells {
     template <typename Number>
     Number number() {
         const std::string& cell = words();
-        Number value{};
-        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        if (error != std::errc() || end != cell.data() + cell.size() ||
-            !std::isfinite(static_cast<double>(value)))
-            fail("a number");
-        return value;
+        if constexpr (std::is_integral_v<Number>) {
+            const std::optional<long long> value = integer_in(cell);
+            if (!value || !std::in_range<Number>(*value)) fail("a number");
+            return static_cast<Number>(*value);
+        } else {
+            const std::optional<double> value = number_in(cell);
+            if (!value) fail("a number");
+            return *value;
+        }
     }
     Verdict verdict() {
         const std::string& cell = words();

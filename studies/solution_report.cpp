@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solution_report.hpp"
 
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/law_catalogue.hpp"
 #include "motions/smallest_cam.hpp"
@@ -239,7 +240,10 @@ void report_conflict(Solution& solution) {
         whole += weight;
         const std::size_t at = row.find(separator);
         const double x =
-            at == std::string::npos ? 0.0 : std::stod(row.substr(at + std::string(separator).size()));
+            at == std::string::npos
+                ? 0.0
+                : number_at_start(std::string_view(row).substr(at + std::string_view(separator).size()))
+                      .value_or(0.0);
         found.push_back({row.substr(0, at), x, weight});
     }
     for (ConflictReport& conflict : found) conflict.weight /= whole;

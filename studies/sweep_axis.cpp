@@ -3,13 +3,13 @@
 
 #include "core/cam_spec.hpp"
 #include "core/errors.hpp"
+#include "core/number_parsing.hpp"
 #include "core/scene.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -42,16 +42,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
         if (end == std::string_view::npos) return parts;
         text.remove_prefix(end + 1);
     }
-}
-
-/// None for what is no finite number as a whole.
-template <typename Number>
-std::optional<Number> number_of(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-    return value;
 }
 
 class WeightFile {
@@ -100,7 +90,7 @@ class WeightFile {
         if (axis_.points() >= most_sweep_rows)
             fail(fmt::format("found more lines; allowed: at most {} rows", most_sweep_rows));
         for (const std::string_view cell : cells) {
-            const std::optional<double> value = number_of<double>(cell);
+            const std::optional<double> value = number_in(cell);
             if (!value || *value < 0.0) fail(fmt::format("found \"{}\"; allowed: a number >= 0", cell));
             axis_.values.push_back(*value);
         }
@@ -123,7 +113,7 @@ class Values {
         if (parts.size() != 3 && !by_factors)
             fail(fmt::format("found \"{}\"; allowed: {}", values, vary_forms));
         const double first = number(parts[0]), last = number(parts[1]);
-        const std::optional<int> count = number_of<int>(parts[2]);
+        const std::optional<long long> count = integer_in(parts[2]);
         if (!count || *count < 2 || *count > most_sweep_rows)
             fail(fmt::format("found the count \"{}\"; allowed: an integer from 2 to {}", parts[2],
                              most_sweep_rows));
@@ -131,8 +121,8 @@ class Values {
             fail(fmt::format("found {} at both ends; allowed: two different ends, or a single value", first));
         if (by_factors && !(first > 0.0 && last > 0.0))
             fail(fmt::format("found {} to {} by equal factors; allowed: both ends > 0", first, last));
-        return by_factors ? between(first, last, *count, &Values::by_factor)
-                          : between(first, last, *count, &Values::by_step);
+        return by_factors ? between(first, last, static_cast<int>(*count), &Values::by_factor)
+                          : between(first, last, static_cast<int>(*count), &Values::by_step);
     }
 
  private:
@@ -140,7 +130,7 @@ class Values {
         throw InputError(fmt::format("--vary {}: {}", text_, what));
     }
     [[nodiscard]] double number(std::string_view cell) const {
-        const std::optional<double> value = number_of<double>(cell);
+        const std::optional<double> value = number_in(cell);
         if (!value) fail(fmt::format("found \"{}\"; allowed: a number; {}", cell, vary_forms));
         return *value;
     }
@@ -160,7 +150,7 @@ class Values {
     }
     /// To 12 digits: the power of a long way errs in the last ones, and not alike on every machine.
     static double by_factor(double first, double last, double part) {
-        return std::stod(fmt::format("{:.12g}", first * std::pow(last / first, part)));
+        return required_number(fmt::format("{:.12g}", first * std::pow(last / first, part)));
     }
     static std::vector<double> between(double first, double last, int count,
                                        double (*at)(double, double, double)) {

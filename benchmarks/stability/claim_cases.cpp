@@ -4,6 +4,7 @@
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/smallest_cam.hpp"
 #include "output/number_text.hpp"
@@ -130,7 +131,7 @@ StabilityRow numbers_read_back() {
     for (int k = 0; k < 20000; ++k) {
         const double value = std::ldexp(std::uniform_real_distribution<double>(-1.0, 1.0)(random),
                                         std::uniform_int_distribution<int>(-1000, 1000)(random));
-        different += std::strtod(round_trip_text(value).c_str(), nullptr) == value ? 0 : 1;
+        different += number_in(round_trip_text(value)) == value ? 0 : 1;
     }
     Expectation none;
     none.most = 0.0;

@@ -2,6 +2,7 @@
 #include "benchmarks/stability/profile_claims.hpp"
 
 #include "benchmarks/stability/stability_scenes.hpp"
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/cam_profile.hpp"
@@ -66,7 +67,7 @@ StabilityRow polyline_of(const std::string& file) {
         std::vector<double> cells;
         std::istringstream words(line);
         for (std::string cell; std::getline(words, cell, ',');)
-            cells.push_back(cell.empty() ? 0.0 : std::stod(cell));
+            cells.push_back(cell.empty() ? 0.0 : required_number(cell));
         const double theta = cells[0] * degree;
         const Eigen::Vector2d here = Eigen::Vector2d(cells[4], cells[5]) * millimetre;
         const Eigen::Vector2d chord = here - before;

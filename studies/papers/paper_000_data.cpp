@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/paper_000_data.hpp"
 
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 
 #include <cmath>
@@ -14,10 +15,6 @@ constexpr double inch = units::inch, degree = units::degree;
 constexpr double turning_time = 0.158;   // s, forward stroke
 constexpr double sample_step = 0.00158;  // s, its hundredth part
 constexpr double guide_end = 14.0;       // inch; the roller turns at 13.982
-
-double number_of(std::string_view words) {
-    return std::stod(std::string(words));
-}
 
 }  // namespace
 
@@ -85,7 +82,7 @@ FeederLinkage linkage() {
 }
 
 double instant_of(std::string_view time) {
-    const double printed = number_of(time);
+    const double printed = required_number(time);
     return printed < turning_time ? sample_step * std::round(printed / sample_step) : printed;
 }
 
@@ -119,7 +116,7 @@ Agreement agreement() {
         const auto values = computed_row(row);
         for (int i = theta; i < columns; ++i) {
             const std::string_view words = row.cells[static_cast<std::size_t>(i)];
-            const double printed = number_of(words), half = half_digit(words);
+            const double printed = required_number(words), half = half_digit(words);
             const double difference = std::abs(values[static_cast<std::size_t>(i)] - printed);
             ++result.entries;
             if (difference <= half * rounding) ++result.rounded;

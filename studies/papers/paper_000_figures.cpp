@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "profiles/inverse/node_method.hpp"
@@ -54,7 +55,7 @@ PaperSeries printed_points(int column) {
     PaperSeries series{"printed in Table 1", {}, {}, true};
     for (const PrintedRow& row : printed_rows()) {
         series.x.push_back(instant_of(row.time));
-        series.y.push_back(std::stod(std::string(row.cells[static_cast<std::size_t>(column)])));
+        series.y.push_back(required_number(row.cells[static_cast<std::size_t>(column)]));
     }
     return series;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "studies/papers/paper_000_parts.hpp"
 
@@ -14,10 +15,6 @@ namespace camopt::feeding_paper {
 
 namespace {
 
-double number_of(std::string_view words) {
-    return std::stod(std::string(words));
-}
-
 const Misprint* misprint_at(std::string_view time, int column) {
     const auto found = std::ranges::find_if(
         misprints(), [&](const Misprint& one) { return one.time == time && one.column == column; });
@@ -27,7 +24,7 @@ const Misprint* misprint_at(std::string_view time, int column) {
 /// theta of the body that puts the feeder at the row's printed Y: what the row's other columns say of theta.
 double theta_from_feeder(const PrintedRow& row) {
     const auto& info = column_info(feeder);
-    const double place = number_of(row.cells[feeder]) * info.unit_value;
+    const double place = required_number(row.cells[feeder]) * info.unit_value;
     return body_motion(linkage(), {place, 0.0, 0.0}).body.angle / column_info(theta).unit_value;
 }
 
@@ -50,10 +47,10 @@ PaperTable table_1() {
         const auto values = computed_row(row);
         for (int i = 0; i < columns; ++i) {
             const std::string_view words = row.cells[static_cast<std::size_t>(i)];
-            const double difference = values[static_cast<std::size_t>(i)] - number_of(words);
+            const double difference = values[static_cast<std::size_t>(i)] - required_number(words);
             const Misprint* misprint = misprint_at(row.time, i);
-            table.rows.push_back({number_of(row.time), std::string(column_info(i).symbol),
-                                  std::string(column_info(i).unit), number_of(words),
+            table.rows.push_back({required_number(row.time), std::string(column_info(i).symbol),
+                                  std::string(column_info(i).unit), required_number(words),
                                   values[static_cast<std::size_t>(i)], difference,
                                   std::abs(difference) / half_digit(words),
                                   std::string(misprint == nullptr ? "" : "misprint")});
@@ -82,12 +79,12 @@ PaperTable misprint_table() {
         const auto row = std::ranges::find(printed_rows(), misprint.time, &PrintedRow::time);
         std::optional<double> angle;
         if (misprint.column == theta) angle = theta_from_feeder(*row);
-        table.rows.push_back({number_of(misprint.time), std::string(column_info(misprint.column).symbol),
-                              std::string(column_info(misprint.column).unit),
-                              number_of(row->cells[static_cast<std::size_t>(misprint.column)]),
-                              misprint.least, misprint.most,
-                              computed_row(*row)[static_cast<std::size_t>(misprint.column)], cell_of(angle),
-                              std::string(misprint.evidence)});
+        table.rows.push_back(
+            {required_number(misprint.time), std::string(column_info(misprint.column).symbol),
+             std::string(column_info(misprint.column).unit),
+             required_number(row->cells[static_cast<std::size_t>(misprint.column)]), misprint.least,
+             misprint.most, computed_row(*row)[static_cast<std::size_t>(misprint.column)], cell_of(angle),
+             std::string(misprint.evidence)});
     }
     return table;
 }
