@@ -109,7 +109,9 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
 
 void add_nc(CLI::App& command, ExportRequest& request) {
     CLI::Option* const nc =
-        command.add_flag("--nc", request.nc, "Write the NC program, cam.nc, and what its check found");
+        command.add_flag("--nc", request.nc,
+                         "Write the NC program, cam.nc, and what its check found; a program that "
+                         "fails the check is not written, exit code 1");
     command.add_option("--post", request.post, "Post-processor (TOML, docs/nc.md); default: a generic one")
         ->type_name("FILE")
         ->needs(nc);
@@ -121,6 +123,23 @@ void add_nc(CLI::App& command, ExportRequest& request) {
                     "Diameter of the cutter; default: the roller's, for disk cams 16")
         ->type_name("NUMBER")
         ->needs(nc);
+    const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
+        command.add_option(name, target, what)->type_name("NUMBER")->needs(nc);
+    };
+    optional_number("--blank-diameter-mm", request.blank_diameter_mm,
+                    "Diameter of the blank; default: the cam's and the allowance on either side");
+    optional_number("--blank-from-mm", request.blank_from_mm,
+                    "Where the blank begins along the cam's axis, from the origin; default: where the cam "
+                    "does, drums less the allowance");
+    optional_number("--blank-to-mm", request.blank_to_mm, "Where the blank ends, likewise");
+    number(
+        "--blank-allowance-mm", request.blank_allowance_mm,
+        "How far the blank stands over the cam where it is not given: around it, of drums at the ends too");
+    number("--clearance-mm", request.clearance_mm,
+           "Height of the plane of rapids above the blank, however the table stands");
+    number("--safe-mm", request.safe_mm, "Rapids keep so far from the blank; from there on by feed");
+    number("--gouge-mm", request.gouge_mm,
+           "A program that enters the finished cam deeper, beside chords and printed digits, is refused");
     number("--stock-mm", request.stock_mm, "Left on the flanks for the next pass");
     number("--z-offset-mm", request.z_offset_mm, "Subtracted from Z on a machine with five axes");
     number("--chord-mm", request.chord_mm, "How far the cutter may leave its path between two blocks");

@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,7 @@ constexpr double same_angle = 1e-9;  // rad
 struct Exported {
     std::string text;
     std::vector<std::filesystem::path> written;
+    std::string fault;  ///< why the program was not written; empty: it was, or none was asked for
 };
 
 Solution solved(const ExportRequest& request) {
@@ -73,10 +75,29 @@ PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
 
 void write_program(const std::filesystem::path& folder, const CheckedProgram& program, Exported& result) {
     result.text = nc_check_text(program);
-    write_text_file(folder / "cam.nc", program.program.text);
+    result.fault = program.fault();
+    std::filesystem::remove(folder / "cam.nc");  // an earlier run's does not go with this check
     write_text_file(folder / "cam_nc_check.txt", result.text);
-    result.written.push_back(folder / "cam.nc");
+    if (result.fault.empty()) {
+        write_text_file(folder / "cam.nc", program.program.text);
+        result.written.push_back(folder / "cam.nc");
+    }
     result.written.push_back(folder / "cam_nc_check.txt");
+}
+
+/// The same of all cams.
+template <class Options>
+void set_safety(const ExportRequest& request, Options& options) {
+    const auto metres = [](const std::optional<double>& mm) -> std::optional<double> {
+        if (!mm) return std::nullopt;
+        return *mm * units::millimetre;
+    };
+    options.blank = {metres(request.blank_diameter_mm), metres(request.blank_from_mm),
+                     metres(request.blank_to_mm), request.blank_allowance_mm * units::millimetre};
+    if (options.blank.radius) *options.blank.radius *= 0.5;
+    options.clearance = request.clearance_mm * units::millimetre;
+    options.safe_distance = request.safe_mm * units::millimetre;
+    options.gouge_tolerance = request.gouge_mm * units::millimetre;
 }
 
 /// The delivered motion by the cam angle. What is left of the turn rests where the motion ends.
@@ -103,6 +124,7 @@ NcExportOptions nc_options(const ExportRequest& request) {
     options.rotary_speed = request.rotary_deg_s * units::degree;
     options.spindle_rpm = request.spindle_rpm;
     options.chord_tolerance = request.chord_mm * units::millimetre;
+    set_safety(request, options);
     return options;
 }
 
@@ -119,7 +141,7 @@ Exported export_spatial(const ExportRequest& request, const Solution& solution) 
     options.picture = request.picture;
     options.sampling = {request.sections, request.points, 0.0, 0.0};
     options.title = title_of(solution);
-    Exported result{{}, write_cam_files(request.out, cam, motion, options)};
+    Exported result{{}, write_cam_files(request.out, cam, motion, options), {}};
     if (request.nc) {
         NcExportOptions nc = nc_options(request);
         nc.title = options.title;
@@ -149,6 +171,7 @@ Exported export_disk(const ExportRequest& request, const Solution& solution) {
         nc.spindle_rpm = request.spindle_rpm;
         nc.chord_tolerance = request.chord_mm * units::millimetre;
         nc.title = title_of(solution);
+        set_safety(request, nc);
         const auto machine = plane_milling_machine();
         write_program(folder, disk_nc(shape, *machine, post_of(request, *machine), nc), result);
     }
@@ -165,6 +188,12 @@ ExitCode export_command(const ExportRequest& request) {
     if (solution.motion && solution.mechanism) exported = export_spatial(request, solution);
     if (solution.motion && solution.cam) exported = export_disk(request, solution);
     std::fputs((summary_text(solution, exported.written) + exported.text).c_str(), stdout);
+    if (!exported.fault.empty()) {
+        std::fputs(fmt::format("camopt: the NC program is refused and was not written: {}\n", exported.fault)
+                       .c_str(),
+                   stderr);
+        return failure;
+    }
     return exit_code_of(solution.certificate.verdict);
 }
 

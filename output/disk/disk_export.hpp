@@ -20,10 +20,18 @@ struct DiskNcOptions {
     double feed = 5e-3;              ///< m/s
     double spindle_rpm = 0.0;        ///< rev/min; 0: no word
     double chord_tolerance = 1e-6;   ///< m
+    double gouge_tolerance = 1e-5;   ///< m: checked_program.hpp
+    BlankChoice blank;               ///< allowance: around the cam; its faces are those of the cam
+    double clearance = 0.02;         ///< m: of the clearance plane above the blank
+    double safe_distance = 2e-3;     ///< m: rapids keep so far from the blank
     std::string title = "cam";
 };
 
-/// Throws InputError for an open cam and options that are not valid.
+/// What is cut and what it is checked against; keeps a reference to the shape. Throws InputError for an open
+/// cam, for options that are not valid and for a blank that does not hold the cam.
+[[nodiscard]] NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options);
+
+/// Throws like disk_nc_work. A program with a fault is returned with it.
 [[nodiscard]] CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine,
                                      const PostProcessor& post, const DiskNcOptions& options);
 

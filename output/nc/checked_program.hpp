@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A program together with what its check found: paths are cut into blocks, printed, read back, and run
-// against points of the wanted surface. m, rad, s.
+// A program together with what its check found: paths are cut into blocks, printed, read back, followed past
+// blank and finished cam, and run against points of the wanted surface. m, rad, s.
 #pragma once
 
 #include "output/nc/block_angles.hpp"
+#include "output/nc/finished_cam.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
+#include "output/nc/nc_travel.hpp"
 #include "output/nc/post_processor.hpp"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,15 @@ struct CuttingTask {
     BlockOptions blocks;
     CutterShape cutter;
     std::vector<WantedSurface> surfaces;
+    std::shared_ptr<FinishedCam> finished;  ///< must be given
+    /// m, > 0: how deep the cutter may enter the finished cam, beside the chord tolerance and what the
+    /// printed digits explain at either end of its working length.
+    double gouge_tolerance = 1e-5;
+};
+
+struct NcWork {
+    NcJob job;  ///< without its passes
+    CuttingTask task;
 };
 
 struct SurfaceFinding {
@@ -41,14 +53,23 @@ struct SurfaceFinding {
 
 struct CheckedProgram {
     NcProgram program;
-    double chord_deviation = 0.0;  ///< m, of the blocks
-    NcPoseCheck poses;             ///< of the printed text, read back
+    std::vector<ToolPose> wanted;                   ///< one a cutting block
+    double chord_deviation = 0.0;                   ///< m, of the blocks
+    NcPoseCheck poses;                              ///< of the printed text, read back
+    NcTravelCheck travel;                           ///< of the same text
+    double least_distance = 0.0, most_depth = 0.0;  ///< m: what `travel` asked for
     std::vector<SurfaceFinding> surfaces;
+
+    /// No reason not to run it; empty: none was found.
+    [[nodiscard]] std::string fault() const;
 };
 
-/// job: without its passes. Throws InputError for whatever is not valid.
-[[nodiscard]] CheckedProgram checked_program(const Machine& machine, const PostProcessor& post, NcJob job,
-                                             const CuttingTask& task);
+/// Throws InputError for whatever is not valid. A program with a fault is returned with it.
+[[nodiscard]] CheckedProgram checked_program(const Machine& machine, const PostProcessor& post, NcWork work);
+
+/// Reads program.program.text again and finds everything anew. Throws InputError for a text that cannot be
+/// read or has another number of cutting blocks.
+void verify(CheckedProgram& program, const Machine& machine, const PostProcessor& post, const NcWork& work);
 
 /// What the check found, in words for a machinist. mm, deg.
 [[nodiscard]] std::string nc_check_text(const CheckedProgram& result);

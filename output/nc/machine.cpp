@@ -88,6 +88,7 @@ class RotaryTable final : public Machine {
         const Eigen::Matrix3d from_machine = turn_about_z(-values(3));
         return {from_machine * Eigen::Vector3d(values(1), values(2), values(0)), -from_machine.col(1)};
     }
+    AxisRange tool_along_cam_axis() const override { return {0.0, 0.0}; }
 
  private:
     std::vector<MachineAxis> axes_{x_axis, y_axis, z_axis, {"rotary", AxisKind::rotary}};
@@ -107,6 +108,7 @@ class PlaneMilling final : public Machine {
     ToolPose pose(const Eigen::VectorXd& values) const override {
         return {values.head<3>(), -Eigen::Vector3d::UnitZ()};
     }
+    AxisRange tool_along_cam_axis() const override { return {-1.0, -1.0}; }
 
  private:
     std::vector<MachineAxis> axes_{x_axis, y_axis, z_axis};

@@ -3,8 +3,9 @@
 // back.
 //
 // Machine frame: right-handed, the spindle points along −Z. The cam is clamped on a table whose rotary axes
-// pass the origin of the cam frame. Axis values are those of the formulas; letters, signs and offsets of a
-// control are the post-processor's (post_processor.hpp). m and rad.
+// pass the origin of the cam frame, so height over it along the tool, −O · tip, is Z plus a constant. Axis
+// values are those of the formulas; letters, signs and offsets of a control are the post-processor's
+// (post_processor.hpp). m and rad. The checks of rapids (nc_travel.hpp) rest on both sentences.
 #pragma once
 
 #include "output/nc/tool_pose.hpp"
@@ -24,6 +25,11 @@ struct MachineAxis {
     AxisKind kind = AxisKind::linear;
 };
 
+/// Of a component of a unit vector.
+struct AxisRange {
+    double least = -1.0, most = 1.0;
+};
+
 class Machine {
  public:
     virtual ~Machine() = default;
@@ -34,6 +40,9 @@ class Machine {
     /// One value an axis; rotary ones in (−π, π]. Throws InputError for a pose the machine cannot take.
     [[nodiscard]] virtual Eigen::VectorXd values(const ToolPose& pose) const = 0;
     [[nodiscard]] virtual ToolPose pose(const Eigen::VectorXd& values) const = 0;
+    /// O_z, the part of the tool's direction along the cam's axis, over all positions of the table: by
+    /// default any, which is never wrong.
+    [[nodiscard]] virtual AxisRange tool_along_cam_axis() const { return {}; }
 
  protected:
     Machine() = default;

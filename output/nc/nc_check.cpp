@@ -39,6 +39,16 @@ Rounding rounding_at(const Machine& machine, const PostProcessor& post, const Ei
     return result;
 }
 
+constexpr Eigen::Index height_axis = 2;
+
+/// All axes rest but Z, which rises.
+bool leads_out(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    Eigen::VectorXd way = to - from;
+    const double up = way(height_axis);
+    way(height_axis) = 0.0;
+    return up >= 0.0 && way.isZero(0.0);
+}
+
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -49,8 +59,15 @@ NcPoseCheck check_poses(std::span<const NcMove> moves, const Machine& machine, c
                         std::span<const ToolPose> wanted) {
     NcPoseCheck check;
     check.within_rounding = true;
-    for (const NcMove& move : moves) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const NcMove& move = moves[i];
         if (move.rapid) continue;
+        if (i + 1 == moves.size() || moves[i + 1].rapid) {
+            if (i > 0 && leads_out(moves[i - 1].values, move.values)) continue;
+            check.within_rounding = false;
+            check.line = move.line;
+            continue;
+        }
         const auto block = static_cast<std::size_t>(check.blocks++);
         if (block >= wanted.size()) continue;  // counted, and refused below
         const ToolPose found = machine.pose(move.values);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The verifier: what a printed program makes of the cam.
+// The verifier: what a printed program makes of the cam. Where its moves go at all is nc_travel.hpp's.
 //
 // It knows the text, the machine's forward kinematics and what is wanted, no formula that made the program.
 //   poses    at every G1 block: where tip and axis stand in the cam, against where they belong. Rounding to
-//            the printed digits explains a deviation up to Σ |∂tip/∂axis| · half its last digit.
+//            the printed digits explains a deviation up to Σ |∂tip/∂axis| · half its last digit. The last G1
+//            before a rapid and before the end leads out of the cam: it has no pose of its own and moves Z up
+//            alone, or it is not where it belongs.
 //   surface  the cutter, a cylinder, moves as a control moves it: all axes in proportion between blocks. For
 //            each point of the wanted surface the least distance from the cutter's side over the whole
 //            program: > 0 stock is left there, < 0 it is gouged.
@@ -21,7 +23,7 @@
 namespace camopt {
 
 struct NcPoseCheck {
-    int blocks = 0;               ///< G1 blocks read: one a pose
+    int blocks = 0;               ///< G1 blocks read: one a pose, without those that lead out
     double tip_deviation = 0.0;   ///< the largest, m
     double axis_deviation = 0.0;  ///< the largest angle, rad
     int line = 0;                 ///< of the text, where the tip deviates most
@@ -33,8 +35,8 @@ struct NcPoseCheck {
     double cutting_seconds = 0.0;  ///< of the blocks under G93
 };
 
-/// wanted: the poses in the order of the G1 blocks. Throws InputError for a text that cannot be read and for
-/// another number of blocks.
+/// wanted: the poses in the order of the G1 blocks that do not lead out. Throws InputError for a text that
+/// cannot be read and for another number of blocks.
 [[nodiscard]] NcPoseCheck check_poses(std::span<const NcMove> moves, const Machine& machine,
                                       const PostProcessor& post, std::span<const ToolPose> wanted);
 

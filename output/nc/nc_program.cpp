@@ -43,6 +43,26 @@ void check_feed_mode(const Machine& machine, const PostProcessor& post) {
                 post.name, machine.name()));
 }
 
+/// Z of heights over the origin along the tool (machine.hpp).
+class Heights {
+ public:
+    Heights(const Machine& machine, const NcJob& job) : job_(job) {
+        const auto axes = static_cast<Eigen::Index>(machine.axes().size());
+        const ToolPose rest = machine.pose(Eigen::VectorXd::Zero(axes));
+        offset_ = -rest.axis.dot(rest.tip);
+        plane_ = greatest_height(job.blank, machine) + job.clearance - offset_;
+    }
+    [[nodiscard]] double plane() const { return plane_; }
+    /// As the table stands for this pose.
+    [[nodiscard]] double safe(const ToolPose& pose) const {
+        return job_.blank.support(-pose.axis) + job_.safe_distance - offset_;
+    }
+
+ private:
+    const NcJob& job_;
+    double offset_ = 0.0, plane_ = 0.0;
+};
+
 /// Axis values of every pose, rotary axes running on from pose to pose and pass to pass.
 std::vector<std::vector<NcStep>> steps_of(const Machine& machine, const NcJob& job) {
     std::vector<std::vector<NcStep>> passes;
@@ -67,7 +87,15 @@ void NcJob::validate() const {
     require(std::isfinite(plunge_feed) && plunge_feed > 0.0, "the plunge feed must be > 0 m/s", plunge_feed);
     require(std::isfinite(rotary_speed) && rotary_speed >= 0.0, "the rotary speed must be >= 0 rad/s",
             rotary_speed);
-    require(std::isfinite(clearance) && clearance > 0.0, "the clearance must be > 0 m", clearance);
+    blank.validate();
+    require(std::isfinite(safe_distance) && safe_distance > 0.0,
+            "the safe distance of rapids from the blank must be > 0 m", safe_distance);
+    if (!(std::isfinite(clearance) && clearance >= safe_distance))
+        throw InputError(
+            fmt::format("NC job: the clearance plane must lie above the blank by the safe distance of {:g} "
+                        "mm or more, found {:g} mm{}",
+                        safe_distance / units::millimetre, clearance / units::millimetre,
+                        clearance < 0.0 ? ", which is inside the blank" : ""));
     require(std::isfinite(spindle_rpm) && spindle_rpm >= 0.0, "the spindle speed must be >= 0 rev/min",
             spindle_rpm);
     require(!passes.empty(), "there must be a pass", 0);
@@ -80,14 +108,13 @@ NcProgram nc_program(const Machine& machine, const PostProcessor& post, const Nc
     check_feed_mode(machine, post);
     NcWriter writer(machine, post);
     const auto passes = steps_of(machine, job);
-    double highest = -HUGE_VAL;
-    for (const auto& steps : passes)
-        for (const NcStep& step : steps) highest = std::max(highest, step.values(2));
+    const Heights heights(machine, job);
     NcProgram program;
-    writer.begin(job);
+    writer.begin(job, heights.plane());
     for (std::size_t p = 0; p < passes.size(); ++p) {
         const std::vector<NcStep>& steps = passes[p];
-        writer.approach(job.passes[p].name, steps.front(), highest + job.clearance);
+        writer.approach(job.passes[p].name, steps.front(),
+                        {heights.plane(), heights.safe(steps.front().pose)});
         writer.plunge(steps.front(), job.plunge_feed);
         for (std::size_t i = 1; i < steps.size(); ++i) {
             const double seconds = seconds_between(job, machine, steps[i - 1], steps[i]);
@@ -95,7 +122,7 @@ NcProgram nc_program(const Machine& machine, const PostProcessor& post, const Nc
             program.seconds += seconds;
             ++program.blocks;
         }
-        writer.retract(highest + job.clearance);
+        writer.retract({heights.plane(), heights.safe(steps.back().pose)}, job.feed);
         for (const NcStep& step : steps) program.values.push_back(step.values);
     }
     program.text = writer.finish();

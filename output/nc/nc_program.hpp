@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The program that makes a machine follow cutter poses.
 //
-//   header · units, G90 · for each pass: rapid to above its first pose, plunge, blocks, retract · footer
+//   header · units, G90 · for each pass: way in, blocks, way out · footer
+// Way in: rapid up to the clearance plane, rapid in that plane over the first pose, rapid down to the safe
+// distance over the blank, plunge. Way out: feed up to the safe distance over the blank, rapid up to the
+// clearance plane. The plane lies over the blank however the table stands; both heights follow from the blank
+// alone, so a program cannot have them inside. Ways in and out are along the tool.
 // Each block is G1 with all axes; under inverse time F = 1 / minutes, the time being the longest of
 // path / feed (path of the tip in the cam) and turn / rotary speed of each rotary axis. Rotary axes run on
 // beyond a turn instead of jumping back. m, rad, s inside.
 #pragma once
 
+#include "output/nc/blank.hpp"
 #include "output/nc/machine.hpp"
 #include "output/nc/post_processor.hpp"
 
@@ -29,7 +34,9 @@ struct NcJob {
     double feed = 5e-3;                ///< m/s, > 0: of the tip in the cam
     double plunge_feed = 1e-3;         ///< m/s, > 0
     double rotary_speed = 0.0;         ///< rad/s, >= 0: the fastest a rotary axis may turn; 0: no limit
-    double clearance = 0.02;           ///< m, > 0: rapids move this far above the highest pose
+    Blank blank;                       ///< must be given
+    double clearance = 0.02;           ///< m, >= safe_distance: of the clearance plane, above the blank
+    double safe_distance = 2e-3;       ///< m, > 0: rapids keep so far from the blank
     double spindle_rpm = 0.0;          ///< rev/min, >= 0; 0: no word for the spindle
 
     void validate() const;  ///< throws InputError

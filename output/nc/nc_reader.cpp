@@ -17,6 +17,8 @@ namespace camopt {
 
 namespace {
 
+constexpr double tool_change = 6.0;  // of M
+
 struct Word {
     char letter = ' ';
     double value = 0.0;
@@ -34,8 +36,12 @@ class Reader {
         ++line_;
         rapid_.reset();
         feed_.reset();
+        named_.assign(machine_.axes().size(), false);
+        const std::vector<Word> words = words_of(line);
+        for (const Word& word : words)  // modes count for their whole block, wherever they stand in it
+            if (word.letter == 'G') take_mode(word.value);
         bool moves = false;
-        for (const Word& word : words_of(line)) moves = take(word) || moves;
+        for (const Word& word : words) moves = take(word) || moves;
         if (rapid_) motion_is_rapid_ = rapid_;
         if (moves) add_move();
     }
@@ -86,11 +92,11 @@ class Reader {
                 set_axis(i, word.value);
                 return true;
             }
-        if (word.letter == 'G') {
-            take_mode(word.value);
-        } else if (word.letter == 'F') {
+        if (word.letter == 'F') {
             feed_ = word.value;
-        } else if (std::string_view("NOSTM").find(word.letter) == std::string_view::npos) {
+        } else if (word.letter == 'M' && word.value == tool_change && !moves_.empty()) {
+            refuse("M6 after the first move: where the next tool's tip is would be a guess");
+        } else if (std::string_view("GNOSTM").find(word.letter) == std::string_view::npos) {
             refuse(fmt::format("the word {}{} is not understood", word.letter, word.value));
         }
         return false;
@@ -102,6 +108,8 @@ class Reader {
         if (code == 0.0 || code == 1.0) {
             if (rapid_ && *rapid_ != (code == 0.0)) refuse("G0 and G1 in one block");
             rapid_ = code == 0.0;
+        } else if (!moves_.empty() && (code == 20.0 || code == 21.0 || (code >= 54.0 && code <= 59.0))) {
+            refuse(fmt::format("G{} after the first move: the tool would go by other coordinates", code));
         } else if (code == 20.0 || code == 21.0) {
             unit_ = code == 20.0 ? units::inch : units::millimetre;
         } else if (code == 90.0) {
@@ -118,6 +126,8 @@ class Reader {
         const PostAxis& post = post_axis(post_, axis);
         if (axis.kind == AxisKind::linear && !unit_) refuse("a length before G20 or G21");
         if (!absolute_) refuse("an axis moves before G90");
+        if (named_[index]) refuse(fmt::format("{} twice in one block", post.letter));
+        named_[index] = true;
         const double value = printed * (axis.kind == AxisKind::linear ? *unit_ : units::degree);
         values_(static_cast<Eigen::Index>(index)) = post.sign * (value - post.offset);
     }
@@ -133,7 +143,7 @@ class Reader {
             if (!inverse_time_) feed_known_ = true;
             if (inverse_time_) move.seconds = 60.0 / *feed_;
         }
-        if (values_.allFinite()) moves_.push_back(std::move(move));
+        moves_.push_back(std::move(move));
     }
 
     const Machine& machine_;
@@ -142,13 +152,14 @@ class Reader {
     Eigen::VectorXd values_;
     std::optional<double> unit_, feed_;
     std::optional<bool> rapid_, motion_is_rapid_;
+    std::vector<bool> named_;  // axes of this block
     bool absolute_ = false, inverse_time_ = false, feed_known_ = false;
     int line_ = 0;
 };
 
 }  // namespace
 
-std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, const PostProcessor& post) {
+std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine, const PostProcessor& post) {
     post.validate();
     Reader reader(machine, post);
     while (!text.empty()) {
@@ -157,6 +168,12 @@ std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, 
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return std::move(reader).finish();
+}
+
+std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, const PostProcessor& post) {
+    std::vector<NcMove> moves = read_nc_travel(text, machine, post);
+    std::erase_if(moves, [](const NcMove& move) { return !move.values.allFinite(); });
+    return moves;
 }
 
 }  // namespace camopt

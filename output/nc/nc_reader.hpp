@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // G-code read back: the moves that a control would make, from the printed text and the post-processor alone.
 //
-// Understood: G0 G1 G20 G21 G90 G93 G94, axis words, F, N, O, S, T, M, comments ( ) and ;, %, / ignored where
-// it stands first; G17 G18 G19 G40 G49 G54 … G59 G61 G64 G80 change nothing here. Everything else is an
-// InputError naming the line: a check that skips what it does not know checks nothing.
+// Understood: G0 G1 G20 G21 G90 G93 G94, axis words, F, N, O, S, T, M, comments ( ) and ;, %; G17 G18 G19 G40
+// G49 G61 G64 G80 change nothing here, nor do G54 … G59 and the unit before the first move. Everything else
+// is an InputError naming the line: a check that skips what it does not know checks nothing.
 #pragma once
 
 #include "output/nc/machine.hpp"
@@ -22,6 +22,10 @@ struct NcMove {
     Eigen::VectorXd values;  ///< at its end, machine axes, m and rad
     double seconds = 0.0;    ///< G93 only, else 0
 };
+
+/// All moves; an axis that has no value yet is NaN. Throws like read_nc_text.
+[[nodiscard]] std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine,
+                                                 const PostProcessor& post);
 
 /// Moves from the block on in which every axis has a value. Throws InputError (see above), also where units,
 /// G90 or a feed are missing, and for a G1 before every axis has a value.

@@ -9,6 +9,19 @@
 
 namespace camopt {
 
+namespace {
+
+/// As it may stand in a comment: brackets end comments, lines end them too, and a control reads ASCII.
+std::string plain(std::string_view words) {
+    std::string result;
+    for (const char letter : words)
+        result +=
+            letter == '(' || letter == ')' || letter == ';' || letter < ' ' || letter > '~' ? ' ' : letter;
+    return result;
+}
+
+}  // namespace
+
 NcWriter::NcWriter(const Machine& machine, const PostProcessor& post)
     : machine_(machine), post_(post), last_words_(machine.axes().size()), block_(post.first_block) {}
 
@@ -21,11 +34,7 @@ void NcWriter::line(const std::string& words) {
 }
 
 void NcWriter::comment(std::string_view words) {
-    std::string plain;
-    for (const char letter : words)  // brackets end comments, and a control reads ASCII
-        plain +=
-            letter == '(' || letter == ')' || letter == ';' || letter < ' ' || letter > '~' ? ' ' : letter;
-    text_ += fmt::format("{}{}{}\n", post_.comment_begin, plain, post_.comment_end);
+    text_ += fmt::format("{}{}{}\n", post_.comment_begin, plain(words), post_.comment_end);
 }
 
 /// G93 or G94 where it changes.
@@ -76,11 +85,11 @@ std::string NcWriter::axis_words(const Eigen::VectorXd& values) {
     return words.empty() ? axis_word(0, values(0), true) : words;  // a block that rests is a block too
 }
 
-void NcWriter::begin(const NcJob& job) {
-    placeholders_ = {{"{title}", job.title},
-                     {"{tool}", job.tool},
-                     {"{post}", post_.name},
-                     {"{machine}", machine_.name()},
+void NcWriter::begin(const NcJob& job, double plane) {
+    placeholders_ = {{"{title}", plain(job.title)},
+                     {"{tool}", plain(job.tool)},
+                     {"{post}", plain(post_.name)},
+                     {"{machine}", plain(machine_.name())},
                      {"{spindle_rpm}", fmt::format("{:.0f}", job.spindle_rpm)}};
     for (const std::string& words : post_.header) line(placed(words));
     const bool inch = post_.unit == LengthUnit::inch;
@@ -97,24 +106,45 @@ void NcWriter::begin(const NcJob& job) {
                 ? "feed: G93, F = 1 / minutes of the block, plunging: G94"
                 : fmt::format("feed: G94, {} / min", length));
     for (const std::string& remark : job.remarks) comment(remark);
+    describe_blank(job, plane);
     line(fmt::format("{} G90 G94", inch ? "G20" : "G21"));
     feed_mode_ = "G94";
     if (job.spindle_rpm > 0.0 && !post_.spindle_on.empty()) line(placed(post_.spindle_on));
 }
 
-void NcWriter::approach(std::string_view name, const NcStep& first, double height) {
+/// What the operator must set up so that no rapid runs into anything.
+void NcWriter::describe_blank(const NcJob& job, double plane) {
+    const std::string word = axis_word(2, plane, true).substr(1);
+    last_words_[2].clear();
+    comment(fmt::format("blank: {}", words_of(job.blank)));
+    const bool turns = std::ranges::any_of(
+        machine_.axes(), [](const MachineAxis& axis) { return axis.kind == AxisKind::rotary; });
+    comment(fmt::format("clearance plane: {}, {:g} mm above the blank{}", word,
+                        job.clearance / units::millimetre, turns ? " however the table stands" : ""));
+    comment(fmt::format("rapids keep {:g} mm or more from the blank, into it and out of it by feed",
+                        job.safe_distance / units::millimetre));
+    comment("before the start: tool clear of blank and clamps, free to go straight to the clearance plane");
+}
+
+void NcWriter::approach(std::string_view name, const NcStep& first, const WayHeights& heights) {
     comment(fmt::format("pass: {}", name));
-    line("G0" + axis_word(2, height, true));
+    line("G0" + axis_word(2, heights.plane, true));
     std::string words;
     for (std::size_t i = 0; i < machine_.axes().size(); ++i)
         if (i != 2) words += axis_word(i, first.values(static_cast<Eigen::Index>(i)), true);
     line("G0" + words);
+    line("G0" + axis_word(2, heights.safe, true));
+}
+
+/// Z alone, by feed.
+void NcWriter::along_the_tool(double height, double feed) {
+    mode("G94");
+    const double per_minute = feed * 60.0 / metres_of(post_.unit);
+    line("G1" + axis_word(2, height, true) + " F" + number(per_minute, post_.feed_decimals));
 }
 
 void NcWriter::plunge(const NcStep& first, double feed) {
-    mode("G94");
-    const double per_minute = feed * 60.0 / metres_of(post_.unit);
-    line("G1" + axis_word(2, first.values(2), true) + " F" + number(per_minute, post_.feed_decimals));
+    along_the_tool(first.values(2), feed);
 }
 
 void NcWriter::cut(const NcStep& step, double seconds, double feed) {
@@ -124,9 +154,9 @@ void NcWriter::cut(const NcStep& step, double seconds, double feed) {
     line("G1" + axis_words(step.values) + " F" + number(word, post_.feed_decimals));
 }
 
-void NcWriter::retract(double height) {
-    mode("G94");
-    line("G0" + axis_word(2, height, true));
+void NcWriter::retract(const WayHeights& heights, double feed) {
+    along_the_tool(heights.safe, feed);
+    line("G0" + axis_word(2, heights.plane, true));
 }
 
 std::string NcWriter::finish() {

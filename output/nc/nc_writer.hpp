@@ -15,24 +15,33 @@ struct NcStep {
     Eigen::VectorXd values;
 };
 
+/// Z of the machine, m.
+struct WayHeights {
+    double plane = 0.0;  ///< the clearance plane
+    double safe = 0.0;   ///< over the blank, as the table stands; below the plane or on it
+};
+
 class NcWriter {
  public:
     NcWriter(const Machine& machine, const PostProcessor& post);
 
-    /// Header, what the numbers mean, units and modes.
-    void begin(const NcJob& job);
-    /// Rapid: up, over the first pose, the rotary axes turned.
-    void approach(std::string_view name, const NcStep& first, double height);
+    /// Header, what the numbers mean, blank and clearance plane, units and modes.
+    void begin(const NcJob& job, double plane);
+    /// Rapid: up, over the first pose with the rotary axes turned, down to the safe height.
+    void approach(std::string_view name, const NcStep& first, const WayHeights& heights);
     void plunge(const NcStep& first, double feed);
     /// seconds: of the block; feed: m/s, where F is not a time.
     void cut(const NcStep& step, double seconds, double feed);
-    void retract(double height);
+    /// Out of the blank at `feed`, then rapid.
+    void retract(const WayHeights& heights, double feed);
     /// The text, with the footer.
     [[nodiscard]] std::string finish();
 
  private:
     void line(const std::string& words);
     void comment(std::string_view words);
+    void describe_blank(const NcJob& job, double plane);
+    void along_the_tool(double height, double feed);
     void mode(std::string_view word);
     [[nodiscard]] std::string placed(const std::string& text) const;
     [[nodiscard]] std::string axis_word(std::size_t axis, double value, bool always);

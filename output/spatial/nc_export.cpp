@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "output/spatial/nc_export.hpp"
 
+#include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/spatial/cam_export.hpp"
+#include "output/spatial/indexing_body.hpp"
 #include "output/spatial/roller_path.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -37,6 +42,38 @@ std::vector<Eigen::Vector3d> flank_points(const RollerPath& roller, double radiu
     return points;
 }
 
+void widen(Blank& extent, const Eigen::Vector3d& point) {
+    extent.radius = std::max(extent.radius, std::hypot(point.x(), point.y()));
+    extent.lower = std::min(extent.lower, point.z());
+    extent.upper = std::max(extent.upper, point.z());
+}
+
+Blank blank_of(const SpatialCam& cam, const FollowerMotion& motion, const BlankChoice& choice) {
+    const RollerPath roller = roller_path(cam, motion);
+    Blank extent{0.0, HUGE_VAL, -HUGE_VAL};
+    double deepest = HUGE_VAL;  // radius
+    for (int i = 0; i < checked_heights; ++i)
+        for (const Eigen::Vector3d& point :
+             flank_points(roller, cam[SpatialDimension::roller_radius],
+                          cam.roller_length * i / (checked_heights - 1), motion)) {
+            widen(extent, point);
+            deepest = std::min(deepest, std::hypot(point.x(), point.y()));
+        }
+    if (indexes(cam, motion)) {
+        const IndexingBody body = indexing_body(cam, motion);
+        for (const TriangleMesh* part : {&body.thread, &body.hub})
+            for (const Eigen::Vector3d& point : part->vertices) widen(extent, point);
+    }
+    extent.radius += choice.allowance;
+    extent.lower -= choice.allowance;
+    extent.upper += choice.allowance;
+    const Blank blank = chosen_blank(extent, choice);
+    if (blank.radius <= deepest)
+        throw InputError(fmt::format("blank: {} ends above the groove, whose least radius is {:.3f} mm",
+                                     words_of(blank), deepest / units::millimetre));
+    return blank;
+}
+
 }  // namespace
 
 std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset) {
@@ -44,8 +81,7 @@ std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset) {
     return rotary_table_machine();
 }
 
-CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, const Machine& machine,
-                         const PostProcessor& post, const NcExportOptions& options) {
+NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
     const RollerPath roller = roller_path(cam, motion);
     CutterLocation location;
     location.roller_radius = cam[SpatialDimension::roller_radius];
@@ -55,7 +91,8 @@ CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, co
     location.tip_beyond = options.tip_beyond;
     const double working_length = cam.roller_length + options.tip_beyond;
 
-    NcJob job;
+    NcWork work;
+    NcJob& job = work.job;
     job.title = options.title;
     job.tool = fmt::format("cylindrical end mill, diameter {:g} mm, working length {:g} mm or more",
                            location.diameter / units::millimetre, working_length / units::millimetre);
@@ -63,8 +100,11 @@ CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, co
     job.feed = options.feed;
     job.rotary_speed = options.rotary_speed;
     job.spindle_rpm = options.spindle_rpm;
+    job.blank = blank_of(cam, motion, options.blank);
+    job.clearance = options.clearance;
+    job.safe_distance = options.safe_distance;
 
-    CuttingTask task;
+    CuttingTask& task = work.task;
     const std::vector<int> flanks = flanks_cut(cam, options, location.diameter);
     for (const int flank : flanks) {
         location.flank = flank;
@@ -74,13 +114,22 @@ CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, co
     task.knots = motion.breakpoints;
     task.blocks = {options.blocks, options.chord_tolerance, working_length};
     task.cutter = {location.diameter, working_length + location.diameter};
+    GroovedBody body{roller, motion.begin(), motion.end(), location.roller_radius, working_length, job.blank};
+    body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
+    task.finished = grooved_finished_cam(body);
+    task.gouge_tolerance = options.gouge_tolerance;
     for (int i = 0; i < checked_heights; ++i) {
         const double height = cam.roller_length * i / (checked_heights - 1);
         task.surfaces.push_back({fmt::format("both flanks, {:.3f} mm from the near end of the roller",
                                              height / units::millimetre),
                                  flank_points(roller, location.roller_radius, height, motion)});
     }
-    return checked_program(machine, post, std::move(job), task);
+    return work;
+}
+
+CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, const Machine& machine,
+                         const PostProcessor& post, const NcExportOptions& options) {
+    return checked_program(machine, post, nc_work(cam, motion, options));
 }
 
 }  // namespace camopt

@@ -25,11 +25,21 @@ struct NcExportOptions {
     double spindle_rpm = 0.0;                    ///< rev/min; 0: no word
     double chord_tolerance = 1e-6;               ///< m
     std::optional<int> blocks = {};              ///< instead of the chord tolerance
+    double gouge_tolerance = 1e-5;               ///< m: checked_program.hpp
+    BlankChoice blank;                           ///< what is left out: the cam's extent and the allowance
+    double clearance = 0.02;                     ///< m: of the clearance plane above the blank
+    double safe_distance = 2e-3;                 ///< m: rapids keep so far from the blank
     std::string title = "cam";
 };
 
 /// Four axes where the roller stands square to the cam's axis, else five.
 [[nodiscard]] std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset);
+
+/// What is cut and what it is checked against. The cam's extent is that of both flanks along the whole roller
+/// and, of an indexing cam, that of its body (indexing_body.hpp). Throws InputError for options that are not
+/// valid and for a blank that the groove does not reach into.
+[[nodiscard]] NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion,
+                             const NcExportOptions& options);
 
 /// Checked at five heights of the roller, both flanks. Throws InputError for options that are not valid.
 [[nodiscard]] CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion,

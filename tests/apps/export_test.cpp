@@ -69,6 +69,38 @@ TEST(ExportCommand, DiskCam) {
     EXPECT_NE(read_text_file(folder.path() + "/cam.nc").find("(machine: three axes"), std::string::npos);
 }
 
+TEST(ExportCommand, TheBlankDecidesHowHighRapidsGo) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run =
+        run_camopt("export " + test::scene("barrel_paper_cup") + " --out " + folder.path() + quick +
+                   " --nc --blank-diameter-mm 400 --blank-from-mm -150 "
+                   "--blank-to-mm 150 --clearance-mm 30 --safe-mm 4");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string program = read_text_file(folder.path() + "/cam.nc");
+    for (const char* const words : {"diameter 400.000 mm, from -150.000 to 150.000 mm",
+                                    "(clearance plane: Z230.0000, 30 mm above the blank",
+                                    "(rapids keep 4 mm or more", "\nG0 Z230.0000\n", "\nG0 Z204.0000\n"})
+        EXPECT_NE(program.find(words), std::string::npos) << words;
+    EXPECT_NE(run.output.find("3.9999 mm or more from the blank"), std::string::npos) << run.output;
+}
+
+// A cutter that is rounder than the cam's hollow: no program, nor the one of an earlier run.
+TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
+    const test::TemporaryFolder folder;
+    const std::string arguments = "export " + test::scene("cam_roller") + " --out " + folder.path() +
+                                  " --set solver.starts=1 --nc --chord-mm 0.01 --cutter-mm ";
+    ASSERT_EQ(run_camopt(arguments + "12").exit_code, 0);
+    ASSERT_TRUE(std::filesystem::exists(folder.path() + "/cam.nc"));
+    const ProgramRun run = run_camopt(arguments + "1000");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find("the NC program is refused and was not written"), std::string::npos)
+        << run.errors;
+    EXPECT_NE(run.output.find("REFUSED: line "), std::string::npos) << run.output;
+    EXPECT_EQ(run.output.find("cam.nc\n"), std::string::npos) << run.output;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/cam.nc"));
+    EXPECT_NE(read_text_file(folder.path() + "/cam_nc_check.txt").find("REFUSED"), std::string::npos);
+}
+
 TEST(ExportCommand, RefusesWhatItCannotExport) {
     const test::TemporaryFolder folder;
     const std::string out = " --out " + folder.path();
@@ -85,6 +117,11 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
     refused(barrel + out + " --cutter-mm 10", "--nc");
     refused(barrel + out + quick + " --nc --cutter-mm 80", "must not exceed the roller radius");
     refused(barrel + out + quick + " --nc --post none.toml", "none.toml");
+    const std::string disk = test::scene("cam_drdrd") + out + " --set solver.starts=1 --nc";
+    refused(disk + " --clearance-mm -5", "inside the blank");
+    refused(disk + " --clearance-mm 1", "above the blank");
+    refused(disk + " --blank-diameter-mm 50", "does not hold the cam");
+    refused(barrel + out + " --blank-diameter-mm 400", "--nc");
 }
 
 }  // namespace

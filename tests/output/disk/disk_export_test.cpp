@@ -3,6 +3,7 @@
 #include "output/disk/disk_export.hpp"
 
 #include "core/errors.hpp"
+#include "output/nc/spoiled_programs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,89 @@ TEST(DiskNc, IsCheckedAlongTheContour) {
     }
 }
 
+TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
+    const auto machine = plane_milling_machine();
+    const ProfileShape shape = shape_of(10.0 * millimetre);
+    DiskNcOptions options;
+    options.chord_tolerance = 1e-4;
+    options.gouge_tolerance = 5e-4;  // many programs: the rapids are what matters
+    NcWork work = disk_nc_work(shape, options);
+    work.task.surfaces.clear();
+    for (const FeedMode mode : {FeedMode::inverse_time, FeedMode::per_minute}) {
+        PostProcessor post = generic_post(*machine);
+        post.feed_mode = mode;
+        const CheckedProgram right = checked_program(*machine, post, work);
+        ASSERT_EQ(right.fault(), "");
+        test::Spoiling how;
+        how.heights = {-21.0, -1.0, 0.0, 1.9, -200.0};
+        how.across = {"X", "Y"};
+        const auto spoiled = test::spoiled_programs(right.program.text, how);
+        EXPECT_GT(spoiled.size(), 15u);
+        for (const test::SpoiledProgram& program : spoiled)
+            EXPECT_NE(test::refusal_of(program.text, right, *machine, post, work), "") << program.kind;
+    }
+}
+
+// A block left out, and blocks as rapids: the contour itself.
+TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
+    const auto machine = plane_milling_machine();
+    const PostProcessor post = generic_post(*machine);
+    const ProfileShape shape = shape_of(10.0 * millimetre);
+    DiskNcOptions options;
+    options.chord_tolerance = 1e-4;
+    const NcWork work = disk_nc_work(shape, options);
+    const CheckedProgram right = checked_program(*machine, post, work);
+    ASSERT_EQ(right.fault(), "");
+    for (const test::TextLine& line : test::lines_of(right.program.text)) {
+        if (line.words.rfind("G1 ", 0) != 0) continue;
+        const std::string rapid = "G0" + line.words.substr(2);
+        EXPECT_NE(
+            test::refusal_of(test::with_line(right.program.text, line, rapid), right, *machine, post, work),
+            "")
+            << rapid;
+        EXPECT_NE(
+            test::refusal_of(test::with_line(right.program.text, line, ""), right, *machine, post, work), "")
+            << line.words;
+    }
+}
+
+// A cutter of 60 mm in hollows of 20 mm: not a program that is handed out.
+TEST(NcGouge, LargeCutterInAHollowIsRefused) {
+    const auto machine = plane_milling_machine();
+    ProfileShape shape = shape_of(0.0);
+    shape.at = [](double theta) {
+        const double r = 50.0 * millimetre, wave = 4.0 * millimetre;
+        const double radius = r + wave * std::cos(6.0 * theta), slope = -6.0 * wave * std::sin(6.0 * theta);
+        const Eigen::Vector2d out(std::cos(theta), std::sin(theta)), along(-out.y(), out.x());
+        ProfilePoint point;
+        point.contact = radius * out;
+        point.normal = (radius * out - slope * along).normalized();
+        return point;
+    };
+    DiskNcOptions options;
+    options.chord_tolerance = 1e-5;
+    options.cutter_diameter = 30.0 * millimetre;
+    EXPECT_EQ(disk_nc(shape, *machine, generic_post(*machine), options).fault(), "");
+    options.cutter_diameter = 60.0 * millimetre;
+    const CheckedProgram gouges = disk_nc(shape, *machine, generic_post(*machine), options);
+    EXPECT_NE(gouges.fault().find("enters the finished cam"), std::string::npos) << gouges.fault();
+    EXPECT_NE(nc_check_text(gouges).find("REFUSED: line "), std::string::npos);
+}
+
+// A title is no way to write a move.
+TEST(NcComments, ATitleStaysAComment) {
+    const auto machine = plane_milling_machine();
+    PostProcessor post = generic_post(*machine);
+    post.header = {"%", "O1 ({title})"};
+    DiskNcOptions options;
+    options.chord_tolerance = 1e-4;
+    options.title = "cam)\nG0 Z-50 (\x1b[31m";
+    const CheckedProgram program = disk_nc(shape_of(10.0 * millimetre), *machine, post, options);
+    EXPECT_EQ(program.fault(), "");
+    EXPECT_EQ(program.program.text.find("\nG0 Z-50"), std::string::npos);
+    EXPECT_EQ(program.program.text.find('\x1b'), std::string::npos);
+}
+
 TEST(DiskSolid, IsWatertightWithTheVolumeOfARing) {
     const TriangleMesh ring = disk_solid(shape_of(0.0), {20.0 * millimetre, 5.0 * millimetre, 720});
     EXPECT_TRUE(mesh_edges(ring).watertight());
@@ -65,6 +149,19 @@ TEST(DiskExport, RefusesWhatCannotBeMade) {
     DiskNcOptions options;
     options.thickness = 0.0;
     EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01), *machine, post, options)), InputError);
+    const auto refused = [&](auto change) {
+        DiskNcOptions wrong;
+        change(wrong);
+        EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01), *machine, post, wrong)), InputError);
+    };
+    refused([](DiskNcOptions& wrong) { wrong.blank.radius = 0.045; });  // the cam reaches 50 mm
+    refused([](DiskNcOptions& wrong) { wrong.blank.upper = -0.001; });
+    refused([](DiskNcOptions& wrong) { wrong.blank.lower = -0.019; });
+    refused([](DiskNcOptions& wrong) { wrong.blank.allowance = -0.001; });
+    refused([](DiskNcOptions& wrong) { wrong.clearance = -0.001; });
+    refused([](DiskNcOptions& wrong) { wrong.clearance = 0.001; });
+    refused([](DiskNcOptions& wrong) { wrong.safe_distance = 0.0; });
+    refused([](DiskNcOptions& wrong) { wrong.gouge_tolerance = 0.0; });
     EXPECT_THROW(static_cast<void>(disk_solid(shape_of(0.01), {0.02, 0.05, 720})), InputError);
     EXPECT_THROW(static_cast<void>(disk_solid(shape_of(0.01), {0.02, 0.0, 720})), InputError);
 }

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace camopt {
 namespace {
 
@@ -56,6 +58,25 @@ TEST_F(Reading, RefusesWhatItWouldHaveToGuess) {
     EXPECT_THROW(static_cast<void>(moves("G21\nG0 X0 Y0 Z0 A0\n")), InputError);      // no G90
     EXPECT_THROW(static_cast<void>(moves("G21 G90\nX0 Y0 Z0 A0\n")), InputError);     // no G0
     EXPECT_THROW(static_cast<void>(moves("G21 G90\nG1 X0 Y0 Z0 F5\n")), InputError);  // no A yet
+}
+
+TEST_F(Reading, RefusesOtherCoordinatesUnderWay) {
+    const std::string start = "G21 G90 G94 G54\nG0 X0 Y0 Z50 A0\n";
+    for (const char* const bad : {"G55", "G20", "G21", "M6 T2", "G1 X1 X2 F10"})
+        EXPECT_THROW(static_cast<void>(moves(start + bad + "\nG0 Z60\n")), InputError) << bad;
+    // Modes count for the whole block they stand in.
+    const auto read = moves("G90\nX254 Y0 Z0 A0 G21 G0\n");
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_NEAR(read[0].values(0), 0.254, 1e-16);
+}
+
+TEST_F(Reading, TravelKeepsTheMovesBeforeEveryAxisIsKnown) {
+    const auto read = read_nc_travel("G21 G90\nG0 Z50\nG0 X1\nG0 Y2 A3\n", *machine, post);
+    ASSERT_EQ(read.size(), 3u);
+    EXPECT_NEAR(read[0].values(2), 0.05, 1e-17);
+    EXPECT_TRUE(std::isnan(read[0].values(0)));
+    EXPECT_TRUE(std::isnan(read[1].values(3)));
+    EXPECT_TRUE(read[2].values.allFinite());
 }
 
 TEST_F(Reading, NamesTheLine) {

@@ -48,6 +48,7 @@ inline NcJob job_of(std::vector<ToolPose> poses) {
     NcJob job;
     job.title = "sample";
     job.tool = "end mill";
+    job.blank = {100.0 * millimetre, -60.0 * millimetre, 60.0 * millimetre};
     job.passes.push_back({"groove", std::move(poses)});
     return job;
 }

@@ -102,29 +102,38 @@ TEST(PostProcessor, ShapesTheText) {
     job.tool = "mill (16)";
     job.spindle_rpm = 1200.0;
     job.feed = 1e-3;
+    job.blank = {0.06, -0.025, 0.025};  // reaches 65 mm from the origin
     job.passes = {{"one", {{{0.05, 0, 0}, {-1, 0, 0}}, {{0.05, 0, 0.001}, {-1, 0, 0}}}}};
     const NcProgram program = nc_program(*machine, post, job);
-    EXPECT_EQ(program.text,
-              "%\n"
-              "N10 O1 (cam {tool} on five axes, table turns and tilts)\n"
-              "(cam {tool})\n"
-              "(tool: mill  16 )\n"
-              "(machine: five axes, table turns and tilts, post-processor: generic)\n"
-              "(X = x in mm, Y = y in mm, Z = z in mm, C = rotary in deg, B = tilt in deg)\n"
-              "(feed: G93, F = 1 / minutes of the block, plunging: G94)\n"
-              "N20 G21 G90 G94\n"
-              "N30 S1200 M3\n"
-              "(pass: one)\n"
-              "N40 G0 Z70.000\n"
-              "N50 G0 X0.000 Y0.000 C-90.00 B0.00\n"
-              "N60 G1 Z50.000 F60.000\n"
-              "N70 G93\n"
-              "N80 G1 X1.000 F60.000\n"
-              "N90 G94\n"
-              "N100 G0 Z70.000\n"
-              "N110 M5\n"
-              "N120 M30\n"
-              "%\n");
+    EXPECT_EQ(
+        program.text,
+        "%\n"
+        "N10 O1 (cam {tool} on five axes, table turns and tilts)\n"
+        "(cam {tool})\n"
+        "(tool: mill  16 )\n"
+        "(machine: five axes, table turns and tilts, post-processor: generic)\n"
+        "(X = x in mm, Y = y in mm, Z = z in mm, C = rotary in deg, B = tilt in deg)\n"
+        "(feed: G93, F = 1 / minutes of the block, plunging: G94)\n"
+        "(blank: cylinder about the axis of the cam, diameter 120.000 mm, from -25.000 to 25.000 mm "
+        "along it)\n"
+        "(clearance plane: Z85.000, 20 mm above the blank however the table stands)\n"
+        "(rapids keep 2 mm or more from the blank, into it and out of it by feed)\n"
+        "(before the start: tool clear of blank and clamps, free to go straight to the clearance plane)\n"
+        "N20 G21 G90 G94\n"
+        "N30 S1200 M3\n"
+        "(pass: one)\n"
+        "N40 G0 Z85.000\n"
+        "N50 G0 X0.000 Y0.000 C-90.00 B0.00\n"
+        "N60 G0 Z62.000\n"
+        "N70 G1 Z50.000 F60.000\n"
+        "N80 G93\n"
+        "N90 G1 X1.000 F60.000\n"
+        "N100 G94\n"
+        "N110 G1 Z62.000 F60.000\n"
+        "N120 G0 Z85.000\n"
+        "N130 M5\n"
+        "N140 M30\n"
+        "%\n");
     EXPECT_EQ(program.blocks, 1);
     EXPECT_NEAR(program.seconds, 1.0, 1e-12);
 }

@@ -73,7 +73,7 @@ TEST(SurfaceCheck, EqualCutterIsExactAtBlocks) {
     double worst = 0.0;
     std::size_t block = 0;
     for (const NcMove& move : moves) {
-        if (move.rapid) continue;
+        if (move.rapid || block == angles.size()) continue;  // the last feed leads out
         const ToolPose found = machine->pose(move.values);
         for (const double height : {0.0, 10.0 * millimetre, 20.0 * millimetre})
             for (const int flank : {1, -1}) {

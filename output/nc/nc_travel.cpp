@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "output/nc/nc_travel.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace camopt {
+
+namespace {
+
+constexpr Eigen::Index height_axis = 2;  // Z: X, Y, Z come first
+constexpr double rounding = 1e-9;        // m: pieces this small are decided as their middle
+constexpr int most_pieces = 1'000'000;   // of one move: what is not decided by then is not shown
+
+class Travel {
+ public:
+    Travel(const Machine& machine, const NcTravelTask& task)
+        : machine_(machine), task_(task), levers_(static_cast<Eigen::Index>(machine.axes().size())) {
+        const double reach = task.blank.reach();
+        for (std::size_t i = 0; i < machine.axes().size(); ++i)
+            levers_(static_cast<Eigen::Index>(i)) = machine.axes()[i].kind == AxisKind::linear ? 1.0 : reach;
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(levers_.size());
+        const ToolPose rest = machine.pose(zero);
+        height_offset_ = -rest.axis.dot(rest.tip);
+        any_height_ = greatest_height(task.blank, machine);
+        check_.nearest = std::numeric_limits<double>::infinity();
+        check_.deepest = -std::numeric_limits<double>::infinity();
+    }
+
+    void take(const Eigen::VectorXd& from, const NcMove& move) {
+        pieces_ = 0;
+        line_ = move.line;
+        if (!move.rapid) {
+            ++check_.feeds;
+            feed(from, move.values, 0.0, 1.0);
+            return;
+        }
+        ++check_.rapids;
+        if (!above_everything(from, move.values)) rapid(from, move.values);
+    }
+    [[nodiscard]] NcTravelCheck finish() && { return std::move(check_); }
+
+ private:
+    void refuse(const std::string& what) {
+        if (check_.good()) check_.fault = fmt::format("line {}: {}", line_, what);
+    }
+    static std::string mm(double metres) { return fmt::format("{:.4g} mm", metres / units::millimetre); }
+
+    /// Over the blank in whatever way the table stands: then no other axis matters.
+    bool above_everything(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        const double begin = from(height_axis), end = to(height_axis);
+        // The first move of a program, from wherever the machine stands: it may lift or lower the tool,
+        // alone.
+        const bool first = std::isnan(begin) && !std::isnan(end) && only_height_moves(from, to);
+        const double lowest = first ? end : std::min(begin, end);
+        if (std::isnan(begin) && !first) {
+            refuse("a rapid across while the height of the tool is not known");
+            return true;
+        }
+        const double distance = lowest + height_offset_ - any_height_;
+        if (distance >= task_.least_distance) {
+            check_.nearest = std::min(check_.nearest, distance);
+            return true;
+        }
+        if (from.allFinite() && to.allFinite()) return false;
+        refuse(fmt::format("a rapid {} over the blank while not every axis has a value; it takes {}",
+                           mm(distance), mm(task_.least_distance)));
+        return true;
+    }
+    [[nodiscard]] static bool only_height_moves(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        for (Eigen::Index i = 0; i < from.size(); ++i)
+            if (i != height_axis && !std::isnan(to(i)) && to(i) != from(i)) return false;
+        return true;
+    }
+
+    /// Every value of every axis between the two.
+    void rapid(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        if (!check_.good()) return;
+        const Eigen::VectorXd half = 0.5 * (to - from).cwiseAbs().cwiseProduct(levers_);
+        const double distance =
+            distance_to_blank(task_.blank, machine_.pose(0.5 * (from + to)), task_.cutter_radius);
+        check_.nearest = std::min(check_.nearest, distance);
+        const double around = half.head<3>().norm() + half.tail(half.size() - 3).sum();
+        if (distance < task_.least_distance) {
+            refuse(distance > 0.0 ? fmt::format("a rapid may come within {} of the blank; {} are kept",
+                                                mm(distance), mm(task_.least_distance))
+                                  : "a rapid may touch the blank");
+            return;
+        }
+        if (distance - around >= task_.least_distance - rounding) return;
+        if (++pieces_ > most_pieces) return refuse("a rapid that could not be shown to keep off the blank");
+        Eigen::Index widest = 0;
+        half.maxCoeff(&widest);
+        Eigen::VectorXd middle = to, other = from;
+        middle(widest) = other(widest) = 0.5 * (from(widest) + to(widest));
+        rapid(from, middle);
+        rapid(other, to);
+    }
+
+    void feed(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double begin, double end) {
+        if (!check_.good()) return;
+        const Eigen::VectorXd way = (to - from).cwiseProduct(levers_);
+        const double around =
+            0.5 * (end - begin) * (way.head<3>().norm() + way.tail(way.size() - 3).cwiseAbs().sum());
+        const ToolPose pose = machine_.pose(from + 0.5 * (begin + end) * (to - from));
+        const double depth = task_.cam->depth(pose, task_.cutter_radius);
+        check_.deepest = std::max(check_.deepest, depth);
+        if (depth > task_.most_depth)
+            return refuse(fmt::format("the cutter enters the finished cam by {}; {} are allowed", mm(depth),
+                                      mm(task_.most_depth)));
+        if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding) return;
+        if (++pieces_ > most_pieces)
+            return refuse("a feed that could not be shown to stay out of the finished cam");
+        const double middle = 0.5 * (begin + end);
+        feed(from, to, begin, middle);
+        feed(from, to, middle, end);
+    }
+
+    const Machine& machine_;
+    const NcTravelTask& task_;
+    Eigen::VectorXd levers_;  // of each axis: how far it moves a point of the blank past the cutter
+    NcTravelCheck check_;
+    double height_offset_ = 0.0, any_height_ = 0.0;
+    int line_ = 0, pieces_ = 0;
+};
+
+}  // namespace
+
+void NcTravelTask::validate() const {
+    blank.validate();
+    const auto require = [](bool holds, const char* what, double found) {
+        if (!holds) throw InputError(fmt::format("NC check: {}, found {:g} m", what, found));
+    };
+    require(std::isfinite(cutter_radius) && cutter_radius > 0.0, "the cutter's radius must be > 0",
+            cutter_radius);
+    require(std::isfinite(least_distance) && least_distance > 0.0,
+            "the distance of rapids from the blank must be > 0", least_distance);
+    require(std::isfinite(most_depth) && most_depth > 0.0, "the allowed depth must be > 0", most_depth);
+    if (cam == nullptr) throw InputError("NC check: the finished cam is missing");
+}
+
+NcTravelCheck check_travel(std::span<const NcMove> moves, const Machine& machine, const NcTravelTask& task) {
+    task.validate();
+    if (moves.empty()) throw InputError("NC check: the program does not move");
+    Travel travel(machine, task);
+    const auto axes = static_cast<Eigen::Index>(machine.axes().size());
+    Eigen::VectorXd from = Eigen::VectorXd::Constant(axes, std::numeric_limits<double>::quiet_NaN());
+    for (const NcMove& move : moves) {
+        travel.take(from, move);
+        from = move.values;
+    }
+    return std::move(travel).finish();
+}
+
+}  // namespace camopt
