@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "tests/soak/figures/cam_extremes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camopt::soak {
+
+namespace {
+
+constexpr int places = 48;  // a piece
+constexpr double none = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+CamSurvey::CamSurvey(const Motion& motion, const Cam& cam) : motion_(motion), cam_(cam) {
+    for (std::size_t k = 0; k < motion.pieces.size(); ++k) {
+        const Piece& piece = motion.pieces[k];
+        for (int j = 0; j <= places; ++j) {
+            const long double x =
+                j == places ? piece.end : piece.begin + (piece.end - piece.begin) * j / places;
+            samples_.push_back({static_cast<int>(k), x, point(piece, x)});
+            fastest_ = std::max(fastest_, std::abs(samples_.back().point.velocity));
+        }
+    }
+}
+
+CamPoint CamSurvey::point(const Piece& piece, long double x) const {
+    const std::array<long double, 4> y = piece.at(x);
+    const long double angle = motion_.unit_angle;
+    return cam_point(
+        cam_, {static_cast<double>(motion_.lift * y[0]), static_cast<double>(motion_.lift * y[1] / angle),
+               static_cast<double>(motion_.lift * y[2] / (angle * angle))});
+}
+
+double CamSurvey::largest(const Amount& amount) const {
+    std::vector<double> values;
+    values.reserve(samples_.size());
+    double found = none;
+    for (const Sample& sample : samples_) {
+        values.push_back(amount(sample.point));
+        if (std::isnan(values.back())) return std::numeric_limits<double>::quiet_NaN();
+        found = std::max(found, values.back());
+    }
+    // Every sample that no neighbour tops may stand beside a maximum.
+    const double near = found - 0.05 * std::abs(found);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k] < near || std::isinf(values[k])) continue;
+        if (k > 0 && samples_[k - 1].piece == samples_[k].piece && values[k - 1] > values[k]) continue;
+        if (k + 1 < values.size() && samples_[k + 1].piece == samples_[k].piece && values[k + 1] > values[k])
+            continue;
+        found = std::max(found, refined(amount, k));
+    }
+    return found;
+}
+
+double CamSurvey::least(const Amount& amount) const {
+    return -largest([&](const CamPoint& point) {
+        const double value = amount(point);
+        return value == std::numeric_limits<double>::infinity() ? none : -value;
+    });
+}
+
+double CamSurvey::refined(const Amount& amount, std::size_t about) const {
+    constexpr long double golden = 0.61803398874989484820L;
+    const Piece& piece = motion_.pieces[static_cast<std::size_t>(samples_[about].piece)];
+    const long double step = (piece.end - piece.begin) / places;
+    long double low = std::max(piece.begin, samples_[about].x - step);
+    long double high = std::min(piece.end, samples_[about].x + step);
+    double best = none;
+    for (int k = 0; k < 60; ++k) {
+        const long double left = high - golden * (high - low);
+        const long double right = low + golden * (high - low);
+        const double at_left = amount(point(piece, left));
+        const double at_right = amount(point(piece, right));
+        best = std::max({best, at_left, at_right});
+        (at_left > at_right ? high : low) = at_left > at_right ? right : left;
+    }
+    return best;
+}
+
+}  // namespace camopt::soak

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Peaks, root mean squares and the objective of a motion, from their definitions (docs/scene_file.md).
+#pragma once
+
+#include "tests/soak/figures/motion.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace camopt::soak {
+
+struct MotionFigures {
+    /// max |y'|, |y''|, |y'''| by order; of a program the largest over its spline segments, each by its own
+    /// angle and displacement.
+    std::array<long double, 4> peak{};
+    /// The same of the whole motion in lifts and units of x, laws included: what limits in time are about.
+    std::array<long double, 4> whole{};
+    long double torque = 0;                              ///< max |y' y''|
+    std::array<long double, 4> rms{};                    ///< by order; DRD and RR
+    std::vector<std::array<long double, 4>> of_stretch;  ///< peaks of each segment by its own measure
+};
+
+[[nodiscard]] MotionFigures figures_of(const Motion& motion);
+
+/// The sum of the weighted terms. `dimensions`: of the delivered cam, m.
+[[nodiscard]] long double objective_of(const SceneNumbers& scene, const MotionFigures& figures,
+                                       const std::map<std::string, double>& dimensions);
+
+}  // namespace camopt::soak

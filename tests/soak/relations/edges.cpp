@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Caps about the edge of the possible, and the relaxations that infeasible scenes are offered.
+#include "tests/soak/relations/change.hpp"
+#include "tests/soak/relations/relation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt::soak {
+
+namespace {
+
+const char* const peak_names[] = {"", "velocity", "acceleration", "jerk"};
+
+bool delivers(const Outcome& outcome) {
+    return outcome.has_motion() && outcome.verdict != "failed" && outcome.verdict != "infeasible";
+}
+
+/// Sets "table.quantity_unit" in place of every spelling of the quantity. False: not a plain place of a
+/// scene.
+bool set_path(SceneText& scene, const std::string& path, const std::string& value) {
+    const auto dot = path.rfind('.');
+    if (dot == std::string::npos || path.find('[') != std::string::npos) return false;
+    SceneTable& table = scene.at(path.substr(0, dot));
+    const std::string key = path.substr(dot + 1);
+    std::string quantity = key;
+    if (unit_of(key) != 1.0 || !table.find(key)) {
+        // The longest beginning that the table spells.
+        for (auto end = key.rfind('_'); end != std::string::npos && end > 0; end = key.rfind('_', end - 1)) {
+            quantity = key.substr(0, end);
+            if (!spelled(table, quantity).empty()) break;
+        }
+    }
+    if (const std::string old = spelled(table, quantity); !old.empty()) table.erase(old);
+    if (path == "spline.segments") table.erase("breakpoints");
+    table.set(key, value);
+    return true;
+}
+
+/// The value of a relaxation with a margin towards `given` (< 0) or away from it (> 0).
+double moved(const PublishedRelaxation& row, double margin) {
+    const double way = *row.needed >= row.given ? 1.0 : -1.0;
+    return *row.needed + way * margin;
+}
+
+}  // namespace
+
+Finding compare_own_figures_as_caps(Trial& trial) {
+    const Solved& base = trial.base();
+    if (!base.motion || !base.outcome.is_proved()) return no_case;
+    SceneText capped = trial.text();
+    SceneTable& limits = capped.at("limits");
+    // As they are, or by rounding or by a part in a million above.
+    const double factor = 1.0 + trial.draw().one_of<double>({0.0, 0.0, 1e-10, 1e-6});
+    bool any = false;
+    for (std::size_t order = 1; order <= 3; ++order) {
+        if (trial.numbers().caps[order] || trial.draw().chance(0.5)) continue;
+        limits.set(peak_names[order], base.outcome.peaks.at(peak_names[order]) * factor);
+        any = true;
+    }
+    if (!any) return no_case;
+    return same_answer(base.outcome, trial.solve(capped).outcome);
+}
+
+Finding compare_least_caps(Trial& trial) {
+    if (trial.has_cam() || trial.base().outcome.verdict == "infeasible") return no_case;
+    const auto order = static_cast<std::size_t>(trial.draw().whole(1, 3));
+    if (trial.numbers().caps[order]) return no_case;
+    SceneText alone = trial.text();
+    alone.erase("objective");
+    SceneTable& objective = alone.at("objective");
+    objective.set(peak_names[order], 1.0);
+    SceneTable reference;
+    reference.set(peak_names[order], 1.0);
+    objective.set("reference", inline_text(reference));
+    const Solved least = trial.solve(alone);
+    if (!least.outcome.is_proved() || !least.outcome.objective) return no_case;
+    const double beside = trial.draw().one_of<double>({0.0, 1e-10, -1e-10, 1e-6, 1e-4, -1e-4});
+    SceneText capped = trial.text();
+    capped.at("limits").set(peak_names[order], *least.outcome.objective * (1.0 + beside));
+    const Solved solved = trial.solve(capped);
+    const std::string& verdict = solved.outcome.verdict;
+    if (!solved.outcome.refusal.empty() || ended_early(solved.outcome)) return no_case;
+    if (beside <= -1e-5 && delivers(solved.outcome))
+        return fmt::format("{} cap {:.1g} below the least possible: {}", peak_names[order], -beside, verdict);
+    if (beside >= 1e-7 && !delivers(solved.outcome))
+        return fmt::format("{} cap {:.1g} above the least possible: {} ({})", peak_names[order], beside,
+                           verdict, solved.outcome.reason);
+    return holds;
+}
+
+Finding compare_relaxed(Trial& trial) {
+    if (trial.base().outcome.verdict != "infeasible") return no_case;
+    std::vector<PublishedRelaxation> rows;
+    for (const PublishedRelaxation& row : trial.base().outcome.relaxation)
+        if (row.needed && *row.needed != row.given) rows.push_back(row);
+    if (rows.empty()) return no_case;
+    const PublishedRelaxation row = trial.draw().one_of(rows);
+    const bool whole = row.key == "spline.segments";
+    const double size = std::abs(*row.needed);
+    const auto solve_at = [&](double margin) -> std::optional<Solved> {
+        SceneText changed = trial.text();
+        const double value = moved(row, margin);
+        if (!set_path(changed, row.key, whole ? std::to_string(std::lround(value)) : number_text(value)))
+            return std::nullopt;
+        return trial.solve(changed);
+    };
+    const auto with = solve_at(whole ? 0.0 : 1e-6 * size);
+    if (!with || ended_early(with->outcome)) return no_case;
+    if (!delivers(with->outcome))
+        return fmt::format("{} = {:.12g} and a margin of 1e-6: {} ({})", row.key, *row.needed,
+                           with->outcome.verdict, with->outcome.reason);
+    if (whole) return holds;
+    const auto less = solve_at(-std::max(1e-3 * std::abs(*row.needed - row.given), 1e-5 * size));
+    if (less && delivers(less->outcome))
+        return fmt::format("{} = {:.12g} is needed, but with less there is a motion: {}", row.key,
+                           *row.needed, less->outcome.verdict);
+    return holds;
+}
+
+}  // namespace camopt::soak

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Checks of the delivered motion: peaks, objective, conditions, joints, caps.
+#include "tests/soak/relations/relation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt::soak {
+
+namespace {
+
+/// Exact arithmetic of the same numbers; a quintic's jerk loses digits on narrow segments.
+constexpr double peak_digits = 1e-8;
+constexpr double objective_digits = 1e-8;
+/// What a condition may be missed by, relative to the peak of its derivative (docs/stability.md says 1e-9).
+constexpr double condition_digits = 1e-8;
+constexpr double joint_digits = 1e-6;
+constexpr double cap_digits = 1e-7;
+
+const char* const peak_names[] = {"", "velocity", "acceleration", "jerk"};
+
+/// Collects the worst of many small demands.
+class Worst {
+ public:
+    void note(long double amount, const std::string& what) {
+        if (!(amount <= amount_)) {
+            amount_ = amount;
+            what_ = what;
+        }
+    }
+    [[nodiscard]] Finding beyond(double allowed, const std::string& verdict) const {
+        if (amount_ <= allowed) return holds;
+        return fmt::format("{}: off by {:.3g} ({})", what_, static_cast<double>(amount_), verdict);
+    }
+
+ private:
+    long double amount_ = 0;
+    std::string what_;
+};
+
+std::array<long double, 4> scales_of(const MotionFigures& figures) {
+    return {1, std::max(figures.whole[1], 1e-3L), std::max(figures.whole[2], 1e-3L),
+            std::max(figures.whole[3], 1e-3L)};
+}
+
+void check_ends(const Solved& solved, Worst& worst) {
+    const SceneNumbers& scene = solved.numbers;
+    const auto scale = scales_of(solved.figures);
+    const auto begin = solved.motion->pieces.front().at(0);
+    const auto end = solved.motion->pieces.back().at(solved.motion->pieces.back().end);
+    const bool returns = scene.type == "RR";
+    for (std::size_t order = 0; order < 3; ++order) {
+        worst.note(std::abs(begin[order]) / scale[order], fmt::format("begin, order {}", order));
+        const long double target = order == 0 && !returns ? 1 : 0;
+        worst.note(std::abs(end[order] - target) / scale[order], fmt::format("end, order {}", order));
+    }
+    if (returns) {
+        const auto top = solved.motion->at(1);
+        worst.note(std::abs(top[0] - 1), "top, order 0");
+        worst.note(std::abs(top[1]) / scale[1], "top, order 1");
+    }
+    if (!scene.end_jerk_zero) return;
+    worst.note(std::abs(begin[3]) / scale[3], "begin, jerk");
+    worst.note(std::abs(end[3]) / scale[3], "end, jerk");
+}
+
+void check_points(const Solved& solved, Worst& worst) {
+    const auto scale = scales_of(solved.figures);
+    for (const ViaPoint& via : solved.numbers.via) {
+        const auto state = solved.motion->at(via.at);
+        for (std::size_t order = 0; order < 3; ++order)
+            if (via.value[order])
+                worst.note(std::abs(state[order] - *via.value[order]) / scale[order],
+                           fmt::format("exact point at {}, order {}", via.at, order));
+    }
+    if (!solved.numbers.symmetric) return;
+    const long double length = solved.numbers.length();
+    for (int k = 0; k <= 64; ++k) {
+        const long double x = length * k / 128;
+        const long double left = solved.motion->at(x)[0];
+        const long double right = solved.motion->at(length - x)[0];
+        worst.note(solved.numbers.type == "DRD" ? std::abs(left + right - 1) : std::abs(left - right),
+                   "symmetry");
+    }
+}
+
+void check_program(const Solved& solved, Worst& worst) {
+    const auto& segments = solved.numbers.segments;
+    const auto& stretches = solved.motion->stretches;
+    if (segments.size() != stretches.size()) {
+        worst.note(HUGE_VALL, "number of segments");
+        return;
+    }
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        const Stretch& stretch = stretches[k];
+        if (segments[k].to)
+            worst.note(std::abs(stretch.to - *segments[k].to), fmt::format("segment {}, to", k));
+        if (segments[k].kind == "dwell")
+            worst.note(std::abs(stretch.to - stretch.from), fmt::format("segment {}, dwell", k));
+        worst.note(std::abs(stretch.from - (k == 0 ? 0 : stretches[k - 1].to)),
+                   fmt::format("segment {}, from", k));
+    }
+    for (const Piece& piece : solved.motion->pieces) {
+        const Stretch& stretch = stretches[static_cast<std::size_t>(piece.stretch)];
+        if (piece.begin == stretch.begin)
+            worst.note(std::abs(piece.at(piece.begin)[0] - stretch.from), "curve, from");
+        if (std::abs(piece.end - stretch.end) < 1e-12L)
+            worst.note(std::abs(piece.at(piece.end)[0] - stretch.to), "curve, to");
+    }
+    if (solved.numbers.closed) worst.note(std::abs(stretches.back().to), "the end of a closed program");
+}
+
+Finding peak_differs(const char* name, double published, long double own) {
+    if (std::abs(published - own) <= peak_digits * std::max(1.0L, own)) return holds;
+    return fmt::format("{} {:.15g} published, {:.15g} of the curve", name, published,
+                       static_cast<double>(own));
+}
+
+}  // namespace
+
+Finding check_peaks(const Solved& solved) {
+    if (!solved.motion) return no_case;
+    const auto& published = solved.outcome.peaks;
+    const auto& own = solved.figures;
+    for (std::size_t order = 1; order <= 3; ++order)
+        if (const Finding wrong =
+                peak_differs(peak_names[order], published.at(peak_names[order]), own.peak[order]);
+            !wrong->empty())
+            return wrong;
+    if (solved.numbers.is_program()) {
+        for (std::size_t k = 0; k < solved.outcome.segments.size(); ++k) {
+            const PublishedSegment& segment = solved.outcome.segments[k];
+            for (std::size_t order = 1; order <= 3 && segment.spline; ++order) {
+                const Finding wrong = peak_differs(peak_names[order], segment.peaks.at(peak_names[order]),
+                                                   own.of_stretch[k][order]);
+                if (!wrong->empty()) return fmt::format("segment {}: {}", k, *wrong);
+            }
+        }
+        return holds;
+    }
+    if (const Finding wrong = peak_differs("torque", published.at("torque"), own.torque); !wrong->empty())
+        return wrong;
+    if (const Finding wrong = peak_differs("rms_jerk", published.at("rms_jerk"), own.rms[3]); !wrong->empty())
+        return wrong;
+    return peak_differs("rms_acceleration", published.at("rms_acceleration"), own.rms[2]);
+}
+
+Finding check_objective(const Solved& solved) {
+    if (!solved.motion || !solved.outcome.objective) return no_case;
+    const double own = static_cast<double>(objective_of(solved.numbers, solved.figures, solved.dimensions));
+    const double reported = *solved.outcome.objective;
+    if (std::abs(own - reported) <= objective_digits * std::min(scale_of(own), 1e3 * std::abs(own)))
+        return holds;
+    return fmt::format("{:.12g} reported, {:.12g} by its definition ({})", reported, own,
+                       solved.outcome.verdict);
+}
+
+Finding check_conditions(const Solved& solved) {
+    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    Worst worst;
+    if (solved.numbers.is_program()) {
+        check_program(solved, worst);
+    } else {
+        check_ends(solved, worst);
+        check_points(solved, worst);
+    }
+    return worst.beyond(condition_digits, solved.outcome.verdict);
+}
+
+Finding check_joints(const Solved& solved) {
+    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    const auto scale = scales_of(solved.figures);
+    const auto& pieces = solved.motion->pieces;
+    Worst worst;
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+        const auto left = pieces[k].at(pieces[k].end);
+        const auto right = pieces[k + 1].at(pieces[k + 1].begin);
+        for (std::size_t order = 0; order < 3; ++order)
+            worst.note(
+                std::abs(left[order] - right[order]) / scale[order],
+                fmt::format("joint at x = {:.6g}, order {}", static_cast<double>(pieces[k].end), order));
+    }
+    return worst.beyond(joint_digits, solved.outcome.verdict);
+}
+
+Finding check_caps(const Solved& solved) {
+    const SceneNumbers& scene = solved.numbers;
+    if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    bool any = false;
+    double per = scene.lift;
+    for (std::size_t order = 1; order <= 3; ++order) {
+        per *= scene.speed / solved.motion->unit_angle;
+        if (!scene.caps[order]) continue;
+        any = true;
+        const Cap& cap = *scene.caps[order];
+        const double own =
+            static_cast<double>(cap.in_time ? solved.figures.whole[order] * per : solved.figures.peak[order]);
+        if (own > cap.value * (1 + cap_digits))
+            return fmt::format("{} {:.12g}, limit {:.12g} ({})", peak_names[order], own, cap.value,
+                               solved.outcome.verdict);
+    }
+    return any ? holds : no_case;
+}
+
+}  // namespace camopt::soak

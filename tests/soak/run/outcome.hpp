@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What the library published of one solve: numbers read from the texts of result.json and certificate.json,
+// which is all that a user has. The one place of the soak trials that calls the library is outcome.cpp.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt::soak {
+
+struct PublishedSpline {
+    int degree = 0, continuity = 0;
+    std::vector<double> breakpoints, knots, coefficients;
+};
+
+struct PublishedSegment {
+    std::string kind, law;
+    double start = 0.0, angle = 0.0;  ///< rad
+    double from = 0.0, to = 0.0;      ///< lifts
+    std::optional<PublishedSpline> spline;
+    std::map<std::string, double> peaks;
+};
+
+struct PublishedLimit {
+    std::string name, key, unit;
+    double limit = 0.0, worst = 0.0;
+};
+
+struct PublishedRelaxation {
+    std::string key;
+    double given = 0.0;
+    std::optional<double> needed;
+};
+
+struct ProofRow {
+    std::vector<int> indices;
+    std::vector<double> values;
+    std::optional<double> lower, upper;
+    double multiplier = 0.0;
+};
+
+struct Proof {
+    std::string statement;
+    std::vector<double> cost;
+    double constant = 0.0;
+    std::vector<ProofRow> rows;
+    std::vector<std::optional<double>> box_lower, box_upper;
+    std::optional<double> bound;
+};
+
+struct Outcome {
+    std::string refusal;  ///< what was thrown where the scene was refused or the solve broke; empty: a result
+    std::string broken;   ///< what is wrong with the texts themselves; empty: nothing
+    std::string verdict, reason, proof_kind, termination, solver, design;
+    bool convex = false;
+    std::optional<double> objective, lower, gap, any_curve_limit, worst_violation;
+    std::map<std::string, double> peaks, references, dimensions;
+    std::map<std::string, double> cam;  ///< "regularity", "forces.torque_nm", …: those that are there
+    std::optional<PublishedSpline> spline;
+    std::vector<PublishedSegment> segments;
+    std::vector<PublishedLimit> limits;
+    std::vector<PublishedRelaxation> relaxation;
+    std::vector<std::string> notes;
+    std::optional<Proof> proof;
+    double processor_seconds = 0.0, wall_seconds = 0.0;
+    /// Both texts without what may differ between two identical calls: seconds.
+    std::string repeatable;
+
+    [[nodiscard]] bool has_motion() const { return spline.has_value() || !segments.empty(); }
+    [[nodiscard]] bool is_proved() const { return verdict == "optimal"; }
+};
+
+/// Never throws.
+[[nodiscard]] Outcome solve_text(const std::string& scene, std::span<const std::string> overrides = {});
+
+/// The solvers of this build that take these scenes.
+[[nodiscard]] std::vector<std::string> available_solvers();
+
+}  // namespace camopt::soak
