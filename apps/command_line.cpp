@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/command_line.hpp"
 
+#include "apps/command_words.hpp"
 #include "apps/commands.hpp"
 #include "apps/pareto_run.hpp"
 #include "core/errors.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +43,8 @@ const char* examples =
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
     "\n"
-    "Exit codes: 0 optimal, local or feasible; 1 failed; 2 wrong input; 3 proved infeasible; 130 a sweep was "
+    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, or interrupted before a "
+    "motion was found; 2 wrong input; 3 proved infeasible; 130 a sweep was "
     "interrupted.\n";
 
 // Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
@@ -184,7 +187,7 @@ CLI::App& add_list(CLI::App& program, ListRequest& request) {
     command.add_option("WHAT", request.what, "laws, followers or solvers")
         ->type_name("")
         ->required()
-        ->check(CLI::IsMember({"laws", "followers", "solvers"}));
+        ->check(one_of({"laws", "followers", "solvers"}));
     command.add_flag("--json", request.json, "Print the list as JSON and nothing else");
     return command;
 }
@@ -195,7 +198,7 @@ CLI::App& add_table(CLI::App& program, TableRequest& request) {
     command.add_option("WHAT", request.what, "spline-vs-modified-sine")
         ->type_name("")
         ->required()
-        ->check(CLI::IsMember({"spline-vs-modified-sine"}));
+        ->check(one_of({"spline-vs-modified-sine"}));
     command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the picture here")
         ->type_name("DIR");
     command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
@@ -210,7 +213,7 @@ CLI::App& add_reproduce(CLI::App& program, ReproduceRequest& request) {
     command.add_option("PAPER", request.paper, fmt::format("{}", fmt::join(ids, ", ")))
         ->type_name("")
         ->required()
-        ->check(CLI::IsMember(ids));
+        ->check(one_of(ids));
     command.add_option("--out", request.out, "Write JSON, CSV, Markdown and the pictures here")
         ->type_name("DIR");
     command.add_flag("--json", request.json, "Print the report as JSON and nothing else");
@@ -368,8 +371,12 @@ ExitCode parse_and_run(int count, const char* const* words) {
     } catch (const CLI::Success& asked_for_help) {
         return program.exit(asked_for_help) == 0 ? success : failure;
     } catch (const CLI::ParseError& error) {
-        return complain(fmt::format("{} (see camopt --help)", error.what()), wrong_input);
+        const std::string unknown =
+            count > 1 ? unknown_word(program, std::span(words + 1, static_cast<std::size_t>(count - 1))) : "";
+        return complain(fmt::format("{} (see camopt --help)", unknown.empty() ? error.what() : unknown),
+                        wrong_input);
     }
+    refuse_empty_values(program);
     if (solve.parsed()) {
         find_scene(parsed.solve.scene, parsed.solve.settings);
         parsed.solve.command = joined(count, words);

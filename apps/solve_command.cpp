@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt::apps {
@@ -35,6 +36,14 @@ Scene requested_scene(const SolveRequest& request) {
             "--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with types "
             "\"disk\", \"remote\" and \"inverse\"; `camopt export` writes its flanks and solid",
             scene.mechanism->type));
+    const bool has_cam = scene.cam || scene.mechanism;
+    for (const auto& [given, option] :
+         {std::pair(request.dxf, "--dxf"), std::pair(request.points.has_value(), "--points")})
+        if (given && !has_cam)
+            throw InputError(fmt::format(
+                "{}: found in a scene without a cam; allowed: where the scene has a [cam], whose profile it "
+                "is about",
+                option));
     return scene;
 }
 

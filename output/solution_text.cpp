@@ -66,6 +66,26 @@ std::string starts_text(int starts) {
     return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
 }
 
+/// The user stopped it, and that is why it is no better.
+bool was_interrupted(const Certificate& certificate) {
+    return certificate.reason == name_of(Termination::interrupted);
+}
+
+std::string interrupted_sentence(const Solution& solution) {
+    const int starts = solution.solver.starts;
+    const std::string where = !searched(solution) ? std::string()
+                              : starts == 1       ? std::string(" in the search from its first start")
+                                                  : fmt::format(" in the search, after {} starts", starts);
+    if (solution.certificate.verdict == Verdict::failed)
+        return fmt::format(
+            "Interrupted{}: until then no motion that keeps every limit was found. Whether there is one is "
+            "open.",
+            where);
+    return fmt::format(
+        "Interrupted{}: the best motion found until then keeps every limit; that it is optimal is not shown.",
+        where);
+}
+
 std::string segment_lines(const Solution& solution) {
     if (solution.segments.empty()) return {};
     return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
@@ -115,6 +135,7 @@ std::string relaxation_lines(const Solution& solution) {
 std::string verdict_sentence(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     const SolverReport& solver = solution.solver;
+    if (was_interrupted(certificate)) return interrupted_sentence(solution);
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
         return verdict_sentence(certificate);

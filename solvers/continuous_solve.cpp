@@ -64,15 +64,17 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
 struct FirstPoint {
     Candidate inside;
     std::optional<DualityProof> infeasible;
+    bool searched = false;  ///< it took a search that ended
 };
 
 FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchange, const JudgeOptions& judge,
                        const SolveControl& control) {
-    FirstPoint first{judged(problem, problem.start()), {}};
+    FirstPoint first{judged(problem, problem.start()), {}, false};
     const bool kept = first.inside.violation <= judge.tolerance;
     if (kept || control.stopped() || !problem.grid().shape().convex) return first;
     Feasibility feasibility = find_feasible(problem, exchange, control);
-    if (feasibility.point.x.size() > 0) first.inside = std::move(feasibility.point);
+    first.searched = feasibility.point.x.size() > 0;
+    if (first.searched) first.inside = std::move(feasibility.point);
     if (first.inside.violation > judge.tolerance) first.infeasible = std::move(feasibility.proof);
     return first;
 }
@@ -92,7 +94,7 @@ void report_infeasible(ContinuousResult& result, FirstPoint first) {
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
     if (!(certificate.worst_violation <= options.tolerance)) {
         certificate.verdict = Verdict::failed;
-        certificate.reason = "no_feasible_point";
+        certificate.reason = was_stopped(termination) ? name_of(termination) : "no_feasible_point";
     } else if (certificate.gap && *certificate.gap <= options.gap) {
         certificate.verdict = Verdict::optimal;
         certificate.reason.clear();
@@ -126,6 +128,11 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     }
     result.inside = first.inside;
     result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, control);
+    if (result.exchange.termination == Termination::interrupted && result.exchange.rounds == 0 &&
+        !first.searched) {  // a start that nobody looked for is no find
+        settle_verdict(result.certificate, result.exchange.termination, judge);
+        return result;
+    }
     Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
     const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);
     if (is_better(latest, best, judge.tolerance)) best = latest;

@@ -20,6 +20,8 @@
 #include "studies/solve_without_explaining.hpp"
 #include "studies/tie_break.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -85,6 +87,10 @@ ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Soluti
                           scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
+    const int planned = scene.solver.starts.value_or(default_starts);
+    if (all.starts > 0 && all.starts < planned && control.stopped())
+        solution.notes.push_back(
+            fmt::format("interrupted in the search: {} of {} starts were begun", all.starts, planned));
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
         if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
@@ -192,8 +198,9 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     const Clock::time_point begin = Clock::now();
     Solution solution = solve_without_explaining(scene, control);
     const Verdict verdict = solution.certificate.verdict;
-    const bool to_explain =
-        verdict == Verdict::infeasible || solution.certificate.reason == "no_feasible_point";
+    const bool to_explain = verdict == Verdict::infeasible ||
+                            solution.certificate.reason == "no_feasible_point" ||
+                            (verdict == Verdict::failed && solution.certificate.reason == "time_limit");
     if (to_explain && !control.stopped()) {  // a stopped search must not pass for "nothing helps"
         solution.relaxation = relaxations(with_written_limits(scene), control);
     }

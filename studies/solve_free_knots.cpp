@@ -77,7 +77,10 @@ Search search_breakpoints(const Scene& scene, const Solution& start, double seco
     for (int k = 0; k < starts; ++k) {
         options.exchange.backend.max_seconds =
             seconds - std::chrono::duration<double>(Clock::now() - begin).count();
-        if (control.stopped() || options.exchange.backend.max_seconds <= 0.0) break;
+        if (control.stopped() || options.exchange.backend.max_seconds <= 0.0) {
+            search.best.termination = control.stopped() ? Termination::interrupted : Termination::time_limit;
+            break;
+        }
         const std::vector<double> points =
             k == 0 ? start_breakpoints(scene)
                    : random_breakpoints(scene, scene.solver.seed + static_cast<unsigned>(k));
@@ -125,7 +128,8 @@ void judge_freely(Solution& solution, const Search& search, const Scene& scene) 
     if (!is_delivered(solution)) {
         solution.conflict.clear();
         certificate.verdict = Verdict::failed;
-        certificate.reason = "no_feasible_point";
+        const Termination ended = search.best.termination;
+        certificate.reason = was_stopped(ended) ? name_of(ended) : "no_feasible_point";
         solution.notes.emplace_back(
             "no motion was found on any breakpoints tried; that there is none is not proved");
         return;

@@ -39,7 +39,10 @@ class StartSearch {
     void run(int starts, unsigned seed, const Eigen::VectorXd& relaxed) {
         for (int k = 0; k < starts; ++k) {
             const double left = exchange_.backend.max_seconds - seconds_since(begin_);
-            if (k > 0 && (control_.stopped() || left <= 0.0)) break;
+            if (k > 0 && (control_.stopped() || left <= 0.0)) {
+                totals_.termination = control_.stopped() ? Termination::interrupted : Termination::time_limit;
+                break;
+            }
             ExchangeOptions options = exchange_;
             options.backend.max_seconds = left;
             keep(search(start_of(k, seed, relaxed), options));
@@ -178,7 +181,9 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
     all.starts = search.ran();
     ContinuousResult& result = all.result;
     result.exchange = search.totals();
-    judge_search(result, search);
+    const bool stopped_at_once = result.exchange.termination == Termination::interrupted &&
+                                 result.exchange.rounds == 0 && relaxed.result.x.size() == 0;
+    if (!stopped_at_once) judge_search(result, search);  // a start that nobody looked for is no find
     Certificate& bound = relaxed.result.certificate;
     if (bound.lower_bound) {
         result.certificate.lower_bound = bound.lower_bound;

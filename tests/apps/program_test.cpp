@@ -117,8 +117,38 @@ TEST(Program, RefusesAWrongCommandLine) {
     expect_refused("solve " + scene("drd_cubic_12") + " --frob", "--frob");
     expect_refused("solve /nowhere/scene.toml", "/nowhere/scene.toml");
     expect_refused("list gears", "laws");
+    expect_refused("list", "WHAT");
     expect_refused("solve " + scene("drd_cubic_12") + " --out " + scene("drd_cubic_12"),
                    "it is a file, not a folder");
+}
+
+TEST(Program, UnknownOptionsAndCommandsGetAHint) {
+    const std::string plain = scene("drd_cubic_12");
+    expect_refused("solve " + plain + " --out x --point 20",
+                   "'--point' of camopt solve; did you mean '--points'?");
+    expect_refused("solve " + plain + " --ot=x", "'--ot' of camopt solve; did you mean '--out'?");
+    expect_refused("sweep " + plain + " --resumme", "'--resumme' of camopt sweep; did you mean '--resume'?");
+    expect_refused("sweep merge a b --oot x", "'--oot' of camopt sweep merge; did you mean '--out'?");
+    expect_refused("sovle " + plain, "unknown command 'sovle'; allowed: solve, ");
+    expect_refused("sovle " + plain, "; did you mean 'solve'?");
+    expect_refused("--verson", "'--verson' of camopt; did you mean '--version'?");
+    expect_refused("list follower",
+                   "found 'follower'; allowed: laws, followers, solvers; did you mean 'followers'?");
+    expect_refused("solve " + plain + " --frobnicate", "unknown option '--frobnicate' of camopt solve (see");
+}
+
+TEST(Program, WhatWouldBeIgnoredIsRefusedBeforeTheSolve) {
+    const test::TemporaryFolder folder;
+    const std::string out = folder.path() + "/out";
+    const std::string plain = scene("drd_cubic_12");
+    expect_refused("solve " + plain + " --out '" + out + "' --dxf", "--dxf: found in a scene without a cam");
+    expect_refused("solve " + plain + " --out '" + out + "' --points 100",
+                   "--points: found in a scene without a cam");
+    EXPECT_FALSE(std::filesystem::exists(out));
+    for (const char* command : {"solve", "compare", "export", "sweep --weights simplex:2"})
+        expect_refused(command + (" " + scene("cam_roller")) + " --out ''", "--out: found an empty text");
+    expect_refused("solve " + plain + " --solver ''", "--solver: found an empty text");
+    expect_refused("table spline-vs-modified-sine --out ''", "--out: found an empty text");
 }
 
 TEST(Program, RefusesAnIncompleteCamOrProgram) {
@@ -191,6 +221,22 @@ TEST(Program, InterruptedItDeliversWhatItHas) {
     const json result = json::parse(run.output);
     EXPECT_EQ(result["solver"]["termination"], "interrupted");
     EXPECT_EQ(run.exit_code, result["verdict"] == "failed" ? 1 : 0) << result["verdict"];
+    if (result["verdict"] == "failed") {
+        EXPECT_EQ(result["reason"], "interrupted");
+    }
+}
+
+TEST(Program, InterruptedBeforeAnythingWasFoundItSaysSo) {
+    // It searches among motions of which none is found that keeps these, until it is stopped.
+    const ProgramRun run = test::run_camopt_interrupted(
+        "solve " + scene("cam_undercut") +
+            " --set limits.concave_radius_min_mm=500 --set limits.cam_radius_min_mm=45 "
+            "--set solver.starts=100000",
+        1.0);
+    EXPECT_EQ(run.output.find("Failed"), std::string::npos) << run.output;
+    if (run.exit_code == 1) {
+        EXPECT_NE(run.output.find("Interrupted"), std::string::npos) << run.output;
+    }
 }
 
 }  // namespace

@@ -94,16 +94,21 @@ TEST(ContinuousSolve, ABackendWithNothingToShowFails) {
     JudgeOptions judge;
     SolveControl stop;
     stop.stop_requested = [] { return true; };
-    // Stopped before anything ran: only the start is known, and it is inside.
-    const ContinuousResult kept =
+    // Stopped before anything ran: only the start is known. It is inside, but nobody found it.
+    const ContinuousResult at_once =
         solve_continuous(problem, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
-    EXPECT_EQ(kept.certificate.verdict, Verdict::feasible);
-    EXPECT_EQ(kept.certificate.reason, "interrupted");
+    EXPECT_EQ(at_once.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(at_once.certificate.reason, "interrupted");
+    EXPECT_EQ(at_once.x.size(), 0);
     DiscProblem outside(1.0, 1.5);
     const ContinuousResult failed =
         solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
     EXPECT_EQ(failed.certificate.verdict, Verdict::failed);
-    EXPECT_EQ(failed.certificate.reason, "no_feasible_point");
+    EXPECT_EQ(failed.certificate.reason, "interrupted");
+    const ContinuousResult unaided =
+        solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, {});
+    EXPECT_TRUE(unaided.certificate.verdict == Verdict::infeasible ||
+                unaided.certificate.reason == "no_feasible_point");
 }
 
 TEST(Verdict, EachHasItsCondition) {
