@@ -10,6 +10,9 @@ namespace camopt::soak {
 
 namespace {
 
+/// Below it, in lifts, a displacement is rounding: the segment stands, and the lift measures it.
+constexpr long double standstill = 1e-9L;
+
 /// ∫ p² over [0, width].
 long double energy(const Polynomial& polynomial, long double width) {
     const Polynomial square = product_of(polynomial, polynomial);
@@ -32,6 +35,16 @@ void add_law(const Piece& piece, MotionFigures& figures) {
     }
 }
 
+void add_rounding(const Piece& piece, MotionFigures& figures) {
+    constexpr long double digits = 64 * 0x1.0p-53L;  // a few roundings of control points of about one lift
+    const auto degree = static_cast<long double>(piece.y.size() - 1);
+    long double worth = digits;
+    for (long double& rounding : figures.rounding) {
+        rounding = std::max(rounding, worth);
+        worth *= 2 * degree / (piece.end - piece.begin);
+    }
+}
+
 }  // namespace
 
 MotionFigures figures_of(const Motion& motion) {
@@ -43,6 +56,7 @@ MotionFigures figures_of(const Motion& motion) {
             add_law(piece, figures);
             continue;
         }
+        add_rounding(piece, figures);
         const auto index = static_cast<std::size_t>(piece.stretch);
         const Stretch& stretch = motion.stretches[index];
         const bool whole = motion.stretches.size() == 1;
@@ -51,7 +65,7 @@ MotionFigures figures_of(const Motion& motion) {
         const long double width = piece.end - piece.begin;
         std::array<Polynomial, 4> derivative;
         derivative[0] = piece.y;
-        long double factor = rise > 0 ? 1 / rise : 1;
+        long double factor = rise > standstill ? 1 / rise : 1;
         long double torque = factor * factor;
         for (std::size_t order = 1; order <= 3; ++order) {
             derivative[order] = derivative_of(derivative[order - 1]);

@@ -16,8 +16,11 @@ struct MotionFigures {
     std::array<long double, 4> peak{};
     /// The same of the whole motion in lifts and units of x, laws included: what limits in time are about.
     std::array<long double, 4> whole{};
-    long double torque = 0;                              ///< max |y' y''|
-    std::array<long double, 4> rms{};                    ///< by order; DRD and RR
+    long double torque = 0;            ///< max |y' y''|
+    std::array<long double, 4> rms{};  ///< by order; DRD and RR
+    /// What the last digit of a published control point is worth in y and its derivatives on the narrowest
+    /// piece: no reader of the file knows these better.
+    std::array<long double, 4> rounding{};
     std::vector<std::array<long double, 4>> of_stretch;  ///< peaks of each segment by its own measure
 };
 

@@ -18,13 +18,28 @@ bool delivers(const Outcome& outcome) {
     return outcome.has_motion() && outcome.verdict != "failed" && outcome.verdict != "infeasible";
 }
 
+/// One end of a range: "cam.base_radius_mm" with "min" or "max".
+bool set_end(SceneText& scene, const std::string& path, const std::pair<std::string, std::string>& end) {
+    const auto dot = path.rfind('.');
+    if (dot == std::string::npos) return false;
+    SceneTable& table = scene.at(path.substr(0, dot));
+    const std::string key = path.substr(dot + 1);
+    const auto written = table.find(key);
+    if (!written || !written->starts_with('{')) return false;
+    SceneTable range = inline_table(*written);
+    range.set(end.first, end.second);
+    table.set(key, inline_text(range));
+    return true;
+}
+
 /// Sets "table.quantity_unit" in place of every spelling of the quantity. False: not a plain place of a
 /// scene.
 bool set_path(SceneText& scene, const std::string& path, const std::string& value) {
     const auto dot = path.rfind('.');
     if (dot == std::string::npos || path.find('[') != std::string::npos) return false;
-    SceneTable& table = scene.at(path.substr(0, dot));
     const std::string key = path.substr(dot + 1);
+    if (key == "min" || key == "max") return set_end(scene, path.substr(0, dot), {key, value});
+    SceneTable& table = scene.at(path.substr(0, dot));
     std::string quantity = key;
     if (unit_of(key) != 1.0 || !table.find(key)) {
         // The longest beginning that the table spells.

@@ -40,9 +40,13 @@ class Worst {
     std::string what_;
 };
 
+/// What deviations of y and its derivatives count by: the peaks, or what the published digits hold where that
+/// is more.
 std::array<long double, 4> scales_of(const MotionFigures& figures) {
-    return {1, std::max(figures.whole[1], 1e-3L), std::max(figures.whole[2], 1e-3L),
-            std::max(figures.whole[3], 1e-3L)};
+    std::array<long double, 4> scales{1, 0, 0, 0};
+    for (std::size_t order = 1; order <= 3; ++order)
+        scales[order] = std::max({figures.whole[order], 1e-3L, figures.rounding[order] / condition_digits});
+    return scales;
 }
 
 void check_ends(const Solved& solved, Worst& worst) {
@@ -112,10 +116,40 @@ void check_program(const Solved& solved, Worst& worst) {
     if (solved.numbers.closed) worst.note(std::abs(stretches.back().to), "the end of a closed program");
 }
 
-Finding peak_differs(const char* name, double published, long double own) {
-    if (std::abs(published - own) <= peak_digits * std::max(1.0L, own)) return holds;
-    return fmt::format("{} {:.15g} published, {:.15g} of the curve", name, published,
-                       static_cast<double>(own));
+/// Of a peak: that of the derivative, grown as the peak itself is by the segment's own measure.
+long double rounding_of(const Solved& solved, std::size_t order) {
+    const long double whole = solved.figures.whole[order];
+    const long double growth = whole > 0 ? std::max(1.0L, solved.figures.peak[order] / whole) : 1;
+    return growth * solved.figures.rounding[order];
+}
+
+/// A figure beside its own value; `rounding`: what the published digits leave open.
+struct Figure {
+    const char* name;
+    double published = 0.0;
+    long double own = 0, rounding = 0;
+};
+
+Finding differs(const Figure& figure) {
+    if (std::abs(figure.published - figure.own) <= peak_digits * std::max(1.0L, figure.own) + figure.rounding)
+        return holds;
+    return fmt::format("{} {:.15g} published, {:.15g} of the curve", figure.name, figure.published,
+                       static_cast<double>(figure.own));
+}
+
+/// Of a program: each spline segment by its own measure.
+Finding segment_peaks_differ(const Solved& solved) {
+    for (std::size_t k = 0; k < solved.outcome.segments.size(); ++k) {
+        const PublishedSegment& segment = solved.outcome.segments[k];
+        for (std::size_t order = 1; order <= 3 && segment.spline; ++order) {
+            const long double own = solved.figures.of_stretch[k][order];
+            const long double rounding = rounding_of(solved, order);
+            const Finding wrong =
+                differs({peak_names[order], segment.peaks.at(peak_names[order]), own, rounding});
+            if (!wrong->empty()) return fmt::format("segment {}: {}", k, *wrong);
+        }
+    }
+    return holds;
 }
 
 }  // namespace
@@ -124,35 +158,34 @@ Finding check_peaks(const Solved& solved) {
     if (!solved.motion) return no_case;
     const auto& published = solved.outcome.peaks;
     const auto& own = solved.figures;
+    std::vector<Figure> figures;
     for (std::size_t order = 1; order <= 3; ++order)
-        if (const Finding wrong =
-                peak_differs(peak_names[order], published.at(peak_names[order]), own.peak[order]);
-            !wrong->empty())
-            return wrong;
-    if (solved.numbers.is_program()) {
-        for (std::size_t k = 0; k < solved.outcome.segments.size(); ++k) {
-            const PublishedSegment& segment = solved.outcome.segments[k];
-            for (std::size_t order = 1; order <= 3 && segment.spline; ++order) {
-                const Finding wrong = peak_differs(peak_names[order], segment.peaks.at(peak_names[order]),
-                                                   own.of_stretch[k][order]);
-                if (!wrong->empty()) return fmt::format("segment {}: {}", k, *wrong);
-            }
-        }
-        return holds;
+        figures.push_back({peak_names[order], published.at(peak_names[order]), own.peak[order],
+                           rounding_of(solved, order)});
+    if (!solved.numbers.is_program()) {
+        const long double product = own.peak[1] * own.rounding[2] + own.peak[2] * own.rounding[1];
+        figures.push_back({"torque", published.at("torque"), own.torque, product});
+        figures.push_back({"rms_jerk", published.at("rms_jerk"), own.rms[3], own.rounding[3]});
+        figures.push_back(
+            {"rms_acceleration", published.at("rms_acceleration"), own.rms[2], own.rounding[2]});
     }
-    if (const Finding wrong = peak_differs("torque", published.at("torque"), own.torque); !wrong->empty())
-        return wrong;
-    if (const Finding wrong = peak_differs("rms_jerk", published.at("rms_jerk"), own.rms[3]); !wrong->empty())
-        return wrong;
-    return peak_differs("rms_acceleration", published.at("rms_acceleration"), own.rms[2]);
+    for (const Figure& figure : figures)
+        if (const Finding wrong = differs(figure); !wrong->empty()) return wrong;
+    return solved.numbers.is_program() ? segment_peaks_differ(solved) : holds;
 }
 
 Finding check_objective(const Solved& solved) {
     if (!solved.motion || !solved.outcome.objective) return no_case;
-    const double own = static_cast<double>(objective_of(solved.numbers, solved.figures, solved.dimensions));
+    const auto own = static_cast<double>(objective_of(solved.numbers, solved.figures, solved.dimensions));
     const double reported = *solved.outcome.objective;
-    if (std::abs(own - reported) <= objective_digits * std::min(scale_of(own), 1e3 * std::abs(own)))
-        return holds;
+    // The terms in proportion: each may be off by what the published digits leave open of its derivative.
+    long double open = 0;
+    for (std::size_t order = 1; order <= 3; ++order)
+        if (solved.figures.peak[order] > 0)
+            open = std::max(open, rounding_of(solved, order) / solved.figures.peak[order]);
+    const double allowed = objective_digits * std::min(scale_of(own), 1e3 * std::abs(own)) +
+                           static_cast<double>(open) * std::abs(own);
+    if (std::abs(own - reported) <= allowed) return holds;
     return fmt::format("{:.12g} reported, {:.12g} by its definition ({})", reported, own,
                        solved.outcome.verdict);
 }
@@ -197,7 +230,9 @@ Finding check_caps(const Solved& solved) {
         const Cap& cap = *scene.caps[order];
         const double own =
             static_cast<double>(cap.in_time ? solved.figures.whole[order] * per : solved.figures.peak[order]);
-        if (own > cap.value * (1 + cap_digits))
+        const auto open =
+            static_cast<double>(rounding_of(solved, order) / std::max(solved.figures.peak[order], 1e-3L));
+        if (own > cap.value * (1 + cap_digits + open))
             return fmt::format("{} {:.12g}, limit {:.12g} ({})", peak_names[order], own, cap.value,
                                solved.outcome.verdict);
     }

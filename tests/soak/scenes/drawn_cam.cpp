@@ -119,7 +119,7 @@ void draw_limits(Draw& draw, SceneText& scene) {
     if (draw.chance(0.3)) limits.set("torque_max_nm", about(torque));
     const double pressure =
         survey.largest([](const CamPoint& p) { return std::isinf(p.hertz) ? 0.0 : p.hertz; });
-    if (pressure > 0.0 && numbers.follower != "translating_knife" && draw.chance(0.35))
+    if (pressure > 0.0 && numbers.follower != "translating_knife" && draw.chance(0.5))
         limits.set("hertz_pressure_max_pa", about(pressure));
 }
 
@@ -141,7 +141,7 @@ SceneText drawn_cam_scene(Draw& draw, const SceneBudget& budget) {
     draw_spline(draw, scene, 14);
     draw_objective(draw, scene, true);
     draw_dimensions(draw, scene, follower);
-    if (draw.chance(0.4)) draw_forces(draw, scene);
+    if (draw.chance(0.6)) draw_forces(draw, scene);
     draw_limits(draw, scene);
     SceneTable& objective = scene.at("objective");
     for (const auto& [name, range] : numbers_of(scene).dimensions)

@@ -26,6 +26,13 @@ void draw_via(Draw& draw, SceneText& scene) {
         SceneTable point;
         point.set("at", at);
         const int what = draw.whole(0, 3);
+        // Round numbers too: fractions at which the set of motions is a single curve, or empty, are of that
+        // kind.
+        if (what == 1 && draw.chance(0.3)) {
+            point.set("velocity", draw.one_of<double>({1.0, 1.5, 1.875, 2.0}));
+            points.push_back(point);
+            continue;
+        }
         if (what == 0) point.set("displacement", at == 1.0 ? 1.0 : near[0] + draw.between(-0.05, 0.05));
         if (what == 1) point.set("velocity", at == 1.0 ? 0.0 : near[1] * draw.between(0.6, 1.1));
         if (what == 2) point.set("acceleration", near[2] * draw.between(0.5, 1.2));
@@ -44,6 +51,9 @@ void draw_caps(Draw& draw, SceneText& scene) {
     if (draw.chance(0.5)) limits.set("velocity", draw.between(1.4, 2.4));
     if (draw.chance(0.5)) limits.set("acceleration", draw.between(4.6, 9.0));
     if (limits.members.empty() || draw.chance(0.3)) limits.set("jerk", draw.between(38.0, 120.0));
+    // The exact optima of coarse splines and of any curve.
+    if (draw.chance(0.1)) limits.set("acceleration", draw.one_of<double>({4.0, 4.5, 5.76, 6.0}));
+    if (draw.chance(0.1)) limits.set("velocity", draw.one_of<double>({1.5, 1.6, 1.875, 2.0}));
 }
 
 /// Some caps in time instead: of a drive, in mm/s, mm/s², mm/s³.
@@ -165,15 +175,18 @@ void draw_spline(Draw& draw, SceneText& scene, int most_segments) {
     const bool program = scene.word("motion", "type", "") == "program";
     const int degree = draw.chance(0.6) ? 3 : 5;
     int segments = draw.whole(program ? 3 : 4, program ? most_segments / 2 : most_segments);
-    if (draw.chance(0.05)) segments = draw.whole(1, 3);
-    if (draw.chance(0.05) && !program) segments *= 3;
+    if (draw.chance(0.1)) segments = draw.whole(1, 3);
+    if (draw.chance(0.08) && !program) segments *= 3;
     spline.set("degree", std::to_string(degree));
     const double length = numbers_of(scene).length();
-    if (draw.chance(0.25))
-        spline.set("breakpoints", list_text(drawn_breakpoints(draw, segments, program ? 1.0 : length,
-                                                              degree == 3 ? 0.02 : 0.25)));
-    else
+    if (draw.chance(0.3)) {
+        const double evenness =
+            degree == 3 ? draw.one_of<double>({0.02, 3e-3}) : draw.one_of<double>({0.25, 0.03});
+        spline.set("breakpoints",
+                   list_text(drawn_breakpoints(draw, segments, program ? 1.0 : length, evenness)));
+    } else {
         spline.set("segments", std::to_string(segments));
+    }
     if (degree == 5 && draw.chance(0.4)) spline.set("continuity", std::to_string(draw.whole(2, 4)));
     if (degree == 5 && draw.chance(0.15)) spline.set("end_jerk", quoted("zero"));
     const bool whole = numbers_of(scene).continuity == degree - 1;
