@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // camopt_soak: metamorphic random trials. docs/stability.md says what they are.
+#include "tests/soak/figures/law.hpp"
 #include "tests/soak/relations/relation.hpp"
 #include "tests/soak/run/tally.hpp"
 #include "tests/soak/run/worker_pool.hpp"
@@ -84,6 +85,8 @@ int run(Options options) {
         plans = plans_of(options);
     else
         plans = {replayed_plan(text_of_file(options.replay), options)};
+    for (const std::string& law : known_laws())
+        static_cast<void>(law_figures(law));  // found once, not in every worker
     Tally tally(options.folder);
     Progress progress;
     const auto plan_of = [&](int number) -> const TrialPlan& {

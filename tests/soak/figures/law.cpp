@@ -91,6 +91,21 @@ double root_mean_square(const std::string& law, std::size_t order) {
     return std::sqrt(sum / (6.0 * cells));
 }
 
+std::map<std::string, double> found_figures(const std::string& law) {
+    const auto order = [&](std::size_t r) {
+        return largest([&law, r](double t, bool left) { return law_at(law, t, left)[r]; });
+    };
+    return {{"velocity", order(1)},
+            {"acceleration", order(2)},
+            {"jerk", order(3)},
+            {"torque", largest([&law](double t, bool left) {
+                 const State state = law_at(law, t, left);
+                 return state[1] * state[2];
+             })},
+            {"rms_acceleration", root_mean_square(law, 2)},
+            {"rms_jerk", root_mean_square(law, 3)}};
+}
+
 }  // namespace
 
 const std::vector<std::string>& known_laws() {
@@ -107,19 +122,11 @@ std::array<double, 4> law_at(const std::string& law, double t, bool from_left) {
     throw std::runtime_error("the soak trials do not know the law " + law);
 }
 
-std::map<std::string, double> law_figures(const std::string& law) {
-    const auto order = [&](std::size_t r) {
-        return largest([&law, r](double t, bool left) { return law_at(law, t, left)[r]; });
-    };
-    return {{"velocity", order(1)},
-            {"acceleration", order(2)},
-            {"jerk", order(3)},
-            {"torque", largest([&law](double t, bool left) {
-                 const State state = law_at(law, t, left);
-                 return state[1] * state[2];
-             })},
-            {"rms_acceleration", root_mean_square(law, 2)},
-            {"rms_jerk", root_mean_square(law, 3)}};
+const std::map<std::string, double>& law_figures(const std::string& law) {
+    static std::map<std::string, std::map<std::string, double>> known;  // they take milliseconds
+    auto& figures = known[law];
+    if (figures.empty()) figures = found_figures(law);
+    return figures;
 }
 
 }  // namespace camopt::soak

@@ -17,6 +17,6 @@ namespace camopt::soak {
 [[nodiscard]] std::array<double, 4> law_at(const std::string& law, double t, bool from_left = false);
 
 /// velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk.
-[[nodiscard]] std::map<std::string, double> law_figures(const std::string& law);
+[[nodiscard]] const std::map<std::string, double>& law_figures(const std::string& law);
 
 }  // namespace camopt::soak

@@ -27,6 +27,9 @@ struct Solved {
     std::map<std::string, double> dimensions;  ///< delivered, m
 };
 
+/// Solves it and reads what was published.
+[[nodiscard]] Solved solved_from(const SceneText& text);
+
 /// Nothing: the relation says nothing about this scene. Empty: it holds. Else what is wrong.
 using Finding = std::optional<std::string>;
 inline const Finding no_case = std::nullopt;

@@ -24,19 +24,6 @@ std::uint64_t number_of(std::string_view name) {
     return hash;
 }
 
-Solved solved_from(const SceneText& text) {
-    Solved solved;
-    solved.text = text;
-    solved.numbers = numbers_of(text);
-    solved.outcome = solve_text(text.text());
-    for (const auto& [name, millimetres] : solved.outcome.dimensions)
-        if (name.ends_with("_mm")) solved.dimensions[name.substr(0, name.size() - 3)] = 1e-3 * millimetres;
-    if (!solved.outcome.has_motion()) return solved;
-    solved.motion = delivered_motion(solved.numbers, solved.outcome);
-    solved.figures = figures_of(*solved.motion);
-    return solved;
-}
-
 class RunningTrial : public Trial {
  public:
     RunningTrial(const TrialPlan& plan, const Options& options, Tell tell)
@@ -133,6 +120,19 @@ class RunningTrial : public Trial {
 };
 
 }  // namespace
+
+Solved solved_from(const SceneText& text) {
+    Solved solved;
+    solved.text = text;
+    solved.numbers = numbers_of(text);
+    solved.outcome = solve_text(text.text());
+    for (const auto& [name, millimetres] : solved.outcome.dimensions)
+        if (name.ends_with("_mm")) solved.dimensions[name.substr(0, name.size() - 3)] = 1e-3 * millimetres;
+    if (!solved.outcome.has_motion()) return solved;
+    solved.motion = delivered_motion(solved.numbers, solved.outcome);
+    solved.figures = figures_of(*solved.motion);
+    return solved;
+}
 
 std::string TrialPlan::name() const {
     return fmt::format("{}_{}_{}", kind == Kind::motion ? "motion" : "cam", seed, number);

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The checks of the soak trials can fail: a true result passes each of them, the same result with one number
+// spoiled fails the one that is about it.
+#include "tests/soak/figures/law.hpp"
+#include "tests/soak/relations/relation.hpp"
+#include "tests/soak/run/trial.hpp"
+#include "tests/soak/run/worker_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <set>
+#include <unistd.h>
+
+namespace camopt::soak {
+namespace {
+
+constexpr const char* motion_scene = R"([motion]
+type = "DRD"
+lift_mm = 10.0
+rise_deg = 120.0
+via = [{ at = 0.3, displacement = 0.2 }]
+[spline]
+degree = 3
+segments = 8
+[objective]
+acceleration = 0.5
+jerk = 0.5
+rms_jerk = 0.1
+[limits]
+velocity = 1.8
+)";
+
+constexpr const char* cam_scene = R"([motion]
+type = "RR"
+lift_mm = 10.0
+rise_deg = 110.0
+speed_rpm = 300.0
+[spline]
+segments = 10
+[objective]
+acceleration = 1.0
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = { min = 20.0, max = 40.0 }
+roller_radius_mm = 8.0
+offset_mm = 2.0
+[forces]
+mass_kg = 1.0
+spring_rate_n_mm = 5.0
+preload_n = 60.0
+contact_width_mm = 10.0
+[limits]
+pressure_angle_deg = 32.0
+contact_force_min_n = 10.0
+[solver]
+starts = 1
+)";
+
+Solved solved(const char* scene) {
+    Solved result = solved_from(SceneText::parse(scene));
+    EXPECT_TRUE(result.outcome.refusal.empty()) << result.outcome.refusal;
+    EXPECT_TRUE(result.motion.has_value());
+    return result;
+}
+
+/// As if the library had published these numbers.
+Solved reread(Solved result) {
+    result.motion = delivered_motion(result.numbers, result.outcome);
+    result.figures = figures_of(*result.motion);
+    return result;
+}
+
+void expect_broken(const Finding& finding) {
+    ASSERT_TRUE(finding.has_value());
+    EXPECT_FALSE(finding->empty());
+}
+
+TEST(SoakChecks, TrueResultsPassAllOfThem) {
+    for (const char* scene : {motion_scene, cam_scene}) {
+        const Solved result = solved(scene);
+        int cases = 0;
+        for (const Check& check : checks()) {
+            const Finding finding = check.of(result);
+            EXPECT_EQ(finding.value_or(""), "") << check.name;
+            cases += finding ? 1 : 0;
+        }
+        EXPECT_GE(cases, 10);
+    }
+}
+
+TEST(SoakChecks, WrongPeaksAndObjectivesAreNoticed) {
+    Solved result = solved(motion_scene);
+    result.outcome.peaks["jerk"] *= 1 + 1e-6;
+    expect_broken(check_peaks(result));
+    *result.outcome.objective *= 1 + 1e-6;
+    expect_broken(check_objective(result));
+}
+
+TEST(SoakChecks, MovedControlPointsBreakPeaksAndConditions) {
+    Solved result = solved(motion_scene);
+    result.outcome.spline->coefficients[4] += 1e-6;
+    result = reread(result);
+    expect_broken(check_peaks(result));
+    expect_broken(check_conditions(result));
+}
+
+TEST(SoakChecks, MissedPointsCapsAndEndsAreNoticed) {
+    const Solved result = solved(motion_scene);
+    Solved missed = result;
+    *missed.numbers.via[0].value[0] += 1e-6;
+    expect_broken(check_conditions(missed));
+    Solved passed = result;
+    passed.numbers.caps[1]->value = 0.999999 * static_cast<double>(passed.figures.peak[1]);
+    expect_broken(check_caps(passed));
+    Solved torn = result;
+    torn.motion->pieces[3].y[2] += 1e-3;
+    expect_broken(check_joints(torn));
+}
+
+TEST(SoakChecks, WrongBoundsAndProofsAreNoticed) {
+    const Solved result = solved(motion_scene);
+    ASSERT_TRUE(result.outcome.proof.has_value());
+    Solved above = result;
+    above.outcome.lower = *above.outcome.objective + 1e-6;
+    expect_broken(check_bound(above));
+    Solved open = result;
+    open.outcome.lower = *open.outcome.objective - 1e-6;
+    expect_broken(check_bound(open));
+    Solved bent = result;
+    *bent.outcome.proof->bound += 1e-9;
+    expect_broken(check_proof(bent));
+}
+
+TEST(SoakChecks, WrongCamsAreNoticed) {
+    const Solved result = solved(cam_scene);
+    for (const char* figure : {"pressure_angle_deg", "convex_radius_mm", "regularity", "forces.torque_nm",
+                               "forces.hertz_pressure_mpa"}) {
+        Solved wrong = result;
+        ASSERT_TRUE(wrong.outcome.cam.contains(figure)) << figure;
+        wrong.outcome.cam[figure] *= 1 + 1e-4;
+        expect_broken(check_cam_figures(wrong));
+    }
+    for (const char* limit : {"pressure_angle", "torque_max", "hertz_pressure_max"}) {
+        Solved passed = result;
+        passed.numbers.limits[limit] = 0.01;
+        expect_broken(check_cam_limits(passed));
+    }
+    for (const char* limit : {"contact_force_min", "cam_radius_min", "undercut_margin"}) {
+        Solved passed = result;
+        passed.numbers.limits[limit] = 1e4;
+        expect_broken(check_cam_limits(passed));
+    }
+    Solved outside = result;
+    outside.dimensions["base_radius"] = 0.041;
+    expect_broken(check_dimensions(outside));
+}
+
+TEST(SoakChecks, MissingNumbersAndLostTimeAreNoticed) {
+    const Solved result = solved(motion_scene);
+    Solved missing = result;
+    missing.outcome.lower.reset();
+    expect_broken(check_json(missing));
+    Solved broken = result;
+    broken.outcome.repeatable += R"("jerk":nan)";
+    expect_broken(check_json(broken));
+    Solved late = result;
+    late.outcome.processor_seconds = 1.2 * late.numbers.max_seconds + 1.0;
+    expect_broken(check_time(late));
+}
+
+TEST(SoakAgreement, WorseAndContradictingAnswersAreNoticed) {
+    const Outcome one = solved(motion_scene).outcome;
+    Outcome worse = one;
+    *worse.objective += 1e-4;
+    *worse.lower += 1e-4;
+    EXPECT_EQ(never_worse(one, worse).value_or("none"), "");
+    expect_broken(never_worse(worse, one));
+    Outcome none = one;
+    none.verdict = "infeasible";
+    expect_broken(same_answer(none, one));
+    none.verdict = "failed";
+    expect_broken(same_answer(one, none));
+}
+
+TEST(SoakLaws, HaveTheFiguresOfTheHandbooks) {
+    const auto sine = law_figures("modified_sine");
+    EXPECT_NEAR(sine.at("velocity"), 1.759603385953771, 1e-12);
+    EXPECT_NEAR(sine.at("acceleration"), 5.527957070544091, 1e-12);
+    EXPECT_NEAR(sine.at("jerk"), 69.46635729, 1e-7);
+    EXPECT_NEAR(law_figures("polynomial_4567").at("acceleration"), 7.513188, 1e-6);
+    for (const std::string& law : known_laws()) EXPECT_NEAR(law_at(law, 1.0, true)[0], 1.0, 1e-13) << law;
+}
+
+TEST(SoakScenes, AreDrawnAlikeAndReadBackAsTheyWereWritten) {
+    for (int number = 0; number < 50; ++number) {
+        Draw one(3, static_cast<std::uint64_t>(number));
+        Draw other(3, static_cast<std::uint64_t>(number));
+        const std::string scene = drawn_cam_scene(one, {}).text();
+        EXPECT_EQ(scene, drawn_cam_scene(other, {}).text());
+        EXPECT_EQ(scene, SceneText::parse(scene).text());
+    }
+}
+
+TEST(SoakWorkers, CrashesAndHangsAreOneFailureEach) {
+    std::multiset<std::string> faults;
+    std::multiset<std::string> lines;
+    const Worker worker{[](int number, const std::function<void(const std::string&)>& tell) {
+                            tell("begun\n");
+                            if (number == 1) ::raise(SIGKILL);
+                            while (number == 2) ::pause();
+                        },
+                        [&](int, const std::string& line) { lines.insert(line); },
+                        [&](int, const std::string& fault) { faults.insert(fault); }};
+    run_in_processes(4, 2, 2.0, worker);
+    EXPECT_EQ(lines.count("begun"), 4U);
+    EXPECT_EQ(faults, (std::multiset<std::string>{"", "", "died of signal 9", "hung and was killed"}));
+}
+
+}  // namespace
+}  // namespace camopt::soak
