@@ -147,7 +147,7 @@ Rows solver() {
         {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7",
          "Proved relative gap below which the verdict is optimal."},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
-         "Wall time; then the best feasible curve so far is kept."},
+         "Wall time of search, proof, tie-break and explanation together; then what was found so far is kept."},
         {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
          "Starting points; a convex scene needs one."},
         {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",

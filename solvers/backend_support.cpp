@@ -181,32 +181,35 @@ void throw_unavailable(const SolverEntry& entry) {
 }
 
 SolveGuard::SolveGuard(const BackendOptions& options, const SolveControl& control)
-    : control_(control), max_seconds_(options.max_seconds) {}
+    : control_(control), deadline_(control.deadline.sooner(options.max_seconds)) {}
 
 bool SolveGuard::must_stop() noexcept {
     if (reason_) return true;
-    bool requested = false;
-    if (!call([&] { requested = control_.stopped(); })) return true;
+    bool requested = false, late = false;
+    if (!call([&] {
+            requested = control_.stopped();
+            late = deadline_.passed();
+        }))
+        return true;
     if (requested)
         stop(Termination::interrupted);
-    else if (Clock::now() - begin_ >= std::chrono::duration<double>(max_seconds_))
+    else if (late)
         stop(Termination::time_limit);
     return reason_.has_value();
 }
 
 void SolveGuard::report(int iteration, double cost, double violation) noexcept {
-    constexpr std::chrono::milliseconds interval{500};
-    if (!control_.progress || Clock::now() - reported_ < interval) return;
-    reported_ = Clock::now();
+    constexpr double interval = 0.5;
+    if (!control_.progress || since_report_.seconds() < interval) return;
+    since_report_ = {};
     (void)call([&] {
         control_.progress(
             fmt::format("iteration {}: cost {:.9g}, largest violation {:.2g}", iteration, cost, violation));
     });
 }
 
-double SolveGuard::seconds_left() const noexcept {
-    const std::chrono::duration<double> used = Clock::now() - begin_;
-    return std::max(1e-3, max_seconds_ - used.count());
+double SolveGuard::seconds_left() const {
+    return std::max(1e-3, deadline_.seconds_left());
 }
 
 void SolveGuard::keep_exception(std::exception_ptr exception) noexcept {

@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <chrono>
 #include <exception>
 #include <initializer_list>
 #include <map>
@@ -87,16 +86,14 @@ class SolveGuard {
         if (exception_) std::rethrow_exception(exception_);
     }
     [[nodiscard]] std::optional<Termination> reason() const noexcept { return reason_; }
-    [[nodiscard]] double seconds_left() const noexcept;  ///< > 0 for a deadline in the past too: 1e-3
+    [[nodiscard]] double seconds_left() const;  ///< > 0 for a deadline in the past too: 1e-3
 
  private:
-    using Clock = std::chrono::steady_clock;
     void keep_exception(std::exception_ptr exception) noexcept;
 
     const SolveControl& control_;
-    double max_seconds_;
-    Clock::time_point begin_ = Clock::now();
-    Clock::time_point reported_ = begin_;
+    Deadline deadline_;
+    Stopwatch since_report_;
     std::optional<Termination> reason_;
     std::exception_ptr exception_;
 };

@@ -14,8 +14,6 @@ namespace {
 
 // Rows this close to their bound may carry a multiplier when a backend gives none.
 constexpr double active_row = 1e-6;
-// The structured solver that proves a bound after another backend ran gets at most this long.
-constexpr double proof_seconds = 30.0;
 // How much further a point is pulled inside than its violation asks for.
 constexpr double pull = 1.0 + 1e-6;
 
@@ -46,15 +44,16 @@ void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& s
     if (last.row_multipliers) {
         try_proof(result, problem, *last.row_multipliers, std::string(solver.name()));
     } else if (!was_stopped(result.exchange.termination)) {
-        try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row), "fitted");
+        try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row, control),
+                  "fitted");
     }
-    if (proved() || !problem.grid().shape().convex || control.stopped()) return;
+    if (proved() || !problem.grid().shape().convex || control.ending()) return;
     if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
     // The grid of another backend's last round is a relaxation like any other: its dual is a bound for all
     // curves.
     BackendOptions options;
     options.tolerance = exchange.backend.tolerance;
-    options.max_seconds = std::min(proof_seconds, exchange.backend.max_seconds);
+    options.max_seconds = exchange.backend.max_seconds;
     const BackendResult dual = make_structured_solver()->minimize(problem.grid(), result.x, options, control);
     if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
 }
@@ -71,7 +70,7 @@ FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchan
                        const SolveControl& control) {
     FirstPoint first{judged(problem, problem.start()), {}, false};
     const bool kept = first.inside.violation <= judge.tolerance;
-    if (kept || control.stopped() || !problem.grid().shape().convex) return first;
+    if (kept || control.ending() || !problem.grid().shape().convex) return first;
     Feasibility feasibility = find_feasible(problem, exchange, control);
     first.searched = feasibility.point.x.size() > 0;
     if (first.searched) first.inside = std::move(feasibility.point);
@@ -95,12 +94,14 @@ void settle_verdict(Certificate& certificate, Termination termination, const Jud
     if (!(certificate.worst_violation <= options.tolerance)) {
         certificate.verdict = Verdict::failed;
         certificate.reason = was_stopped(termination) ? name_of(termination) : "no_feasible_point";
+        certificate.gap.reset();  // it would be that of a point nobody is given
     } else if (certificate.gap && *certificate.gap <= options.gap) {
         certificate.verdict = Verdict::optimal;
         certificate.reason.clear();
     } else if (certificate.stationarity && *certificate.stationarity <= options.stationarity) {
         certificate.verdict = Verdict::local;
-        certificate.reason = "stationary, not proved optimal";
+        certificate.reason =
+            was_stopped(termination) ? name_of(termination) : "stationary, not proved optimal";
     } else {
         certificate.verdict = Verdict::feasible;
         certificate.reason = name_of(termination);
@@ -120,19 +121,16 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
 ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
                                   const ExchangeOptions& exchange, const JudgeOptions& judge,
                                   const SolveControl& control) {
+    const SolveControl timed = control.sooner(exchange.backend.max_seconds);
     ContinuousResult result;
-    FirstPoint first = first_point(problem, exchange, judge, control);
+    FirstPoint first = first_point(problem, exchange, judge, timed);
     if (first.infeasible) {
         report_infeasible(result, std::move(first));
         return result;
     }
     result.inside = first.inside;
-    result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, control);
-    if (result.exchange.termination == Termination::interrupted && result.exchange.rounds == 0 &&
-        !first.searched) {  // a start that nobody looked for is no find
-        settle_verdict(result.certificate, result.exchange.termination, judge);
-        return result;
-    }
+    result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, timed);
+    if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
     Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
     const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);
     if (is_better(latest, best, judge.tolerance)) best = latest;
@@ -140,7 +138,7 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     result.certificate.worst_violation = best.violation;
     if (best.x.size() > 0) {
         result.x = best.x;
-        if (best.violation <= judge.tolerance) prove(result, problem, solver, exchange, judge, control);
+        if (best.violation <= judge.tolerance) prove(result, problem, solver, exchange, judge, timed);
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);

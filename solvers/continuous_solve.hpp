@@ -32,7 +32,8 @@ void settle_verdict(Certificate& certificate, Termination termination, const Jud
 
 /// Looks for a point within the limits first, and where there is none proves that on the elastic problem,
 /// whichever backend was to run. Then runs the backend by exchange from that point, repairs its result, and
-/// proves what can be proved: with the backend's multipliers, fitted ones, or the structured solver's.
+/// proves what can be proved: with the backend's multipliers, fitted ones, or the structured solver's. All of
+/// it takes exchange.backend.max_seconds at most. Interrupted before it searched: no x.
 [[nodiscard]] ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
                                                 const ExchangeOptions& exchange, const JudgeOptions& judge,
                                                 const SolveControl& control);

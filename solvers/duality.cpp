@@ -126,7 +126,8 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
     return proof;
 }
 
-Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active) {
+Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active,
+                                   const SolveControl& control) {
     const NlpShape& shape = problem.shape();
     Eigen::VectorXd values(shape.constraints());
     problem.constraints(x, values);
@@ -140,7 +141,7 @@ Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x,
         signs.push_back(at_upper && at_lower ? 0 : at_upper ? 1 : -1);
     }
     Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(shape.constraints());
-    if (rows.empty()) return multipliers;
+    if (rows.empty() || control.ending()) return multipliers;
     const SparseRows jacobian = jacobian_of(problem, x);
     std::vector<Eigen::Triplet<double>> entries;
     for (int k = 0; k < static_cast<int>(rows.size()); ++k) {
@@ -154,7 +155,7 @@ Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x,
     problem.gradient(x, cost);
     const MultiplierFit fit(active_rows, cost, signs);
     const BackendResult result = make_structured_solver()->minimize(
-        fit, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size())), {}, {});
+        fit, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size())), {}, control);
     if (result.x.size() == 0) return multipliers;
     for (std::size_t k = 0; k < rows.size(); ++k)
         multipliers[rows[k]] = result.x[static_cast<Eigen::Index>(k)];

@@ -19,7 +19,8 @@ namespace camopt {
 
 /// Multipliers that fit best: min ‖∇f + Jᵀλ‖² over the rows within `active` of a bound (relative to their
 /// size), with the sign of their bound. Solved by the structured solver.
-[[nodiscard]] Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active);
+[[nodiscard]] Eigen::VectorXd fitted_multipliers(const Nlp& problem, const Eigen::VectorXd& x, double active,
+                                                 const SolveControl& control = {});
 
 /// ‖∇f + Jᵀλ + z‖∞ with the best z for the variable bounds within `active`, plus the worst |λ_i · slack_i|.
 [[nodiscard]] double stationarity_of(const Nlp& problem, const Eigen::VectorXd& x,

@@ -4,20 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace camopt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
 constexpr double adding_part = 0.1;
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+/// Who cancels before anything was searched for is not given the start for a result.
+bool interrupted_at_once(const ExchangeResult& result) {
+    return result.termination == Termination::interrupted && result.iterations == 0;
 }
 
 }  // namespace
@@ -47,18 +45,17 @@ bool is_better(const Candidate& left, const Candidate& right, double tolerance) 
 ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
                                     const Eigen::VectorXd& start, const ExchangeOptions& options,
                                     const SolveControl& control) {
-    const Clock::time_point begin = Clock::now();
+    const SolveControl timed = control.sooner(options.backend.max_seconds);
     ExchangeResult result;
     result.best = judged(problem, start);
     Eigen::VectorXd next_start = result.best.x.size() > 0 ? result.best.x : start;
-    BackendOptions backend = options.backend;
     while (result.rounds < options.most_rounds) {
-        backend.max_seconds = options.backend.max_seconds - seconds_since(begin);
-        if (control.stopped() || backend.max_seconds <= 0.0) {
-            result.termination = control.stopped() ? Termination::interrupted : Termination::time_limit;
+        if (const std::optional<Termination> ending = timed.ending()) {
+            result.termination = *ending;
+            if (interrupted_at_once(result)) result.best = {};
             return result;
         }
-        result.last = solver.minimize(problem.grid(), next_start, backend, control);
+        result.last = solver.minimize(problem.grid(), next_start, options.backend, timed);
         result.termination = result.last.termination;
         result.iterations += result.last.iterations;
         ++result.rounds;
@@ -72,6 +69,7 @@ ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& so
         }
         if (was_stopped(result.termination) || result.termination == Termination::infeasible ||
             result.termination == Termination::unsupported) {
+            if (interrupted_at_once(result)) result.best = result.latest = {};
             return result;
         }
         const double unseen = found.objective - problem.grid().cost(x);

@@ -25,7 +25,7 @@ struct Candidate {
 };
 
 struct ExchangeResult {
-    Candidate best;
+    Candidate best;      ///< none where it was interrupted before a first iteration
     Candidate latest;    ///< what the last round found: better than `best` once a small violation is repaired
     BackendResult last;  ///< of the last round; its multipliers belong to the final grid where `converged`
     Termination termination = Termination::not_run;
@@ -44,6 +44,7 @@ struct ExchangeResult {
 /// violation.
 [[nodiscard]] bool is_better(const Candidate& left, const Candidate& right, double tolerance);
 
+/// options.backend.max_seconds is the time of all rounds together.
 [[nodiscard]] ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
                                                   const Eigen::VectorXd& start,
                                                   const ExchangeOptions& options,

@@ -3,6 +3,7 @@
 // What was found is not judged here: that is the certificate's word (certificate.hpp).
 #pragma once
 
+#include "core/deadline.hpp"
 #include "core/nlp.hpp"
 #include "core/scene.hpp"
 
@@ -33,17 +34,29 @@ enum class Termination {
 };
 [[nodiscard]] const char* name_of(Termination value);
 
-/// The outside world during a solve. Both may be empty.
+/// The outside world during a solve. Every part may be empty.
 struct SolveControl {
     std::function<bool()> stop_requested;                    ///< polled between iterations; true: stop soon
     std::function<void(std::string_view message)> progress;  ///< one short line, for a terminal
+    Deadline deadline = {};  ///< of all that is done under this control, whatever its parts may take each
+    /// Earlier: of searches that have found nothing within the limits. What is left then is for saying why.
+    Deadline in_vain = {};
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
+    /// Why nothing more is to be begun: Termination::interrupted or time_limit.
+    [[nodiscard]] std::optional<Termination> ending() const {
+        if (stopped()) return Termination::interrupted;
+        return deadline.passed() ? std::optional(Termination::time_limit) : std::nullopt;
+    }
+    /// For a part that gets so many seconds at most.
+    [[nodiscard]] SolveControl sooner(double seconds) const {
+        return {stop_requested, progress, deadline.sooner(seconds), in_vain};
+    }
 };
 
 struct BackendOptions {
     double tolerance = 1e-9;                    ///< relative optimality and feasibility, > 0
     int max_iterations = 3000;                  ///< iterations (evaluations for the derivative-free), >= 1
-    double max_seconds = 60.0;                  ///< wall time, > 0
+    double max_seconds = 60.0;                  ///< wall time, > 0; SolveControl::deadline may be earlier
     std::map<std::string, OptionValue> native;  ///< the backend's own options
     void validate() const;                      ///< throws InputError
 };

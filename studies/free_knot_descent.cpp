@@ -7,14 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace camopt {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // The first step moves a breakpoint by at most this part of the mean segment; later ones by what held.
 constexpr double first_radius = 0.25, largest_radius = 1.0, least_radius = 1e-9, telling_radius = 1e-4;
@@ -34,8 +31,8 @@ class Descent {
         if (result_.found.x.size() == 0) return result_;
         bfgs_ = Eigen::MatrixXd::Zero(breakpoints(), breakpoints());
         while (result_.steps < options_.most_steps) {
-            if (control_.stopped() || seconds_left() <= 0.0) {
-                result_.termination = control_.stopped() ? Termination::interrupted : Termination::time_limit;
+            if (const std::optional<Termination> ending = control_.ending()) {
+                result_.termination = *ending;
                 return result_;
             }
             if (done()) break;
@@ -51,16 +48,11 @@ class Descent {
     const Solver& solver_;
     const FreeKnotOptions& options_;
     const SolveControl& control_;
-    Clock::time_point begin_ = Clock::now();
     FreeKnotResult result_;
     Eigen::MatrixXd bfgs_;
     double radius_ = first_radius;
     int idle_ = 0;
 
-    [[nodiscard]] double seconds_left() const {
-        return options_.exchange.backend.max_seconds -
-               std::chrono::duration<double>(Clock::now() - begin_).count();
-    }
     [[nodiscard]] Eigen::Index breakpoints() const { return problem_.form().segments() - 1; }
     [[nodiscard]] Eigen::Index first() const { return problem_.form().breakpoint(1); }
     [[nodiscard]] double size() const { return std::max(1.0, std::abs(result_.found.objective)); }
@@ -77,15 +69,14 @@ class Descent {
     Candidate best_motion(const Eigen::VectorXd& x) {
         CamProblem fixed = problem_.fixed_problem(x);
         if (!fixed.model().design.contradictions().empty()) return {};
-        ExchangeOptions options = options_.exchange;
-        options.backend.max_seconds = std::max(1e-3, seconds_left());
+        const ExchangeOptions& options = options_.exchange;
         const Eigen::VectorXd start = fixed.completed(problem_.fixed_point(fixed, x));
         const ExchangeResult ran = minimize_by_exchange(fixed, solver_, start, options, control_);
         result_.rounds += ran.rounds;
         result_.iterations += ran.iterations;
         Candidate best = is_better(ran.latest, ran.best, options.tolerance) ? ran.latest : ran.best;
         if (best.x.size() == 0) return {};
-        if (!feasible(best) && fixed.grid().shape().convex) {
+        if (!feasible(best) && fixed.grid().shape().convex && !control_.ending()) {
             const Feasibility nearest = find_feasible(fixed, options, control_);
             if (nearest.point.x.size() > 0 && is_better(nearest.point, best, options.tolerance))
                 best = nearest.point;
@@ -101,10 +92,11 @@ class Descent {
         const FreeKnotStep model(problem_.grid(), here, first(), breakpoints(), bfgs_, radius_);
         BackendOptions options;
         options.tolerance = options_.exchange.backend.tolerance;
-        options.max_seconds = std::max(1e-3, seconds_left());
+        options.max_seconds = options_.exchange.backend.max_seconds;
         const BackendResult ran = model.solve(solver_, options, control_);
         result_.iterations += ran.iterations;
         ++result_.rounds;
+        if (control_.ending()) return;  // half a step promises nothing
         if (ran.x.size() == 0 || !ran.x.allFinite()) {
             radius_ *= 0.25;
             return;
@@ -172,7 +164,8 @@ class Descent {
 
 FreeKnotResult descend(FreeKnotProblem& problem, const Eigen::VectorXd& start, const Solver& solver,
                        const FreeKnotOptions& options, const SolveControl& control) {
-    return Descent(problem, solver, options, control).run(start);
+    const SolveControl timed = control.sooner(options.exchange.backend.max_seconds);
+    return Descent(problem, solver, options, timed).run(start);
 }
 
 }  // namespace camopt

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -52,17 +51,11 @@ Scene without_limit(const Scene& scene, const LimitedPeak& one) {
 /// Seconds left for the whole explanation, and the user's wish to stop.
 class Budget {
  public:
-    Budget(double seconds, const SolveControl& control) : seconds_(seconds), control_(control) {}
-    [[nodiscard]] double left() const {
-        return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count();
-    }
-    [[nodiscard]] bool spent() const { return control_.stopped() || left() <= 0.0; }
+    explicit Budget(const SolveControl& control) : control_(control) {}
+    [[nodiscard]] bool spent() const { return control_.ending().has_value(); }
     [[nodiscard]] const SolveControl& control() const { return control_; }
 
  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point begin_ = Clock::now();
-    double seconds_;
     const SolveControl& control_;
 };
 
@@ -79,7 +72,6 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
     for (int round = 0; round < most_rounds && !budget.spent(); ++round) {
         BackendOptions options;
         options.tolerance = tolerance;
-        options.max_seconds = budget.left();
         const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
         if (result.x.size() == 0 || !result.x.allFinite()) break;
         const double on_grid = result.x[result.x.size() - 1];
@@ -181,19 +173,20 @@ std::optional<double> needed_value(const Adjustment& adjustment, double given, c
 }  // namespace
 
 std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& control) {
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
     std::vector<Relaxation> found;
     for (const LimitedPeak& one : limited_peaks) {
         const std::optional<PeakLimit>& limit = scene.limits.*one.limit;
         if (!limit || scene.motion.type == MotionType::program) continue;
         Relaxation relaxation{limit->key, limit->given, {}};
-        const Solution least = solve_without_explaining(without_limit(scene, one), control);
+        const Solution least = solve_without_explaining(without_limit(scene, one), timed);
         if (least.motion) {
             relaxation.needed = (least.peaks.*one.peak).value * limit->unit_per_normalised();
         }
         found.push_back(std::move(relaxation));
     }
     if (!scene.cam && !scene.mechanism) return found;
-    const Budget budget(scene.solver.max_seconds, control);
+    const Budget budget(timed);
     const double given = least_violation(scene, budget);
     for (const Adjustment& adjustment : adjustments(scene)) {
         const std::optional<double> needed = needed_value(adjustment, given, budget);

@@ -23,21 +23,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace camopt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // Searches where the problem is not convex and the scene does not say how many.
 constexpr int default_starts = 8;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+// Part of the time after which starts that found nothing within the limits end: the rest is for explaining
+// it.
+constexpr double searched_in_vain = 0.6;
 
 std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     const ObjectiveSpec& objective = scene.objective;
@@ -128,7 +124,7 @@ namespace {
 /// A scene whose objective is near one (CostScale).
 Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
                       GridMemory* memory) {
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     Solution solution;
     solution.scene = scene;
     const BackendChoice choice = choose_backend(scene);
@@ -149,16 +145,16 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     }
     if (!design.contradictions().empty()) {
         report_contradictions(solution, design);
-        solution.seconds_total = seconds_since(begin);
+        solution.seconds_total = watch.seconds();
         return solution;
     }
     if (report_rest_conflict(solution, problem.model())) {
-        solution.seconds_total = seconds_since(begin);
+        solution.seconds_total = watch.seconds();
         return solution;
     }
-    const Clock::time_point solve_begin = Clock::now();
+    const Stopwatch solve_watch;
     ContinuousResult result = solve_problem(problem, solver, solution, control);
-    solution.seconds_solve = seconds_since(solve_begin);
+    solution.seconds_solve = solve_watch.seconds();
     if (memory != nullptr) memory->keep(problem);
 
     solution.certificate = std::move(result.certificate);
@@ -174,8 +170,17 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     judge_delivered_joints(solution);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
-    solution.seconds_total = seconds_since(begin);
+    solution.seconds_total = watch.seconds();
     return solution;
+}
+
+/// What the clock ended depends on the machine: that must be told.
+void note_time_limit(Solution& solution) {
+    const std::string note = fmt::format(
+        "the time (solver.max_seconds = {:g}) ran out: how far this came depends on the machine, "
+        "and more time may change the result",
+        solution.scene.solver.max_seconds);
+    if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
 }
 
 }  // namespace
@@ -183,28 +188,38 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
 Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
     const Scene scene = with_written_limits(given);
     validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
     Solution solution =
         scene.spline.free_knots
-            ? solve_free_knots(scale.scaled(), control)
+            ? solve_free_knots(scale.scaled(), timed)
             : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
-                           control, memory);
+                           timed, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
+    if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;
 }
 
 Solution solve(const Scene& scene, const SolveControl& control) {
-    const Clock::time_point begin = Clock::now();
-    Solution solution = solve_without_explaining(scene, control);
-    const Verdict verdict = solution.certificate.verdict;
-    const bool to_explain = verdict == Verdict::infeasible ||
-                            solution.certificate.reason == "no_feasible_point" ||
-                            (verdict == Verdict::failed && solution.certificate.reason == "time_limit");
-    if (to_explain && !control.stopped()) {  // a stopped search must not pass for "nothing helps"
-        solution.relaxation = relaxations(with_written_limits(scene), control);
+    const Stopwatch watch;
+    SolveControl timed = control.sooner(scene.solver.max_seconds);
+    timed.in_vain = timed.deadline.sooner(searched_in_vain * timed.deadline.seconds_left());
+    Solution solution = solve_without_explaining(scene, timed);
+    const Certificate& certificate = solution.certificate;
+    const bool to_explain = certificate.verdict == Verdict::infeasible ||
+                            certificate.reason == "no_feasible_point" ||
+                            (certificate.verdict == Verdict::failed && certificate.reason == "time_limit");
+    if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
+        timed.in_vain = {};
+        solution.relaxation = relaxations(with_written_limits(scene), timed);
     }
-    solution.seconds_total = seconds_since(begin);
+    if (to_explain && timed.deadline.passed())
+        solution.notes.push_back(fmt::format(
+            "the time (solver.max_seconds = {:g}) ran out before every remedy was looked for: what is "
+            "not named may help too",
+            scene.solver.max_seconds));
+    solution.seconds_total = watch.seconds();
     return solution;
 }
 

@@ -11,14 +11,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 
 namespace camopt {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Searches where the scene does not say how many.
 constexpr int default_starts = 8;
@@ -26,6 +23,8 @@ constexpr int default_starts = 8;
 constexpr double shortest_random = 0.3;
 // The limit no curve can pass is computed to rounding; this part of it is given away for that.
 constexpr double limit_rounding = 1e-11;
+// Of the seconds that the first breakpoints took: kept for the solve on the last ones.
+constexpr double kept_for_last = 1.5;
 // Part of the gap within which of the limit nothing is left to gain.
 constexpr double nothing_left = 0.01;
 
@@ -59,9 +58,7 @@ struct Search {
     EvaluationCounts evaluations;
 };
 
-Search search_breakpoints(const Scene& scene, const Solution& start, double seconds,
-                          const SolveControl& control) {
-    const Clock::time_point begin = Clock::now();
+Search search_breakpoints(const Scene& scene, const Solution& start, const SolveControl& control) {
     const Peaks reference = reference_peaks(scene);
     const CountingSolver solver(make_structured_solver());
     FreeKnotOptions options;
@@ -75,10 +72,8 @@ Search search_breakpoints(const Scene& scene, const Solution& start, double seco
     Search search;
     const int starts = scene.solver.starts.value_or(default_starts);
     for (int k = 0; k < starts; ++k) {
-        options.exchange.backend.max_seconds =
-            seconds - std::chrono::duration<double>(Clock::now() - begin).count();
-        if (control.stopped() || options.exchange.backend.max_seconds <= 0.0) {
-            search.best.termination = control.stopped() ? Termination::interrupted : Termination::time_limit;
+        if (const std::optional<Termination> ending = control.ending()) {
+            search.best.termination = *ending;
             break;
         }
         const std::vector<double> points =
@@ -176,11 +171,11 @@ void report_breakpoints(Solution& solution) {
 }  // namespace
 
 Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
-    const Clock::time_point begin = Clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    const Stopwatch watch;
     Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
     const double at_start = is_delivered(solution) ? solution.certificate.objective : infinity;
-    const Search search = search_breakpoints(scene, solution, scene.solver.max_seconds - seconds(), control);
+    const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
+    const Search search = search_breakpoints(scene, solution, control.sooner(searching));
     const bool found = search.best.found.x.size() > 0 &&
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;
@@ -204,7 +199,7 @@ Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
         at_start < infinity ? fmt::format("{:.9g}", at_start) : std::string("unknown")));
     judge_freely(solution, search, scene);
     report_breakpoints(solution);
-    solution.seconds_total = solution.seconds_solve = seconds();
+    solution.seconds_total = solution.seconds_solve = watch.seconds();
     return solution;
 }
 

@@ -8,21 +8,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace camopt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // Rows this close to their bound may carry a multiplier.
 constexpr double active_row = 1e-6;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// One search, and the multipliers of its last grid.
 struct Search {
@@ -37,15 +30,13 @@ class StartSearch {
         : problem_(model), solver_(solver), exchange_(exchange), judge_(judge), control_(control) {}
 
     void run(int starts, unsigned seed, const Eigen::VectorXd& relaxed) {
-        for (int k = 0; k < starts; ++k) {
-            const double left = exchange_.backend.max_seconds - seconds_since(begin_);
-            if (k > 0 && (control_.stopped() || left <= 0.0)) {
-                totals_.termination = control_.stopped() ? Termination::interrupted : Termination::time_limit;
-                break;
-            }
-            ExchangeOptions options = exchange_;
-            options.backend.max_seconds = left;
-            keep(search(start_of(k, seed, relaxed), options));
+        for (int k = 0; k < starts && !ends(k); ++k) {
+            const Eigen::VectorXd start = start_of(k, seed, relaxed);
+            const bool in_vain = !found();
+            keep(search(start, in_vain ? control_.sooner(control_.in_vain.seconds_left()) : control_));
+            // The limit of a search in vain does not hold for one that was on its way.
+            if (in_vain && found() && totals_.termination == Termination::time_limit && !control_.ending())
+                keep(search(best_.found.x, control_));
             ++ran_;
         }
     }
@@ -61,7 +52,6 @@ class StartSearch {
     const ExchangeOptions& exchange_;
     const JudgeOptions& judge_;
     const SolveControl& control_;
-    Clock::time_point begin_ = Clock::now();
     Search best_;
     ExchangeResult totals_;
     int ran_ = 0;
@@ -72,8 +62,22 @@ class StartSearch {
         return problem_.random_start(seed + static_cast<unsigned>(index));
     }
 
-    Search search(const Eigen::VectorXd& start, const ExchangeOptions& options) {
-        ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, options, control_);
+    /// Something that keeps the limits.
+    [[nodiscard]] bool found() const {
+        return best_.found.x.size() > 0 && best_.found.violation <= judge_.tolerance;
+    }
+
+    /// Whether the first starts are all there will be: then it is told why.
+    bool ends(int done) {
+        if (done == 0) return false;
+        std::optional<Termination> ending = control_.ending();
+        if (!ending && !found() && control_.in_vain.passed()) ending = Termination::time_limit;
+        if (ending) totals_.termination = *ending;
+        return ending.has_value();
+    }
+
+    Search search(const Eigen::VectorXd& start, const SolveControl& control) {
+        ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange_, control);
         totals_.rounds += ran.rounds;
         totals_.iterations += ran.iterations;
         totals_.termination = ran.termination;
@@ -98,7 +102,7 @@ Eigen::VectorXd padded(const Eigen::VectorXd& multipliers, int rows) {
     return all;
 }
 
-void judge_search(ContinuousResult& result, const StartSearch& search) {
+void judge_search(ContinuousResult& result, const StartSearch& search, const SolveControl& control) {
     const Candidate& found = search.best().found;
     Certificate& certificate = result.certificate;
     certificate.objective = found.objective;
@@ -109,7 +113,7 @@ void judge_search(ContinuousResult& result, const StartSearch& search) {
     const int rows = grid.shape().constraints();
     const double own = stationarity_of(grid, found.x, padded(search.best().multipliers, rows), active_row);
     const double fitted =
-        stationarity_of(grid, found.x, fitted_multipliers(grid, found.x, active_row), active_row);
+        stationarity_of(grid, found.x, fitted_multipliers(grid, found.x, active_row, control), active_row);
     certificate.stationarity = std::isfinite(own) ? std::min(own, fitted) : fitted;
 }
 
@@ -157,14 +161,15 @@ bool needs_starts(const CamModel& model) {
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
                                const SolveControl& control) {
+    const SolveControl timed = control.sooner(exchange.backend.max_seconds);
     StartsResult all;
     const CamProblem whole(model);
     CamModel always_convex = convex_part(model, ConvexOver::every_motion);
     CamModel usually_convex = convex_part(model, ConvexOver::sensible_motion);
     const bool more_rules = usually_convex.rules.size() > always_convex.rules.size();
-    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, control);
-    if (!relaxed.settled && more_rules) {
-        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, control);
+    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, timed);
+    if (!relaxed.settled && more_rules && !timed.ending()) {
+        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, timed);
         const bool unproved = !tighter.result.certificate.lower_bound;
         if (unproved && !tighter.settled) {  // keep the bound at hand, start from the better motion
             if (tighter.result.x.size() > 0) relaxed.result.x = tighter.result.x;
@@ -176,14 +181,12 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
         all.result = std::move(relaxed.result);
         return all;
     }
-    StartSearch search(model, solver, exchange, judge, control);
+    StartSearch search(model, solver, exchange, judge, timed);
     search.run(starts, seed, relaxed.result.x);
     all.starts = search.ran();
     ContinuousResult& result = all.result;
     result.exchange = search.totals();
-    const bool stopped_at_once = result.exchange.termination == Termination::interrupted &&
-                                 result.exchange.rounds == 0 && relaxed.result.x.size() == 0;
-    if (!stopped_at_once) judge_search(result, search);  // a start that nobody looked for is no find
+    judge_search(result, search, timed);
     Certificate& bound = relaxed.result.certificate;
     if (bound.lower_bound) {
         result.certificate.lower_bound = bound.lower_bound;

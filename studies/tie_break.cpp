@@ -50,7 +50,7 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
         const ExchangeResult smoother =
             minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
-        if (smoother.best.x.size() == 0 || control.stopped()) return;
+        if (smoother.best.x.size() == 0 || control.ending()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
         if (mean_square_jerk(problem, delivered) > mean_square_jerk(problem, {result.x})) return;

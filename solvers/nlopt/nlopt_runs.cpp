@@ -89,6 +89,7 @@ NloptOutcome NloptRuns::once(Eigen::VectorXd& x, double& cost) {
     nlopt_set_maxtime(optimizer_, guard_.seconds_left());
     Eigen::VectorXd end = x;
     const NloptOutcome outcome = outcome_of(nlopt_optimize(optimizer_, end.data(), &cost));
+    if (outcome.termination == Termination::time_limit) (void)guard_.must_stop();  // NLopt's watch, and ours
     if (end.allFinite()) x = end;
     return outcome;
 }

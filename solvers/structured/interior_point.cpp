@@ -283,7 +283,7 @@ InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl&
             result.stop = Stop::iteration_limit;
         else if (control.stopped())
             result.stop = Stop::interrupted;
-        else if (std::chrono::steady_clock::now() >= limits_.deadline)
+        else if (limits_.deadline.passed())
             result.stop = Stop::time_limit;
         else if (limits_.suspicious && looks_infeasible())
             result.stop = Stop::suspect_infeasible;

@@ -17,7 +17,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace camopt::structured {
@@ -53,7 +52,7 @@ struct InteriorPointLimits {
     FactorKind factor = FactorKind::automatic;
     int correctors = 2;      ///< centrality correctors an iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness
-    std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+    Deadline deadline = {};
 };
 
 struct InteriorPointResult {

@@ -7,8 +7,9 @@
 
 namespace camopt::structured {
 
-/// The deadline counts from now. Aims at a tenth of the tolerance: what is asked for is then met with room.
+/// The seconds count from now. Aims at a tenth of the tolerance: what is asked for is then met with room.
 [[nodiscard]] InteriorPointLimits interior_point_limits(const BackendOptions& options,
-                                                        const StructuredOptions& own);
+                                                        const StructuredOptions& own,
+                                                        const SolveControl& control);
 
 }  // namespace camopt::structured

@@ -39,7 +39,7 @@ SequentialRun::SequentialRun(const Nlp& problem, const BackendOptions& options, 
       options_(options),
       control_(control),
       guard_(options, control),
-      steps_(problem, interior_point_limits(options, structured_options(options.native)), control),
+      steps_(problem, interior_point_limits(options, structured_options(options.native), control), control),
       weights_(VectorXd::Ones(shape_.constraints())),
       curved_(curved_variables(shape_)),
       multipliers_(VectorXd::Zero(shape_.constraints())) {

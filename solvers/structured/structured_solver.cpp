@@ -58,7 +58,7 @@ class StructuredRun {
           start_(start),
           control_(control),
           tolerance_(options.tolerance),
-          limits_(structured::interior_point_limits(options, structured_options(options.native))),
+          limits_(structured::interior_point_limits(options, structured_options(options.native), control)),
           form_(problem, start) {}
 
     BackendResult run();

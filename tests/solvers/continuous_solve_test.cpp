@@ -94,21 +94,31 @@ TEST(ContinuousSolve, ABackendWithNothingToShowFails) {
     JudgeOptions judge;
     SolveControl stop;
     stop.stop_requested = [] { return true; };
-    // Stopped before anything ran: only the start is known. It is inside, but nobody found it.
-    const ContinuousResult at_once =
+    // Stopped before anything ran: only the start is known, and nobody asked for that.
+    const ContinuousResult cancelled =
         solve_continuous(problem, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
-    EXPECT_EQ(at_once.certificate.verdict, Verdict::failed);
-    EXPECT_EQ(at_once.certificate.reason, "interrupted");
-    EXPECT_EQ(at_once.x.size(), 0);
+    EXPECT_EQ(cancelled.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(cancelled.certificate.reason, "interrupted");
+    EXPECT_EQ(cancelled.x.size(), 0);
+    SolveControl late;
+    late.deadline = Deadline::after(0.0);
+    // Out of time the start is the best there is, and it is inside.
+    const ContinuousResult kept =
+        solve_continuous(problem, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, late);
+    EXPECT_EQ(kept.certificate.verdict, Verdict::feasible);
+    EXPECT_EQ(kept.certificate.reason, "time_limit");
     DiscProblem outside(1.0, 1.5);
     const ContinuousResult failed =
         solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
     EXPECT_EQ(failed.certificate.verdict, Verdict::failed);
     EXPECT_EQ(failed.certificate.reason, "interrupted");
-    const ContinuousResult unaided =
-        solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, {});
-    EXPECT_TRUE(unaided.certificate.verdict == Verdict::infeasible ||
-                unaided.certificate.reason == "no_feasible_point");
+    const ContinuousResult silent =
+        solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, late);
+    EXPECT_EQ(silent.certificate.reason, "time_limit");
+    DiscProblem alone(1.0, 0.999999);
+    const ContinuousResult nothing =
+        solve_continuous(alone, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, {});
+    EXPECT_EQ(nothing.certificate.reason, "numerical_failure");
 }
 
 TEST(Verdict, EachHasItsCondition) {

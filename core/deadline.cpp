@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "core/deadline.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Stopwatch::Stopwatch() : begin_(steady_seconds()) {}
+
+double Stopwatch::seconds() const {
+    return steady_seconds() - begin_;
+}
+
+struct Deadline::Shared {
+    Clock clock;
+    std::atomic<bool> felt{false};
+};
+
+Deadline Deadline::after(double seconds, Clock clock) {
+    Deadline deadline;
+    deadline.shared_ = std::make_shared<Shared>();
+    deadline.shared_->clock = clock ? std::move(clock) : Clock(steady_seconds);
+    deadline.end_ = deadline.shared_->clock() + seconds;
+    return deadline;
+}
+
+bool Deadline::passed() const {
+    if (!shared_ || shared_->clock() < end_) return false;
+    shared_->felt = true;
+    return true;
+}
+
+double Deadline::seconds_left() const {
+    if (!shared_) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, end_ - shared_->clock());
+}
+
+Deadline Deadline::sooner(double seconds) const {
+    if (!shared_) return after(seconds);
+    Deadline part = *this;
+    part.end_ = std::min(end_, shared_->clock() + seconds);
+    return part;
+}
+
+bool Deadline::was_felt() const {
+    return shared_ && shared_->felt;
+}
+
+}  // namespace camopt
