@@ -151,6 +151,9 @@ std::vector<Passed> limits_passed(const SceneNumbers& scene, const Cam& cam, con
 Finding check_cam_figures(const Solved& solved) {
     if (!solved.motion || solved.numbers.follower.empty()) return no_case;
     const Cam cam = cam_of(solved.numbers, solved.dimensions);
+    if (std::isnan(cam.rest()))
+        return fmt::format("the follower does not reach the cam of these dimensions ({})",
+                           solved.outcome.verdict);
     const CamSurvey survey(*solved.motion, cam);
     for (const Figure& figure : figures_of(cam, survey)) {
         const auto published = solved.outcome.cam.find(figure.name);
@@ -181,6 +184,8 @@ Finding check_cam_limits(const Solved& solved) {
 
 Finding check_reported_limits(const Solved& solved) {
     if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
+    if (const auto& missing = solved.outcome.limits_without_worst; !missing.empty())
+        return fmt::format("{} has no worst value ({})", missing.front(), solved.outcome.verdict);
     for (const PublishedLimit& limit : solved.outcome.limits) {
         if (limit.name.empty() || limit.key.empty()) return std::string("a limit without a name or a key");
         const bool least = limit.key.find("_min") != std::string::npos ||

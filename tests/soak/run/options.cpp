@@ -45,7 +45,7 @@ const char* usage() {
            "  --comparisons N          changed scenes a trial (2)\n"
            "  --seconds-per-motion T   solver.max_seconds of motion scenes (4)\n"
            "  --seconds-per-cam T      solver.max_seconds of cam scenes (2)\n"
-           "  --out FOLDER             where scenes of failures are written (soak)\n"
+           "  --out FOLDER             where scenes of failures are written (out/soak)\n"
            "  --replay FILE            this scene in place of random ones; every relation that fits it\n"
            "  --list                   the relations\n"
            "Exit status: 0 nothing failed, 1 something failed, 2 wrong command line.\n";

@@ -15,10 +15,10 @@ struct Options {
     int motions = 200, cams = 20;
     int first = 0;  ///< number of the first trial of either kind: how a long run is cut into ranges
     int jobs = 1;
-    int comparisons = 2;          ///< changed scenes a trial
-    std::string only;             ///< one relation; empty: all
-    std::string folder = "soak";  ///< where scenes of failures go
-    std::string replay;           ///< a scene file in place of random ones
+    int comparisons = 2;              ///< changed scenes a trial
+    std::string only;                 ///< one relation; empty: all
+    std::string folder = "out/soak";  ///< where scenes of failures go
+    std::string replay;               ///< a scene file in place of random ones
     bool list = false, help = false;
     SceneBudget budget;
 };

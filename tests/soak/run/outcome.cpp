@@ -80,6 +80,8 @@ void read_segments(const json& list, Outcome& outcome) {
 void read_limits(const json& result, Outcome& outcome) {
     for (const json& row : result.at("constraints")) {
         const auto limit = number_of(row.at("limit"));
+        if (outcome.has_motion() && row.at("worst").is_null())
+            outcome.limits_without_worst.push_back(text_of(row.at("key")));
         const auto worst = number_of(row.at("worst"));
         if (limit && worst)
             outcome.limits.push_back(

@@ -62,6 +62,8 @@ struct Outcome {
     std::optional<PublishedSpline> spline;
     std::vector<PublishedSegment> segments;
     std::vector<PublishedLimit> limits;
+    std::vector<std::string>
+        limits_without_worst;  ///< keys of those whose worst value is null beside a motion
     std::vector<PublishedRelaxation> relaxation;
     std::vector<std::string> notes;
     std::optional<Proof> proof;
