@@ -59,6 +59,13 @@ double SteepestStroke::slope(double theta) const {
     return scale * growth * std::exp(growth * theta);
 }
 
+double least_stroke_coordinate(const CamStroke& stroke, double angle, double pressure_angle) {
+    require_stroke(stroke);
+    require_positive("angle", angle);
+    const double tangent = tangent_of(pressure_angle);
+    return stroke.lift / std::expm1(angle * tangent) - helping_offset(stroke) / tangent;
+}
+
 SmallestCam smallest_cam(const CamStroke& stroke, double angle, double pressure_angle) {
     require_stroke(stroke);
     require_positive("angle", angle);

@@ -49,6 +49,10 @@ struct SmallestCam {
     SteepestStroke motion;
 };
 
+/// The least s0 that the stroke itself allows, h / (E - 1) - σe/t, whatever its ends do: of a stroke that
+/// need not begin at rest. Not positive where the offset alone does it.
+[[nodiscard]] double least_stroke_coordinate(const CamStroke& stroke, double angle, double pressure_angle);
+
 /// The infimum over all motions of the stroke with |φ| <= pressure_angle.
 [[nodiscard]] SmallestCam smallest_cam(const CamStroke& stroke, double angle, double pressure_angle);
 

@@ -45,11 +45,14 @@ Json forces_json(const Writer& writer, const CamReport& cam) {
     return json;
 }
 
-Json smallest_json(const std::optional<SmallestCamReport>& smallest) {
+Json smallest_json(const Writer& writer, const std::optional<SmallestCamReport>& smallest) {
     if (!smallest) return nullptr;
     return {{"prime_radius_mm", number_json(smallest->prime_radius / millimetre)},
             {"given_mm", number_json(smallest->given / millimetre)},
-            {"pressure_angle_deg", number_json(smallest->pressure_angle / degree)}};
+            {"pressure_angle_deg", number_json(smallest->pressure_angle / degree)},
+            {"stroke", smallest->rises ? "rise" : "return"},
+            {"from_deg", writer.degrees(smallest->begin)},
+            {"to_deg", writer.degrees(smallest->end)}};
 }
 
 Json forward_check_json(const Writer& writer, const Solution& solution) {
@@ -93,7 +96,7 @@ Json cam_json(const Solution& solution) {
     json["undercut"] = summary.undercut();
     if (has_flat_face(cam.cam.follower))
         json["contact_offset_mm"] = writer.extreme(summary.contact_offset, millimetre);
-    json["smallest"] = smallest_json(cam.smallest);
+    json["smallest"] = smallest_json(writer, cam.smallest);
     json["forces"] = forces_json(writer, cam);
     json["forward_check"] = forward_check_json(writer, solution);
     return json;

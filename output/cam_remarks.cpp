@@ -22,6 +22,7 @@ constexpr int check_digits = 2;
 constexpr double moves_as_designed = 1e-4;  // of the prime radius: what an undercut cam is off is far more
 constexpr double at_end_of_range = 1e-6;    // of the range: a dimension stands at its end
 constexpr double whole_turn = 1e-9;         // rad
+constexpr double raised_follower = 1e-3;    // lifts: below it a spring has nothing to press with
 
 std::string degrees_at(const Solution& solution, double x) {
     return short_text(x * solution.scene.motion.unit_angle() / degree, angle_digits);
@@ -35,9 +36,10 @@ std::string undercut_remark(const Solution& solution) {
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
     return fmt::format(
         "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the follower "
-        "as designed. A larger base radius{} helps; the limit cam_radius_min_mm = 0 rules undercut out.",
+        "as designed. A larger base radius{} {}; the limit cam_radius_min_mm = 0 rules undercut out.",
         degrees_at(solution, summary.regularity.at),
-        has_roller(cam.cam.follower) ? " or a smaller roller" : "");
+        has_roller(cam.cam.follower) ? " or a smaller roller" : "",
+        is_oscillating(cam.cam.follower) ? "may help" : "helps");
 }
 
 std::string dimensions_at_their_ends(const Solution& solution) {
@@ -66,12 +68,22 @@ std::string limited_remark(const Solution& solution) {
     return fmt::format("What limits it: {}{}{}.", limits, limits.empty() || ends.empty() ? "" : "; ", ends);
 }
 
-std::string smallest_remark(const SmallestCamReport& smallest) {
+/// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
+std::string stroke_words(const Solution& solution, const SmallestCamReport& smallest) {
+    const MotionType type = solution.scene.motion.type;
+    if (type == MotionType::drd) return "on this rise";
+    const std::string which = smallest.rises ? "on the rise" : "on the return";
+    if (type == MotionType::rr) return which;
+    return fmt::format("{} from {} to {} deg", which, degrees_at(solution, smallest.begin),
+                       degrees_at(solution, smallest.end));
+}
+
+std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
     return fmt::format(
         "The smallest cam: with a pressure angle of {} deg any motion whatever needs a prime radius above {} "
-        "mm on this rise; this cam has {} mm.",
+        "mm {}; this cam has {} mm.",
         short_text(smallest.pressure_angle / degree), short_text(smallest.prime_radius / millimetre),
-        short_text(smallest.given / millimetre));
+        stroke_words(solution, smallest), short_text(smallest.given / millimetre));
 }
 
 std::string rest_of_the_turn(const Solution& solution) {
@@ -88,8 +100,10 @@ std::string rest_of_the_turn(const Solution& solution) {
 
 std::string lift_off_remark(const Solution& solution, const ForceSummary& forces) {
     if (forces.least_force.value > 0.0) return {};
-    return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs a stiffer spring or more preload.",
-                       degrees_at(solution, forces.least_force.at));
+    // Where the follower is down a stiffer spring presses no harder.
+    const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
+    return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs {}more preload.",
+                       degrees_at(solution, forces.least_force.at), raised ? "a stiffer spring or " : "");
 }
 
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
@@ -114,7 +128,7 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
 std::vector<std::string> cam_remarks(const Solution& solution) {
     const CamReport& cam = *solution.cam;
     std::vector<std::string> all = {undercut_remark(solution), limited_remark(solution)};
-    if (cam.smallest) all.push_back(smallest_remark(*cam.smallest));
+    if (cam.smallest) all.push_back(smallest_remark(solution, *cam.smallest));
     all.push_back(rest_of_the_turn(solution));
     if (cam.summary.forces) all.push_back(lift_off_remark(solution, *cam.summary.forces));
     if (cam.forward_check) all.push_back(check_remark(solution, *cam.forward_check));

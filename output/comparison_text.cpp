@@ -66,7 +66,7 @@ std::string comparison_text(const Comparison& comparison) {
     if (has_bases(comparison))
         text += wrapped_text(
             "the smallest base radius at which the motion keeps every limit, the cam's other dimensions as "
-            "they are",
+            "they are; none: no radius tried keeps them",
             "base mm: ", line_width);
     return text;
 }

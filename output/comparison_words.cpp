@@ -99,8 +99,11 @@ std::string comparison_sentence(const Comparison& comparison) {
                            short_text(best->objective));
     const std::string sentence = fmt::format(
         "The best law that keeps every limit: {}, {} against the optimum", best->title, loss_words(*best));
-    return *best->loss_percent < 0.0 ? sentence + ": the spline is coarse, more segments would pass that law."
-                                     : sentence + ".";
+    if (*best->loss_percent >= 0.0) return sentence + ".";
+    // Of a proved optimum only the spline can be to blame; a search may have missed a better one.
+    return sentence + (comparison.optimum.certificate.verdict == Verdict::optimal
+                           ? ": the spline is coarse, more segments would pass that law."
+                           : ": the optimum is not proved; more starts or more segments may pass that law.");
 }
 
 std::string objective_words(const Comparison& comparison) {

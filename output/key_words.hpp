@@ -21,4 +21,7 @@ struct KeyWords {
 /// limit as it would have to be written. Empty where no change of it alone helps.
 [[nodiscard]] std::string needed_words(const Relaxation& row);
 
+/// The number of these words: the one that was solved, or the needed one rounded to the side that does.
+[[nodiscard]] std::string needed_number(const Relaxation& row);
+
 }  // namespace camopt

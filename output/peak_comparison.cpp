@@ -3,6 +3,8 @@
 
 #include "output/display_scale.hpp"
 
+#include <fmt/format.h>
+
 namespace camopt {
 
 namespace {
@@ -35,6 +37,23 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
         {"torque", "Q", peaks.torque, motion.torque,
          reference_value(reference, law.torque.value, divisor.torque.value), std::nullopt, 0.0, ""},
     };
+}
+
+std::string left_out_of_any_curve(const Scene& scene) {
+    const LimitSpec& limits = scene.limits;
+    const bool cam = limits.pressure_angle || limits.rise_pressure_angle || limits.return_pressure_angle ||
+                     limits.cam_radius_min || limits.concave_radius_min || limits.undercut_margin ||
+                     limits.contact_force_min || limits.torque_max || limits.hertz_pressure_max ||
+                     (scene.cam && scene.cam->face_half_width);
+    std::string text = cam ? "limits of the cam" : "";
+    if (!scene.motion.via.empty()) text += text.empty() ? "via points" : " and via points";
+    return text;
+}
+
+std::string any_curve_title(const Scene& scene) {
+    const std::string left_out = left_out_of_any_curve(scene);
+    return left_out.empty() ? "limit of any curve"
+                            : fmt::format("limit of any curve ({} left out)", left_out);
 }
 
 std::string reference_title(const ReferenceMotion& reference) {

@@ -80,22 +80,39 @@ std::string asked(const Scene& scene) {
                               terms.size() > of_motion ? "; dimensions are divided by the lift" : "");
 }
 
+std::string any_curve_line(const Scene& scene) {
+    const std::string left_out = left_out_of_any_curve(scene);
+    return "Least objective of any curve whatever, spline or not" +
+           (left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+}
+
+/// What stands in the last column of the peaks; empty where there is none.
+std::string any_curve_note(const Solution& solution) {
+    if (!solution.any_curve_limit) return {};
+    const std::string left_out = left_out_of_any_curve(solution.scene);
+    return fmt::format(
+        "\nLast column: the peaks of the curve of least objective, spline or not{}. They are its peaks and "
+        "no "
+        "bound of a single peak: another curve may have one of them smaller.\n",
+        left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+}
+
 std::string verdict_section(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(solution));
-    const auto line = [&](const char* name, double value, int digits) {
+    const auto line = [&](std::string_view name, double value, int digits) {
         text += fmt::format("- {}: {}\n", name, short_text(value, digits));
     };
     if (solution.motion) line("Objective", certificate.objective, 10);
     const bool searched = !solution.solver.convex && solution.solver.starts > 0;
     if (certificate.lower_bound)
         line(certificate.proof_kind == ProofKind::any_curve_limit ? "No curve of any kind is better than this"
-             : searched ? "No motion is better than this (bound of the convex relaxation)"
+             : searched ? "No curve of this spline space is better than this (bound of the convex relaxation)"
                         : "Proved lower bound",
              *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)
-        line("Least objective of any curve whatever, spline or not", solution.any_curve_limit->objective, 10);
+        line(any_curve_line(solution.scene), solution.any_curve_limit->objective, 10);
     if (certificate.stationarity) line("Stationarity residual", *certificate.stationarity, 3);
     return text;
 }
@@ -103,7 +120,7 @@ std::string verdict_section(const Solution& solution) {
 std::string peak_table(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
     std::string text = fmt::format(
-        "\n## Peaks\n\n| | this motion | | at (deg) | {} | change | best of any curve "
+        "\n## Peaks\n\n| | this motion | | at (deg) | {} | change | curve of least objective "
         "|\n|---|--:|--:|--:|--:|--:|--:|\n",
         reference_title(reference));
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
@@ -116,7 +133,8 @@ std::string peak_table(const Solution& solution) {
                             row.reference ? change_text(row.optimum.value, *row.reference) : "–",
                             optional_text(row.any_curve));
     }
-    return text + "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n";
+    return text + "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
+           any_curve_note(solution);
 }
 
 std::string limits_section(const Solution& solution) {
@@ -135,9 +153,11 @@ std::string relaxation_section(const Solution& solution) {
     if (is_told_in_words(solution.scene)) return infeasible_section(solution);
     if (solution.relaxation.empty()) return {};
     std::string text =
-        "\n## What would have to change\n\nEach line is the least change of one limit alone, with all "
-        "others kept.\n\n";
+        "\n## What would have to change\n\nEach line is the least change of one number alone that was found, "
+        "with "
+        "all others kept; rounded to the side that does, and solved.\n\n";
     for (const Relaxation& row : solution.relaxation) text += fmt::format("- {}\n", relaxation_sentence(row));
+    for (const std::string& remark : common_remarks(solution)) text += fmt::format("- {}\n", remark);
     return text;
 }
 

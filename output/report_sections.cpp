@@ -118,17 +118,36 @@ std::string segment_section(const Solution& solution) {
                        segment_table_note());
 }
 
+namespace {
+
+/// No more than is known: of every motion, of this spline, or only that none was found.
+std::string title_of_infeasible(const Solution& solution) {
+    constexpr const char* change = "and what would have to change";
+    if (solution.certificate.verdict != Verdict::infeasible)
+        return fmt::format("No motion was found, {}", change);
+    const bool any = solution.explanation && !solution.explanation->any_motion.empty();
+    return any ? fmt::format("Why no motion exists, {}", change)
+               : fmt::format("Why this spline has no motion, {}", change);
+}
+
+}  // namespace
+
 std::string infeasible_section(const Solution& solution) {
     const std::vector<std::string> remarks = infeasible_remarks(solution);
     if (remarks.empty()) return {};
-    std::string text = "\n## Why no motion exists, and what would have to change\n\n" + list_of(remarks);
+    std::string text = fmt::format("\n## {}\n\n{}", title_of_infeasible(solution), list_of(remarks));
     if (solution.relaxation.empty()) return text;
     TextTable table;
     table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
     for (const Relaxation& row : solution.relaxation)
         table.rows.push_back({fmt::format("`{}`", row.key), short_text(row.given),
-                              row.needed ? short_text(*row.needed, 9) : "no change helps"});
-    return text + "\n" + markdown_text(table);
+                              row.needed      ? needed_number(row)
+                              : row.ruled_out ? "no change helps"
+                                              : "no value tried helps"});
+    return text + "\n" + markdown_text(table) +
+           "\nEach number is rounded to the side that does and was put into the scene: a solve found a "
+           "motion "
+           "with it. The edge itself stands in result.json.\n";
 }
 
 }  // namespace camopt

@@ -20,7 +20,8 @@ namespace camopt {
 /// "Segments": the table of a program.
 [[nodiscard]] std::string segment_section(const Solution& solution);
 
-/// "Why no motion exists, and what would have to change", in words.
+/// "Why this spline has no motion, and what would have to change", in words; "no motion exists" where that is
+/// known.
 [[nodiscard]] std::string infeasible_section(const Solution& solution);
 
 }  // namespace camopt

@@ -95,10 +95,22 @@ Json evaluations_json(const EvaluationCounts& count) {
 
 Json relaxation_json(const std::vector<Relaxation>& rows) {
     Json list = Json::array();
-    for (const Relaxation& row : rows)
-        list.push_back(
-            {{"key", row.key}, {"given", number_json(row.given)}, {"needed", number_json(row.needed)}});
+    for (const Relaxation& row : rows) {
+        Json one = {{"key", row.key}, {"given", number_json(row.given)}, {"needed", number_json(row.needed)}};
+        if (row.solved) one["solved"] = number_json(row.solved);
+        list.push_back(std::move(one));
+    }
     return list;
+}
+
+Json explanation_json(const Explanation& explanation) {
+    return {{"together", relaxation_json(explanation.together)},
+            {"any_motion", explanation.any_motion},
+            {"alone", explanation.alone},
+            {"finest_segments", explanation.finest > 0 ? Json(explanation.finest) : Json(nullptr)},
+            {"unsettled", explanation.unsettled},
+            {"seconds", number_json(explanation.seconds)},
+            {"allowed_seconds", number_json(explanation.allowed)}};
 }
 
 Json conflict_json(const Solution& solution) {
@@ -132,6 +144,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["constraints"] = constraints_json(solution);
     if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
         json["relaxation"] = relaxation_json(solution.relaxation);
+    if (solution.explanation) json["explanation"] = explanation_json(*solution.explanation);
     if (certificate.verdict == Verdict::infeasible) json["conflict"] = conflict_json(solution);
     json["spline"] = spline_json(solution.curve);
     json["segments"] = segments_json(solution);

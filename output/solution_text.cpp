@@ -5,6 +5,7 @@
 #include "output/cam_remarks.hpp"
 #include "output/cam_words.hpp"
 #include "output/infeasible_words.hpp"
+#include "output/key_words.hpp"
 #include "output/mechanism_words.hpp"
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
@@ -128,6 +129,7 @@ std::string relaxation_lines(const Solution& solution) {
     }
     for (const Relaxation& row : solution.relaxation)
         text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    for (const std::string& remark : common_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
     return text;
 }
 
@@ -180,7 +182,7 @@ std::string verdict_sentence(const Certificate& certificate) {
 std::string objective_line(const Solution& solution, std::string_view separator) {
     const Certificate& certificate = solution.certificate;
     std::string line;
-    const auto add = [&](const char* name, double value, int digits) {
+    const auto add = [&](std::string_view name, double value, int digits) {
         line += fmt::format("{}{} {}", line.empty() ? std::string_view{} : separator, name,
                             short_text(value, digits));
     };
@@ -191,7 +193,8 @@ std::string objective_line(const Solution& solution, std::string_view separator)
                                                                  : "proved bound",
             *certificate.lower_bound, figures);
     if (certificate.gap) add("gap", *certificate.gap, 2);
-    if (solution.any_curve_limit) add("limit of any curve", solution.any_curve_limit->objective, figures);
+    if (solution.any_curve_limit)
+        add(any_curve_title(solution.scene), solution.any_curve_limit->objective, figures);
     return line;
 }
 
@@ -203,9 +206,10 @@ std::string constraint_sentence(const ConstraintReport& row) {
 
 std::string relaxation_sentence(const Relaxation& row) {
     if (!row.needed)
-        return fmt::format("{} = {}: no change of this limit alone helps", row.key, short_text(row.given));
+        return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
+                           row.ruled_out ? "no change of this limit" : "no value tried of it");
     return fmt::format("{} = {}: {} is needed, if nothing else changes", row.key, short_text(row.given),
-                       short_text(*row.needed, figures));
+                       needed_number(row));
 }
 
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {

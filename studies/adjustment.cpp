@@ -30,8 +30,9 @@ Adjustment limit_adjustment(const Scene& scene, WrittenMember member, bool grows
     adjustment.may_shrink = !grows;
     adjustment.least = grows ? given : end / limit.unit_value;
     adjustment.most = grows ? end / limit.unit_value : given;
-    adjustment.with = [scene, member, unit = limit.unit_value](double value) {
-        Scene changed = scene;
+    adjustment.limit = true;
+    adjustment.with = [member, unit = limit.unit_value](const Scene& one, double value) {
+        Scene changed = one;
         (changed.limits.*member)->value = value * unit;
         return changed;
     };
@@ -50,22 +51,10 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
     add(&LimitSpec::cam_radius_min, false, 0.0);
     add(&LimitSpec::concave_radius_min, false, 0.0);
     add(&LimitSpec::undercut_margin, false, 0.0);
-    if (limits.contact_force_min) {
-        const double scale = std::abs(limits.contact_force_min->value) + scene.forces->preload + 1.0;
-        add(&LimitSpec::contact_force_min, false, -farthest * scale);
-    }
+    add(&LimitSpec::contact_force_min, false, 0.0);
     if (limits.torque_max) add(&LimitSpec::torque_max, true, farthest * limits.torque_max->value);
     if (limits.hertz_pressure_max)
         add(&LimitSpec::hertz_pressure_max, true, farthest * limits.hertz_pressure_max->value);
-}
-
-/// Limits in time keep their meaning when the rise takes another angle.
-void rescale_limits_in_time(Scene& scene, double ratio) {
-    int order = 0;
-    for (auto* limit : {&scene.limits.velocity, &scene.limits.acceleration, &scene.limits.jerk}) {
-        ++order;
-        if (*limit && (*limit)->in_time()) (*limit)->normalised *= std::pow(ratio, order);
-    }
 }
 
 void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
@@ -87,10 +76,10 @@ void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
                           given,
                           doubled ? 0.5 * turn : turn - rest,
                           {}};
-    adjustment.with = [scene](double value) {
-        Scene changed = scene;
+    adjustment.with = [](const Scene& one, double value) {
+        Scene changed = one;
         changed.motion.rise = value * units::degree;
-        rescale_limits_in_time(changed, changed.motion.rise / scene.motion.rise);
+        rescale_limits_in_time(changed, changed.motion.rise / one.motion.rise);
         return changed;
     };
     all.push_back(std::move(adjustment));
@@ -106,8 +95,8 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
     const bool has_sign = which == DimensionIndex::offset || which == DimensionIndex::face_offset;
     // A larger base circle always helps a translating follower; the rest may have to move either way.
     const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower);
-    const auto with = [scene, which, unit](bool upper, double value) {
-        Scene changed = scene;
+    const auto with = [which, unit](const Scene& one, bool upper, double value) {
+        Scene changed = one;
         Dimension& own = (*changed.cam)[which];
         const bool range = own.is_variable();
         if (upper || !range) own.high = value * unit;
@@ -124,7 +113,7 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
                               has_sign ? -farthest_value : 0.0,
                               farthest_value,
                               {}};
-        adjustment.with = [with](double value) { return with(true, value); };
+        adjustment.with = [with](const Scene& one, double value) { return with(one, true, value); };
         all.push_back(std::move(adjustment));
         return;
     }
@@ -136,12 +125,12 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
                      as_written(dimension.high / unit),
                      farthest_value,
                      {}};
-    upper.with = [with](double value) { return with(true, value); };
+    upper.with = [with](const Scene& one, double value) { return with(one, true, value); };
     all.push_back(std::move(upper));
     if (grows_only) return;
     Adjustment lower{key + ".min", as_written(dimension.low / unit), first_change * size / unit,       false,
                      true,         has_sign ? -farthest_value : 0.0, as_written(dimension.low / unit), {}};
-    lower.with = [with](double value) { return with(false, value); };
+    lower.with = [with](const Scene& one, double value) { return with(one, false, value); };
     all.push_back(std::move(lower));
 }
 
@@ -167,8 +156,8 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
                               -farthest_value,
                               farthest_value,
                               {}};
-        adjustment.with = [scene, i, unit = dimension.unit](double value) {
-            Scene changed = scene;
+        adjustment.with = [i, unit = dimension.unit](const Scene& one, double value) {
+            Scene changed = one;
             Dimension& own = changed.mechanism->dimensions[i].value;
             own.low = own.high = value * unit;
             return changed;
@@ -182,8 +171,9 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     const double given = as_written(*scene.cam->face_half_width / units::millimetre);
     Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
                           farthest * given,         {}};
-    adjustment.with = [scene](double value) {
-        Scene changed = scene;
+    adjustment.limit = true;
+    adjustment.with = [](const Scene& one, double value) {
+        Scene changed = one;
         changed.cam->face_half_width = value * units::millimetre;
         return changed;
     };
@@ -197,6 +187,8 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     add_limits(all, scene);
     add_rise(all, scene);
     add_mechanism_dimensions(all, scene);
+    const std::vector<Adjustment> operating = operating_adjustments(scene);
+    all.insert(all.end(), operating.begin(), operating.end());
     if (!scene.cam) return all;
     for (int d = 0; d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "studies/contradiction.hpp"
 
+#include "objectives/scene_model.hpp"
+#include "studies/finer_spline.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace camopt {
 
@@ -9,6 +14,13 @@ namespace {
 
 // In lifts: a control point of a motion lies within a few.
 constexpr double farthest_control_point = 1e3;
+// So many times the segments have freedom enough for whatever can be met at all; beyond a thousand there is
+// no want of it.
+constexpr int plenty = 16, most_segments = 1024;
+
+int plenty_of(int segments) {
+    return std::max(segments, std::min(plenty * segments, most_segments));
+}
 
 /// Weak duality for a cost of zero: the rows of a contradiction add up to 0 >= bound > 0. The box only
 /// absorbs the rounding of that sum; it leaves out no curve a cam could follow.
@@ -55,6 +67,12 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
     solution.certificate.proof =
         contradiction_proof(design.contradictions().front(), design.space().dimension());
     solution.certificate.proof_kind = ProofKind::duality;
+    // Conditions that no spline can meet together are not a matter of freedom.
+    const bool freedom =
+        scene_family(with_segments(solution.scene, plenty_of(segments_of(solution.scene.spline))),
+                     DesignKind::states)
+            .contradictions()
+            .empty();
     for (const ConditionConflict& conflict : design.contradictions()) {
         solution.notes.push_back(
             conflict.others.empty()
@@ -62,10 +80,11 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
                       "degree {} with {} segments leaves too little freedom to meet the conditions at both "
                       "ends: give the spline more segments",
                       design.space().degree(), design.space().segments())
-                : fmt::format(
-                      "{} contradicts {}; the spline has too little freedom to meet all of them: change "
-                      "one, or give it more segments",
-                      conflict.condition, list_of(conflict)));
+                : fmt::format("{} contradicts {}; {}", conflict.condition, list_of(conflict),
+                              freedom
+                                  ? "the spline has too little freedom to meet all of them: change one, or "
+                                    "give it more segments"
+                                  : "more segments were tried and do not help: change one"));
     }
 }
 

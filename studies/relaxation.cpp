@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "studies/relaxation.hpp"
 
-#include "objectives/cam_problem.hpp"
-#include "objectives/scene_model.hpp"
-#include "solvers/elastic.hpp"
-#include "solvers/structured/structured_solver.hpp"
 #include "studies/adjustment.hpp"
-#include "studies/rest_conflict.hpp"
+#include "studies/feasibility_question.hpp"
+#include "studies/finer_spline.hpp"
+#include "studies/joint_relaxation.hpp"
+#include "studies/smallest_of_any_motion.hpp"
 #include "studies/solve_without_explaining.hpp"
+#include "studies/value_search.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 namespace camopt {
 
 namespace {
 
-// A value is found to this part of itself; a solve with that much to spare is feasible.
-constexpr double value_accuracy = 1e-8;
-constexpr int most_doublings = 24;
-constexpr int most_root_steps = 60;
-constexpr int most_rounds = 40;
+// Of what is left: the search for more segments; one change alone, in equal shares of all that are left.
+constexpr double part_of_segments = 0.3;
+constexpr double shares_of_one = 2.0;
 
 struct LimitedPeak {
     std::optional<PeakLimit> LimitSpec::*limit;
@@ -48,152 +47,169 @@ Scene without_limit(const Scene& scene, const LimitedPeak& one) {
     return relaxed;
 }
 
-/// Seconds left for the whole explanation, and the user's wish to stop.
-class Budget {
- public:
-    explicit Budget(const SolveControl& control) : control_(control) {}
-    [[nodiscard]] bool spent() const { return control_.ending().has_value(); }
-    [[nodiscard]] const SolveControl& control() const { return control_; }
+/// The least peak in the unit of its limit; none where the other limits allow no motion or the time is out.
+std::optional<double> least_peak(const Scene& scene, const LimitedPeak& one, const Budget& budget) {
+    if (budget.spent()) return {};
+    Scene relaxed = without_limit(scene, one);
+    relaxed.solver.max_seconds = budget.seconds_for_solve();
+    const Solution least = solve_without_explaining(relaxed, budget.control());
+    if (!least.motion) return {};
+    return (least.peaks.*one.peak).value * (scene.limits.*one.limit)->unit_per_normalised();
+}
 
- private:
-    const SolveControl& control_;
-};
+/// The scene with one of its limits alone.
+Scene only_limit(const Scene& scene, const std::string& key) {
+    Scene only = scene;
+    LimitSpec& limits = only.limits;
+    for (auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
+        if (*limit && (*limit)->key != key) limit->reset();
+    for (auto* limit : {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
+                        &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
+                        &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
+        if (*limit && (*limit)->key != key) limit->reset();
+    if (only.cam && key != "cam.face_half_width_mm") only.cam->face_half_width.reset();
+    return only;
+}
 
-/// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is
-/// a bound from below and a judged motion's one from above. The value is whichever of the two decided.
-double least_violation(const CamModel& model, double tolerance, const Budget& budget) {
-    CamProblem problem(model);
-    const Candidate start = judged(problem, problem.start());
-    if (start.violation <= 0.0) return start.violation;
-    ElasticProblem elastic(problem);
-    const std::unique_ptr<Solver> solver = make_structured_solver();
-    Eigen::VectorXd x = elastic.start();
-    double violation = start.violation;
-    for (int round = 0; round < most_rounds && !budget.spent(); ++round) {
-        BackendOptions options;
-        options.tolerance = tolerance;
-        const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
-        if (result.x.size() == 0 || !result.x.allFinite()) break;
-        const double on_grid = result.x[result.x.size() - 1];
-        if (on_grid > tolerance) return on_grid;
-        const Candidate found = judged(problem, result.x.head(result.x.size() - 1));
-        violation = std::min(violation, found.violation);
-        if (violation <= 0.0) return violation;
-        std::vector<Violation> worst = elastic.violations(result.x, 0.0);
-        if (worst.empty() || elastic.refine(worst) == 0) break;
-        x = elastic.completed(result.x);
+/// The limits that the proof of infeasibility rests on, each once.
+std::vector<std::string> fighting_keys(const Solution& solution) {
+    std::vector<std::string> keys;
+    for (const ConflictReport& row : solution.conflict) {
+        const std::string key = row.key.substr(0, row.key.find(' '));  // a remark stands behind it
+        if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
-    return violation <= tolerance ? 0.0 : violation;
+    return keys;
 }
 
-/// <= 0: the scene is feasible. Infinite where the cam cannot be built. The limits that are linear or convex
-/// come first: they are quick, and may settle it. For the others it is what one search found.
-double least_violation(const Scene& scene, const Budget& budget) {
-    if (find_fault(scene)) return infinity;
-    const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
-    if (const auto rest = rest_conflict(model, scene.solver.tolerance)) return rest->violation;
-    const CamModel convex = convex_part(model, ConvexOver::every_motion);
-    const double tolerance = scene.solver.tolerance;
-    const double necessary = least_violation(convex, tolerance, budget);
-    if (necessary > 0.0 || convex.rules.size() == model.rules.size()) return necessary;
-    return least_violation(model, tolerance, budget);
-}
-
-class ValueSearch {
+class Explainer {
  public:
-    /// given: the least violation of the scene as it is.
-    ValueSearch(const Adjustment& adjustment, double given, const Budget& budget)
-        : adjustment_(adjustment), given_(given), budget_(budget) {}
+    Explainer(Solution& solution, const Budget& budget)
+        : solution_(solution), scene_(solution.scene), budget_(budget) {}
 
-    /// The nearest feasible value in one direction, ±1.
-    [[nodiscard]] std::optional<double> nearest(int direction) const {
-        double outside = adjustment_.given;  // still infeasible
-        double violation = given_;
-        double step = adjustment_.step;
-        for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
-            const double end = direction > 0 ? adjustment_.most : adjustment_.least;
-            double next = adjustment_.given + direction * step;
-            const bool last = direction > 0 ? next >= end : next <= end;
-            if (last) next = end;
-            const double there = violation_at(next);
-            if (there <= 0.0) return between(outside, violation, next, there);
-            if (last) return {};
-            outside = next;
-            violation = there;
-        }
-        return {};
+    void run() {
+        name_the_impossible();
+        if (try_segments()) relax_each();
+        relax_together();
+        found_.seconds = budget_.used();
+        found_.allowed = budget_.seconds();
+        solution_.explanation = std::move(found_);
     }
 
  private:
-    const Adjustment& adjustment_;
-    double given_;
+    Solution& solution_;
+    const Scene& scene_;
     const Budget& budget_;
+    Explanation found_;
 
-    [[nodiscard]] double violation_at(double value) const {
-        return least_violation(adjustment_.with(value), budget_);
+    [[nodiscard]] bool contradictory() const {
+        return solution_.certificate.reason == "conditions_contradict";
     }
 
-    /// The boundary between an infeasible and a feasible value, from the feasible side.
-    [[nodiscard]] double between(double outside, double violation, double inside, double slack) const {
-        const double accuracy = value_accuracy * std::max(std::abs(inside), adjustment_.step);
-        for (int k = 0; k < most_root_steps && std::abs(inside - outside) > accuracy; ++k) {
-            if (budget_.spent()) break;
-            double value = 0.5 * (inside + outside);
-            // A slack of zero stands for all slack (a start that already keeps everything has its own).
-            const bool usable = std::isfinite(violation) && slack < 0.0 && k % 3 != 2;
-            if (usable) value = inside + (outside - inside) * slack / (slack - violation);
-            value = std::clamp(value, std::min(inside, outside) + 0.1 * accuracy,
-                               std::max(inside, outside) - 0.1 * accuracy);
-            const double there = violation_at(value);
-            if (there <= 0.0) {
-                inside = value;
-                slack = there;
-            } else {
-                outside = value;
-                violation = there;
-            }
+    void name_the_impossible() {
+        const std::vector<std::string> keys = fighting_keys(solution_);
+        found_.any_motion = kept_by_no_motion(scene_);
+        if (solution_.certificate.reason == "limit_broken_at_rest") found_.any_motion = keys;
+        if (keys.size() == 1) found_.alone = keys;
+        if (keys.size() < 2) return;
+        budget_.say("what would help: which limits are impossible by themselves");
+        for (const std::string& key : keys)
+            if (is_proved_infeasible(only_limit(scene_, key), budget_)) found_.alone.push_back(key);
+    }
+
+    /// False: the conditions contradict each other, so that no limit has a say.
+    bool try_segments() {
+        if (found_.any_motion.empty() && !no_motion_keeps_all_caps(scene_)) {
+            const Budget part = budget_.part(part_of_segments);
+            FinerSpline finer = finer_spline(scene_, part);
+            if (finer.row) solution_.relaxation.push_back(*finer.row);
+            found_.finest = finer.finest;
+            if (!finer.row && part.spent()) found_.unsettled.emplace_back("spline.segments");
         }
-        return inside;
+        return !contradictory();
+    }
+
+    /// One row, or the key of a search that did not end. `find`: the needed value within the time it is
+    /// given.
+    template <typename Find>
+    void add_row(const Adjustment& adjustment, double share, const Find& find) {
+        budget_.say(fmt::format("what would help: {}", adjustment.key));
+        const Budget part = budget_.part(share);
+        const std::optional<double> needed = find(part);
+        std::optional<Relaxation> row;
+        if (needed) {
+            row = solved_relaxation(scene_, adjustment, *needed, part);
+        } else if (!part.spent()) {
+            row = Relaxation{adjustment.key, adjustment.given};
+            row->ruled_out = adjustment.limit && is_ruled_out(adjustment, part);
+        }
+        if (row)
+            solution_.relaxation.push_back(std::move(*row));
+        else  // what was not searched to its end must not pass for "nothing helps"
+            found_.unsettled.push_back(adjustment.key);
+    }
+
+    [[nodiscard]] bool is_ruled_out(const Adjustment& limit, const Budget& budget) const {
+        return is_proved_infeasible(limit.with(scene_, limit.may_grow ? limit.most : limit.least), budget);
+    }
+
+    void relax_each() {
+        const std::vector<Adjustment> caps = peak_adjustments(scene_);
+        std::vector<Adjustment> others;
+        const bool in_time = std::ranges::any_of(limited_peaks, [&](const LimitedPeak& one) {
+            const std::optional<PeakLimit>& limit = scene_.limits.*one.limit;
+            return limit && limit->in_time();
+        });
+        if (scene_.cam || scene_.mechanism || in_time) others = adjustments(scene_);
+        const std::size_t count = caps.size() + others.size();
+        std::size_t done = 0;
+        const auto share = [&] { return shares_of_one / static_cast<double>(count - done++); };
+        const double given = least_violation(scene_, budget_);
+        const auto search = [&](const Adjustment& adjustment) {
+            add_row(adjustment, share(),
+                    [&](const Budget& part) { return nearest_value(scene_, adjustment, given, part); });
+        };
+        std::size_t cap = 0;
+        for (const LimitedPeak& one : limited_peaks) {
+            if (!(scene_.limits.*one.limit)) continue;
+            const Adjustment& adjustment = caps[cap++];
+            if (scene_.motion.type == MotionType::program)
+                search(adjustment);
+            else
+                add_row(adjustment, share(),
+                        [&](const Budget& part) { return least_peak(scene_, one, part); });
+        }
+        for (const Adjustment& adjustment : others) search(adjustment);
+    }
+
+    /// Where no limit alone can give way far enough.
+    void relax_together() {
+        if (contradictory()) return;
+        std::vector<Adjustment> limits = peak_adjustments(scene_);
+        for (Adjustment& one : adjustments(scene_))
+            if (one.limit) limits.push_back(std::move(one));
+        if (limits.size() < 2) return;
+        for (const Relaxation& row : solution_.relaxation) {
+            const bool of_limit = std::ranges::find(limits, row.key, &Adjustment::key) != limits.end();
+            if (of_limit && row.needed) return;
+        }
+        budget_.say("what would help: all limits together");
+        const Budget part = budget_.part(1.0);
+        found_.together = joint_relaxation(scene_, limits, part);
     }
 };
-
-std::optional<double> needed_value(const Adjustment& adjustment, double given, const Budget& budget) {
-    const ValueSearch search(adjustment, given, budget);
-    std::optional<double> nearest;
-    for (const int direction : {1, -1}) {
-        if (!(direction > 0 ? adjustment.may_grow : adjustment.may_shrink)) continue;
-        const std::optional<double> found = search.nearest(direction);
-        const bool nearer = found && (!nearest || std::abs(*found - adjustment.given) <
-                                                      std::abs(*nearest - adjustment.given));
-        if (nearer) nearest = found;
-    }
-    return nearest;
-}
 
 }  // namespace
 
-std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& control) {
-    const SolveControl timed = control.sooner(scene.solver.max_seconds);
-    std::vector<Relaxation> found;
-    for (const LimitedPeak& one : limited_peaks) {
-        const std::optional<PeakLimit>& limit = scene.limits.*one.limit;
-        if (!limit || scene.motion.type == MotionType::program) continue;
-        Relaxation relaxation{limit->key, limit->given, {}};
-        const Solution least = solve_without_explaining(without_limit(scene, one), timed);
-        if (least.motion) {
-            relaxation.needed = (least.peaks.*one.peak).value * limit->unit_per_normalised();
-        }
-        found.push_back(std::move(relaxation));
+void explain(Solution& solution, double seconds, const SolveControl& control) {
+    const double allowed = std::min(seconds, explanation_part * solution.scene.solver.max_seconds);
+    if (allowed <= 0.0) {
+        solution.notes.emplace_back(
+            "what would have to change was not searched for: the solve took all of solver.max_seconds");
+        return;
     }
-    if (!scene.cam && !scene.mechanism) return found;
-    const Budget budget(timed);
-    const double given = least_violation(scene, budget);
-    for (const Adjustment& adjustment : adjustments(scene)) {
-        const std::optional<double> needed = needed_value(adjustment, given, budget);
-        if (budget.spent()) break;  // what was not searched to its end must not pass for "nothing helps"
-        found.push_back({adjustment.key, adjustment.given, needed});
-    }
-    return found;
+    const Budget budget(allowed, control);
+    budget.say(fmt::format("no motion: searches what would help, for {:.3g} s at most", allowed));
+    Explainer(solution, budget).run();
 }
 
 }  // namespace camopt

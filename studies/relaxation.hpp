@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
-// For an infeasible scene: the least change of each limit and dimension alone, the others kept, that would
-// make it feasible.
+// For a scene without a motion: what would have to change.
 //
-// Found by solving. A cap on a peak: the peak is minimized under the other limits. Everything else: the least
-// common violation t(v) of the scene with the value v is brought to zero, first by steps that double, then by
-// regula falsi; v is taken from the feasible side. All of it together gets solver.max_seconds; a change whose
-// search does not end in time is left out.
+//   more segments of the spline;
+//   the least change of each limit and dimension alone, the others kept;
+//   where no limit alone can give way far enough, the least common change of all limits.
+//
+// A cap on a peak of DRD and RR: the peak is minimized under the other limits. Everything else is searched by
+// its value (value_search.hpp). Nothing is told that was not solved: each number, as it is rounded for
+// people, was put into the scene, and a solve with it found a motion. All of it together gets a stated part
+// of solver.max_seconds and ends within it; a change whose search does not end in time is named as such.
 #pragma once
 
+#include "studies/relaxation_budget.hpp"
 #include "studies/solution.hpp"
-
-#include <vector>
 
 namespace camopt {
 
-[[nodiscard]] std::vector<Relaxation> relaxations(const Scene& scene, const SolveControl& control);
+/// The part of solver.max_seconds that an explanation may take, if the solve has left that much.
+inline constexpr double explanation_part = 0.5;
+
+/// Fills relaxation and explanation of a solution that is infeasible or failed for want of a feasible point.
+/// seconds: what is left of solver.max_seconds.
+void explain(Solution& solution, double seconds, const SolveControl& control);
 
 }  // namespace camopt

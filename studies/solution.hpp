@@ -31,12 +31,29 @@ struct ConstraintReport {
     bool active = false;
 };
 
-/// The least change of one limit alone, the others kept, that makes the scene feasible; none where none
-/// helps.
+/// The least change of one number alone, the others kept, that makes the scene feasible; none where none was
+/// found.
 struct Relaxation {
     std::string key;
     double given = 0.0;
-    std::optional<double> needed;
+    std::optional<double> needed = {};  ///< on the edge of what is feasible
+    /// `needed` as people read it: rounded to the side that does, a little farther off. A solve of the scene
+    /// with this number found a motion.
+    std::optional<double> solved = {};
+    /// Without `needed`: it is proved that no value helps, not only that none of those tried does.
+    bool ruled_out = false;
+};
+
+/// What was found out about a scene without a motion, beside the changes of one number alone.
+struct Explanation {
+    /// Changes that do together, where no limit alone can be relaxed far enough: all by the same part of
+    /// themselves, but those that need none.
+    std::vector<Relaxation> together;
+    std::vector<std::string> any_motion;  ///< keys of limits that no motion whatever keeps, spline or not
+    std::vector<std::string> alone;       ///< keys of limits that no motion keeps even without the others
+    int finest = 0;                       ///< segments of the finest spline that was tried in vain; 0: none
+    std::vector<std::string> unsettled;   ///< keys of changes whose search did not end
+    double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given of solver.max_seconds
 };
 
 /// One rule of a contradiction and where on the cam it bites.
@@ -59,11 +76,15 @@ struct SegmentReport {
     int continuity = 0;
 };
 
-/// The smallest cam that any motion whatever would allow (motions/smallest_cam.hpp).
+/// The smallest cam that any motion whatever would allow (motions/smallest_cam.hpp), and the stroke that asks
+/// for it: of all strokes whose pressure angle is limited the one that needs most.
 struct SmallestCamReport {
     double prime_radius = 0.0;    ///< m, not reached
     double given = 0.0;           ///< that of the delivered cam (or asked for), m
-    double pressure_angle = 0.0;  ///< rad
+    double pressure_angle = 0.0;  ///< of that stroke, rad
+    bool rises = true;
+    double begin = 0.0, end = 0.0;  ///< of the stroke, x
+    std::string key = {};           ///< of its limit
 };
 
 /// A follower was run over the exported points: how far it was from the designed motion (forward_check.hpp).
@@ -129,7 +150,8 @@ struct Solution {
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
     std::vector<ConstraintReport> constraints;
-    std::vector<Relaxation> relaxation;    ///< filled where the verdict is infeasible
+    std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
+    std::optional<Explanation> explanation;
     std::vector<ConflictReport> conflict;  ///< what the proof of infeasibility rests on, heaviest first
     DesignReport design;
     SolverReport solver;

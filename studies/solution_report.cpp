@@ -4,11 +4,11 @@
 #include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/law_catalogue.hpp"
-#include "motions/smallest_cam.hpp"
 #include "objectives/cam_limits.hpp"
 #include "splines/extrema.hpp"
 #include "studies/mechanism_report.hpp"
 #include "studies/peak_arithmetic.hpp"
+#include "studies/smallest_of_any_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,19 +143,6 @@ std::string plain_name(const std::string& key) {
     return key;
 }
 
-std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& cam) {
-    const std::optional<WrittenLimit> limit = pressure_limits(scene.limits).rise;
-    const bool translating =
-        cam.follower == FollowerType::translating_roller || cam.follower == FollowerType::translating_knife;
-    if (!limit || !translating || scene.motion.type == MotionType::program) return {};
-    const CamStroke stroke{scene.motion.lift, sense_of(cam.rotation) * cam[DimensionIndex::offset],
-                           Stroke::rise};
-    const SmallestCam smallest = smallest_cam(stroke, scene.motion.rise, limit->value);
-    return SmallestCamReport{smallest.prime_radius,
-                             cam[DimensionIndex::base_radius] + cam[DimensionIndex::roller_radius],
-                             limit->value};
-}
-
 }  // namespace
 
 ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
@@ -167,7 +154,7 @@ ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst
 }
 
 CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
-    return {cam, cam_summary(cam, motion, scene), smallest_of(scene, cam), {}};
+    return {cam, cam_summary(cam, motion, scene), smallest_of_any_motion(scene, cam), {}};
 }
 
 std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report) {

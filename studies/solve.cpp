@@ -212,7 +212,7 @@ Solution solve(const Scene& scene, const SolveControl& control) {
                             (certificate.verdict == Verdict::failed && certificate.reason == "time_limit");
     if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
         timed.in_vain = {};
-        solution.relaxation = relaxations(with_written_limits(scene), timed);
+        explain(solution, timed.deadline.seconds_left(), timed);
     }
     if (to_explain && timed.deadline.passed())
         solution.notes.push_back(fmt::format(

@@ -82,7 +82,10 @@ TEST(CamRemarks, SayWhenTheFollowerLiftsOff) {
     Solution solution = test::cam_solution();
     EXPECT_FALSE(says(remarks_of(solution), "LIFTS OFF"));
     solution.cam->summary.forces->least_force = {-3.0, 0.75};
-    EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 67.5 deg"));
+    EXPECT_TRUE(
+        says(remarks_of(solution), "LIFTS OFF the cam at 67.5 deg: it needs a stiffer spring or more"));
+    solution.cam->summary.forces->least_force = {-3.0, 0.0};  // a spring has nothing to press with there
+    EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 0 deg: it needs more preload."));
 }
 
 TEST(CamRemarks, TellTheForwardCheck) {
@@ -167,13 +170,51 @@ TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
     EXPECT_EQ(
         conflict_sentence(test::infeasible_cam_solution()),
         "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg fights the cam radius limit at 81 "
-        "deg: no motion keeps all of them.");
+        "deg: no spline of 4 cubic segments keeps all limits.");
     EXPECT_EQ(conflict_sentence(test::cam_solution()), "");
     Solution alone = test::infeasible_cam_solution();
     alone.conflict.resize(1);
+    EXPECT_EQ(
+        conflict_sentence(alone),
+        "The pressure angle limit at 23.4 deg cannot be kept: no spline of 4 cubic segments that makes the "
+        "lift in its angle does.");
+    alone.explanation = Explanation{.together = {},
+                                    .any_motion = {"limits.pressure_angle_deg"},
+                                    .alone = {},
+                                    .finest = 0,
+                                    .unsettled = {},
+                                    .seconds = 0.0,
+                                    .allowed = 30.0};
     EXPECT_EQ(conflict_sentence(alone),
               "The pressure angle limit at 23.4 deg cannot be kept by any motion that makes the lift in its "
               "angle.");
+}
+
+TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
+    Solution solution = test::infeasible_cam_solution();
+    solution.explanation.emplace();
+    solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
+    const std::string text = conflict_sentence(solution);
+    EXPECT_FALSE(says(text, "fight")) << text;
+    EXPECT_TRUE(
+        says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
+    EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
+}
+
+TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
+    Solution solution = test::infeasible_cam_solution();
+    solution.explanation.emplace();
+    solution.explanation->seconds = 30.0;
+    solution.explanation->allowed = 30.0;
+    solution.explanation->finest = 32;
+    solution.explanation->unsettled = {"cam.offset_mm"};
+    std::string text;
+    for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
+    EXPECT_TRUE(says(text,
+                     "The search for what helps took 30 s; solver.max_seconds leaves it 30 s. It did not "
+                     "settle: offset."))
+        << text;
+    EXPECT_TRUE(says(text, "More segments were tried in vain, up to 32.")) << text;
 }
 
 TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
@@ -183,7 +224,14 @@ TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
               "The velocity limit at 338 deg cannot be kept: the motion there is the law modified sine, "
               "whatever the splines do.");
     solution.conflict.front().at = 1.0;
-    EXPECT_TRUE(says(conflict_sentence(solution), "by any motion that makes the lift"));
+    EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
+}
+
+TEST(InfeasibleWords, ALawBetweenFreeDisplacementsIsNotToBlame) {
+    Solution solution = test::program_solution();
+    solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
+    solution.scene.motion.segments[1].to.reset();  // then the spline decides how far the law moves
+    EXPECT_FALSE(says(conflict_sentence(solution), "whatever the splines do"));
 }
 
 TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
@@ -193,9 +241,15 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
               ">= 2.5 mm");
     EXPECT_EQ(hopeless_changes(solution.relaxation), "roller radius");
     const std::string report = report_markdown(solution);
-    EXPECT_TRUE(says(report, "## Why no motion exists"));
+    EXPECT_TRUE(says(report, "## Why this spline has no motion, and what would have to change"));
+    Solution sure = solution;
+    sure.explanation.emplace();
+    sure.explanation->any_motion = {"limits.pressure_angle_deg"};
+    EXPECT_TRUE(says(report_markdown(sure), "## Why no motion exists, and what would have to change"));
+    sure.certificate.verdict = Verdict::failed;
+    EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
     EXPECT_TRUE(says(report, "One of these alone would do: base radius >= 31.413 mm"));
-    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no change helps"));
+    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no value tried helps"));
     EXPECT_FALSE(says(report, "profile.svg"));
 }
 
