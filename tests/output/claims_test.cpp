@@ -6,6 +6,7 @@
 #include "output/infeasible_words.hpp"
 #include "output/report.hpp"
 #include "output/solution_text.hpp"
+#include "studies/adjustment.hpp"
 #include "studies/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +85,11 @@ void apply(Scene& scene, const Change& change) {
     };
     const std::map<std::string, std::function<void()>> setters = {
         {"segments", [&] { scene.spline.segments = static_cast<int>(change.value); }},
-        {"rise", [&] { scene.motion.rise = change.value * degree; }},
+        {"rise",
+         [&] {
+             rescale_limits_in_time(scene, change.value * degree / scene.motion.rise);
+             scene.motion.rise = change.value * degree;
+         }},
         {"velocity", [&] { peak(scene.limits.velocity); }},
         {"acceleration", [&] { peak(scene.limits.acceleration); }},
         {"jerk", [&] { peak(scene.limits.jerk); }},
@@ -96,7 +101,12 @@ void apply(Scene& scene, const Change& change) {
         {"offset", [&] { dimension(offset); }},
         {"preload", [&] { scene.forces->preload = change.value; }},
         {"spring rate", [&] { scene.forces->spring_rate = change.value * 1e3; }},
-        {"speed", [&] { *scene.motion.speed = change.value * units::revolution_per_minute; }},
+        {"speed",
+         [&] {
+             const double speed = change.value * units::revolution_per_minute;
+             rescale_limits_in_time(scene, *scene.motion.speed / speed);
+             scene.motion.speed = speed;
+         }},
     };
     const auto found = setters.find(change.words);
     ASSERT_NE(found, setters.end()) << change.words;
@@ -133,7 +143,7 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotionForACapInTimeEither) {
     scene.motion.speed = 300 * units::revolution_per_minute;
     // 5 normalised; every motion needs 4, four quintic segments about 5.9.
     const double unit = scene.motion.lift * std::pow(*scene.motion.speed / scene.motion.rise, 2);
-    scene.limits.acceleration = PeakLimit{5.0, "limits.acceleration_m_s2", 5.0 * unit, "m/s²"};
+    scene.limits.acceleration = PeakLimit{5.0, "limits.acceleration_m_s2", 5.0 * unit, "m/s^2"};
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
