@@ -52,10 +52,12 @@ class JointSearch {
     [[nodiscard]] static double size_of(const Adjustment& one) {
         return std::max(std::abs(one.given), one.step);
     }
+    /// An upper limit times 1 + part, a lower one divided by it: both give way by the same factor, and a
+    /// least radius never comes to nothing.
     [[nodiscard]] static double value_of(const Adjustment& one, double part) {
-        const double change = part * size_of(one);
-        return one.may_grow ? std::min(one.given + change, one.most)
-                            : std::max(one.given - change, one.least);
+        if (one.may_grow) return std::min(one.given + part * size_of(one), one.most);
+        if (one.given > 0.0) return std::max(one.given / (1.0 + part), one.least);
+        return std::max(one.given - part * size_of(one), one.least);
     }
     /// leave_out: a member that keeps its value; -1: none.
     [[nodiscard]] bool does(double part, int leave_out = -1) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Several limits that have to give way together.
 //
-// All are relaxed by one common part r of themselves, the least that does: first r doubles, then bisection.
-// Of these, limits that may stay as they are at that r do so. The values are rounded away from the edge and
-// the scene with all of them is solved.
+// All are relaxed by one common part r, the least that does: upper limits times 1 + r, lower ones divided by
+// it. First r doubles, then bisection. Of these, limits that may stay as they are at that r do so. The values
+// are rounded away from the edge and the scene with all of them is solved.
 #pragma once
 
 #include "studies/adjustment.hpp"

@@ -157,6 +157,26 @@ TEST(JointRelaxation, IsTheLeastCommonPart) {
     EXPECT_TRUE(solve(scene).motion);
 }
 
+TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
+    Scene scene = pressure_angle_scene(30, 12);
+    scene.limits.pressure_angle = degrees(15.0, "limits.pressure_angle_deg");
+    scene.limits.concave_radius_min = millimetres(300.0, "limits.concave_radius_min_mm");
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.explanation);
+    double factor = 0.0;
+    bool lower = false;
+    for (const Relaxation& row : solution.explanation->together) {
+        const bool of_radius = row.key == "limits.concave_radius_min_mm";
+        const double own = of_radius ? row.given / *row.needed : *row.needed / row.given;
+        if (factor == 0.0) factor = own;
+        EXPECT_NEAR(own, factor, 1e-9) << row.key;
+        lower |= of_radius;
+    }
+    EXPECT_TRUE(lower);
+    EXPECT_GT(factor, 1.0);
+}
+
 TEST(Explanation, WithoutTimeSaysThatNothingWasSearched) {
     Solution solution;
     solution.scene = paper_objective(MotionType::drd, 3, 12);
