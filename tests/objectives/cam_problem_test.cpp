@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <numbers>
 #include <random>
 
 namespace camopt {
@@ -119,6 +121,66 @@ TEST(CamProblem, TheBoxHoldsTheCurvesItPromises) {
                 }
             }
         }
+    }
+}
+
+/// The weights of the cost and the end states say how large everything can be: no number in the box is looser
+/// than that. x in [0, 1]; peaks in units of their references.
+TEST(CamProblem, TheBoxIsAsSmallAsTheWeightsSay) {
+    const Scene scene = weighted_scene(3, 8);
+    const Peaks reference = reference_peaks(scene);
+    const CamProblem problem = problem_of(scene);
+    const MotionFamily& family = problem.model().design;
+    constexpr double incumbent = 1.25;
+    const Box box = problem.box(incumbent, 0.0);
+    const std::array<double, 3> units = {reference.velocity.value, reference.acceleration.value,
+                                         reference.jerk.value};
+    // y'' is linear on a segment of length 1/8: y''' is at most 16 max |y''|, less than the cost allows.
+    const std::array<double, 3> peak = {incumbent / 0.4, incumbent / 0.4,
+                                        incumbent / 0.4 * units[1] * 16.0 / units[2]};
+    for (Eigen::Index p = 0; p < 3; ++p) {
+        EXPECT_NEAR(box.upper[family.size() + p], peak[static_cast<std::size_t>(p)], 1e-14);
+        EXPECT_EQ(box.lower[family.size() + p], 0.0);
+    }
+    // States: y, y', y'' at the breakpoints. From rest at both ends, with the peaks above.
+    const std::array<double, 3> entry = {1.0, units[0], units[1]};
+    for (int j = 0; j < family.size(); ++j) {
+        const auto order = static_cast<std::size_t>(family.order(j));
+        ASSERT_LT(order, 3U);
+        const double most = order == 0 ? 1.0 + 0.5 * peak[0] * units[0] : peak[order - 1] * units[order - 1];
+        EXPECT_LE(box.upper[j], most / entry[order] * (1.0 + 1e-12)) << family.name(j);
+        EXPECT_EQ(box.lower[j], -box.upper[j]);
+    }
+    // A cap bounds its peak where it says less than the cost; a relaxation loosens it by its part.
+    Scene capped = scene;
+    capped.limits.velocity = PeakLimit{2.0, "limits.velocity", 2.0, ""};
+    const CamProblem with_cap = problem_of(capped);
+    EXPECT_NEAR(with_cap.box(incumbent, 0.0).upper[family.size()], 2.0 / units[0], 1e-14);
+    EXPECT_NEAR(with_cap.box(incumbent, 0.25).upper[family.size()], 2.5 / units[0], 1e-14);
+    EXPECT_NEAR(with_cap.box(0.4, 0.0).upper[family.size()], 1.0, 1e-14);
+}
+
+/// A dwell that nothing fixes lies within what the velocity allows from the known beginning.
+TEST(CamProblem, TheBoxOfAFreeJointIsItsReach) {
+    Scene scene = weighted_scene(3, 6);
+    scene.motion.type = MotionType::program;
+    scene.motion.segments = {{SegmentKind::spline, 2.0, "", {}},
+                             {SegmentKind::dwell, 1.0, "", {}},
+                             {SegmentKind::spline, 2.0, "", 1.0},
+                             {SegmentKind::dwell, 2.0 * std::numbers::pi - 5.0, "", {}}};
+    scene.motion.closed = false;
+    const CamProblem problem = problem_of(scene);
+    const MotionFamily& family = problem.model().design;
+    ASSERT_LT(family.first_joint_entry(), family.size());
+    constexpr double incumbent = 3.0;
+    const Box box = problem.box(incumbent, 0.0);
+    double largest = 0.0;  // |dy/dx| over the normalised |y'|, of the stretches
+    for (const StretchScale& scale : problem.model().stretch_scales)
+        largest = std::max(largest, scale.displacement / scale.angle);
+    const double velocity = incumbent / 0.4 * reference_peaks(scene).velocity.value * largest;
+    for (int j = family.first_joint_entry(); j < family.size(); ++j) {
+        ASSERT_EQ(family.order(j), 0) << family.name(j);
+        EXPECT_NEAR(box.upper[j] / (velocity * (family.end() - family.begin())), 1.0, 1e-12);
     }
 }
 

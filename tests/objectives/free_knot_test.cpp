@@ -81,6 +81,87 @@ TEST_P(FreeKnots, APointOfFixedBreakpointsKeepsRowsAndValue) {
     EXPECT_LT((again - x).lpNorm<Eigen::Infinity>(), 1e-8);
 }
 
+/// A row that calls itself linear has the same slopes everywhere; one that does not has others somewhere.
+TEST_P(FreeKnots, LinearRowsAreThoseWhoseSlopesNeverChange) {
+    const Scene scene = scene_of(GetParam());
+    const FreeKnotProblem problem(scene, reference_peaks(scene));
+    const NlpShape& shape = problem.grid().shape();
+    const auto slopes = [&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd values(shape.jacobian.size());
+        problem.grid().jacobian(x, std::span<double>(values.data(), static_cast<std::size_t>(values.size())));
+        return values;
+    };
+    std::vector<double> change(shape.rows.size(), 0.0);
+    const std::vector<Eigen::VectorXd> points = points_near(problem.start());
+    const Eigen::VectorXd first = slopes(points.front());
+    for (const Eigen::VectorXd& point : points) {
+        const Eigen::VectorXd moved = (slopes(point) - first).cwiseAbs();
+        for (int k = 0; k < shape.jacobian.size(); ++k) {
+            double& worst = change[static_cast<std::size_t>(shape.jacobian.rows[k])];
+            worst = std::max(worst, moved[k]);
+        }
+    }
+    int linear = 0;
+    for (std::size_t i = 0; i < change.size(); ++i) {
+        linear += shape.rows[i].linear ? 1 : 0;
+        EXPECT_EQ(shape.rows[i].linear, change[i] == 0.0) << problem.grid().row_name(static_cast<int>(i));
+    }
+    EXPECT_GT(linear, 0);
+    EXPECT_LT(linear, static_cast<int>(change.size()));
+}
+
+TEST(FreeKnotForm, AnExactPointKeepsItsSegmentsBreakpointsOnEitherSide) {
+    Scene scene = scene_of({.name = "via", .segments = 6, .via = true});
+    const FreeKnotProblem problem(scene, reference_peaks(scene));
+    const FreeKnotForm& form = problem.form();
+    // 0.45 lies between the breakpoints 2/6 and 3/6 of the start.
+    EXPECT_EQ(form.upper()[form.breakpoint(2)], 0.45);
+    EXPECT_EQ(form.lower()[form.breakpoint(3)], 0.45);
+    // The others are held only by the least lengths before and behind them.
+    const double least = form.least_length(0);
+    for (int k = 1; k < 6; ++k) {
+        if (k != 3) {
+            EXPECT_NEAR(form.lower()[form.breakpoint(k)], k * least, 1e-15) << k;
+        }
+        if (k != 2) {
+            EXPECT_NEAR(form.upper()[form.breakpoint(k)], 1.0 - (6 - k) * least, 1e-15) << k;
+        }
+    }
+    // An exact point nearer to an end than the least lengths say does not loosen them.
+    scene.motion.via.front().at = 0.34;
+    const FreeKnotProblem other(scene, reference_peaks(scene));
+    EXPECT_EQ(other.form().upper()[form.breakpoint(2)], 0.34);
+    EXPECT_EQ(other.form().lower()[form.breakpoint(3)], 0.34);
+}
+
+TEST(FreeKnotForm, APlaceIsItsDistanceToTheRightOfItsSegmentsBegin) {
+    const Scene scene = scene_of({.name = "cubic", .segments = 5});
+    const FreeKnotProblem problem(scene, reference_peaks(scene));
+    const FreeKnotForm& form = problem.form();
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(form.size());
+    for (int k = 1; k < 5; ++k) x[form.breakpoint(k)] = 0.2 * k + 0.01 * k * k;
+    x[form.coefficient(2, 0)] = 0.3;
+    x[form.coefficient(2, 1)] = 1.1;
+    x[form.coefficient(2, 2)] = -2.0;
+    x[form.coefficient(2, 3)] = 5.0;
+    const double left = 0.44, right = 0.69;
+    const FreePoint moving = form.point(x, {2, true, 0.25});
+    EXPECT_NEAR(moving.x, left + 0.25 * (right - left), 1e-15);
+    EXPECT_NEAR(moving.tau, 0.25 * (right - left), 1e-15);
+    EXPECT_EQ(moving.by_left, -0.25);
+    EXPECT_EQ(moving.by_right, 0.25);
+    const FreePoint fixed = form.point(x, {2, false, 0.6});
+    EXPECT_EQ(fixed.x, 0.6);
+    EXPECT_NEAR(fixed.tau, 0.16, 1e-15);
+    EXPECT_EQ(fixed.by_left, -1.0);
+    EXPECT_EQ(fixed.by_right, 0.0);
+    const double t = fixed.tau;
+    EXPECT_NEAR(fixed.derivative[0], 0.3 + 1.1 * t - t * t + 5.0 / 6.0 * t * t * t, 1e-15);
+    EXPECT_NEAR(fixed.derivative[1], 1.1 - 2.0 * t + 2.5 * t * t, 1e-15);
+    EXPECT_NEAR(fixed.derivative[2], -2.0 + 5.0 * t, 1e-15);
+    EXPECT_EQ(fixed.derivative[3], 5.0);
+}
+
 TEST_P(FreeKnots, MovedBreakpointsGiveACurveThatStillKeepsTheEnds) {
     const Scene scene = scene_of(GetParam());
     const FreeKnotProblem problem(scene, reference_peaks(scene));

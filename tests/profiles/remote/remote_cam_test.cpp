@@ -2,6 +2,7 @@
 // The reference numbers of MECHANISMS §4, to the digits given there.
 #include "tappet.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -95,6 +96,26 @@ TEST(RemoteCam, MT60At100Degrees) {
     EXPECT_NEAR(std::tan(point.pressure_angle), -0.506286954581988, 1e-14);
     EXPECT_NEAR(point.pitch_curvature * millimetre, 0.00687914199115577, 1e-16);
     EXPECT_NEAR(point.regularity, 1.0 - 30.0 * 0.00687914199115577, 1e-14);
+    EXPECT_NEAR(point.cam_radius / millimetre, 1.0 / 0.00687914199115577 - 30.0, 1e-10);
+}
+
+/// The radius of the cam is that of the circle through three of its points, near each other.
+TEST(RemoteCam, ItsRadiusIsThatOfItsContactPoints) {
+    const MechanismSpec spec = tappet();
+    const std::vector<double> numbers = spec.middle();
+    const RemoteCam cam(spec);
+    const TappetMotion motion("modified_trapezoid", 60);
+    const auto at = [&](double theta) { return cam.point(theta * degree, {numbers, motion.at(theta)}, 0); };
+    for (const double theta : {75.0, 100.0, 130.0, 165.0, 250.0, 310.0}) {
+        constexpr double step = 0.05;
+        const Eigen::Vector3d before = at(theta - step).contact, here = at(theta).contact,
+                              after = at(theta + step).contact;
+        const double twice_area = (here - before).cross(after - before).z();
+        const double radius =
+            (here - before).norm() * (after - here).norm() * (after - before).norm() / (2.0 * twice_area);
+        const double expected = at(theta).cam_radius;
+        EXPECT_NEAR(std::abs(radius / expected), 1.0, 2e-4) << theta;
+    }
 }
 
 /// The cam is the envelope of the roller: the distance from its points to every other position of the

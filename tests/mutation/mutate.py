@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Changes one operator or number of the production code at a time and asks whether a test notices.
+
+    tests/mutation/mutate.py --work DIR [--seed 1] [--count 200] [--folders profiles,objectives,solvers,studies]
+
+Works on a copy of the tracked files in DIR, built there with the preset `release`. A mutant is tried against
+the tests of its own folder and of the folders above it in the data flow, quickest programs first; tests that
+take longer than --slow seconds unmutated are left out, and listed. It is *killed* where a test fails, crashes
+or runs out of time, *stillborn* where it does not compile, and *alive* where nobody noticed. The list
+(DIR/mutants.csv) is written line by line; a second call goes on where the first ended. Exit status 1 where a
+mutant is alive that tests/mutation/explained.txt does not explain.
+
+--again FILE tries the mutants that another run's list calls alive, found again by their lines' text.
+
+Left alone: comments, strings, preprocessor lines, asserts, and named constants (`constexpr`): a tolerance that
+is a thousandth larger is another choice, not a fault.
+"""
+import argparse
+import csv
+import json
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+EXPLAINED = ROOT / "tests/mutation/explained.txt"
+
+# Which test folders speak of a production folder: its own, then those above in the data flow.
+ABOVE = {
+    "profiles": ["profiles", "objectives", "studies", "output"],
+    "objectives": ["objectives", "studies", "output"],
+    "solvers": ["solvers", "objectives", "studies", "output"],
+    "studies": ["studies", "output"],
+    "splines": ["splines", "objectives", "studies", "output"],
+    "motions": ["motions", "objectives", "studies", "output"],
+    "core": ["core", "profiles", "objectives", "studies", "output"],
+}
+
+SWAPS = [
+    (" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "), (" += ", " -= "), (" -= ", " += "),
+    (" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" < ", " > "), (" > ", " < "),
+    (" == ", " != "), (" != ", " == "), (" && ", " || "), (" || ", " && "),
+    ("std::min(", "std::max("), ("std::max(", "std::min("), ("std::sin(", "std::cos("), ("std::cos(", "std::sin("),
+    ("return -", "return "), ("= -", "= "), ("true", "false"), ("false", "true"), ("(!", "("),
+]
+NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(?:e[+-]?\d+)?)(?![\w.])")
+SKIPPED_LINE = re.compile(r"^\s*(#|template|using |static_assert|constexpr|inline constexpr|static constexpr|namespace|//)")
+# Members that have a value before they get theirs.
+DEFAULT_MEMBER = re.compile(r"^\s*(double|int|bool|std::\w+(<.*>)?|\w+)\s[^()]*;")
+
+
+def blanked(text):
+    """The text with comments and literals replaced by spaces, places kept."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
+    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def sites_of(path):
+    """Every (offset, old, new) that may be changed in a file."""
+    text = path.read_text()
+    code = blanked(text)
+    found, start = [], 0
+    for line in code.splitlines(keepends=True):
+        member = path.suffix == ".hpp" and DEFAULT_MEMBER.match(line) and "return" not in line
+        if not SKIPPED_LINE.match(line) and not member:
+            for old, new in SWAPS:
+                found += [(start + at.start(), old, new) for at in re.finditer(re.escape(old), line)]
+            for number in NUMBER.finditer(line):
+                value = float(number.group(1))
+                changed = "0.001" if value == 0.0 else repr(value * 1.001)
+                found.append((start + number.start(1), number.group(1), changed))
+        start += len(line)
+    return found
+
+
+def chosen_mutants(copy, folders, count, seed):
+    """As many of each folder, drawn without repetition."""
+    generator = random.Random(seed)
+    mutants = []
+    for index, folder in enumerate(folders):
+        share = count // len(folders) + (index < count % len(folders))
+        sites = [(path.relative_to(copy), *site)
+                 for path in sorted((copy / folder).rglob("*"))
+                 if path.suffix in (".cpp", ".hpp") and "absent" not in path.name
+                 for site in sites_of(path)]
+        mutants += [(folder, *site) for site in generator.sample(sites, min(share, len(sites)))]
+    return mutants
+
+
+def mutants_alive(copy, table):
+    """The alive ones of an earlier list where the same change can still be made."""
+    mutants = []
+    for _, verdict, name, _, old, new, text, _ in csv.reader(table.open()):
+        if verdict != "alive":
+            continue
+        code = (copy / name).read_text() if (copy / name).exists() else ""
+        lines = code.splitlines()
+        same = [site for site in (sites_of(copy / name) if code else [])
+                if site[1].strip() == old and site[2].strip() == new
+                and lines[code.count("\n", 0, site[0])].strip() == text]
+        if same:
+            mutants.append((name.split("/")[0], Path(name), *same[0]))
+        else:
+            print(f"gone: {name}: {text}")
+    return mutants
+
+
+def run(command, folder, seconds=None):
+    """(exit status, output); no status where it ran out of time."""
+    try:
+        done = subprocess.run(command, cwd=folder, timeout=seconds, capture_output=True, text=True, errors="replace")
+        return done.returncode, done.stdout + done.stderr
+    except subprocess.TimeoutExpired:
+        return None, ""
+
+
+class Tests:
+    """The test programs of a build, how long each takes and what of it is too slow to ask two hundred times."""
+
+    def __init__(self, copy, slow, jobs):
+        self.copy, self.build, self.slow, self.jobs = copy, copy / "build/release", slow, jobs
+        self.programs = {}  # folder of tests -> [(seconds, target, filter)]
+        self.left_out = []
+
+    def prepare(self, folders):
+        for folder in sorted({above for folder in folders for above in ABOVE[folder]}):
+            targets = re.findall(r"^(?:\S*/)?(\w+_test): phony", self.ninja_targets(folder), re.M)
+            self.programs[folder] = []
+            for target in sorted(set(targets)):
+                status, output = self.compile(target)
+                if status != 0:
+                    sys.exit(f"{target} does not build unmutated:\n{output[-3000:]}")
+                self.programs[folder].append(self.measured(target, self.program(target)))
+            self.programs[folder].sort()
+
+    def ninja_targets(self, folder):
+        status, output = run(["ninja", "-t", "targets", "all"], self.build)
+        wanted = re.findall(rf"^tests/{folder}/(?:\S+/)?(\w+_test): CXX_EXECUTABLE_LINKER", output, re.M)
+        return "\n".join(f"{name}: phony" for name in wanted)
+
+    def program(self, target):
+        return next(path for path in (self.build / "tests").rglob(target) if path.is_file())
+
+    def compile(self, target):
+        return run(["ninja", f"-j{self.jobs}", target], self.build)
+
+    def measured(self, target, program):
+        report = self.build / "unmutated.json"
+        started = time.monotonic()
+        status, output = run([program, f"--gtest_output=json:{report}"], program.parent, 1800)
+        seconds = time.monotonic() - started
+        if status != 0:
+            sys.exit(f"{target} fails unmutated:\n{output[-3000:]}")
+        names, slow_seconds = [], 0.0
+        for suite in json.loads(report.read_text())["testsuites"]:
+            for test in suite["testsuite"]:
+                own = float(test["time"].rstrip("s"))
+                if own > self.slow:
+                    names.append(f"{suite['name']}.{test['name']}")
+                    slow_seconds += own
+        self.left_out += [f"{target}: {name}" for name in names]
+        return seconds - slow_seconds, target, "-" + ":".join(names) if names else "*"
+
+    def verdict(self, folder):
+        """Who killed the mutant that the copy holds now."""
+        for above in ABOVE[folder]:
+            for seconds, target, pattern in self.programs[above]:
+                status, output = self.compile(target)
+                if status != 0:
+                    return "stillborn", target
+                program = self.program(target)
+                status, output = run([program, "--gtest_fail_fast", f"--gtest_filter={pattern}"], program.parent,
+                                     60.0 + 10.0 * seconds)
+                if status != 0:
+                    failed = re.search(r"\[  FAILED  \] (\S+)", output)
+                    how = failed.group(1) if failed else "timeout" if status is None else f"status {status}"
+                    return "killed", f"{target}: {how}"
+        return "alive", ""
+
+
+def make_copy(work):
+    copy = work / "source"
+    if not copy.exists():
+        for name in subprocess.check_output(["git", "ls-files"], cwd=ROOT, text=True).splitlines():
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, copy / name)
+    status, output = run(["cmake", "--preset", "release"], copy)
+    if status != 0:
+        sys.exit(output)
+    return copy
+
+
+def explained():
+    """file: text of the line -> reason, for mutants that change nothing anyone could notice."""
+    if not EXPLAINED.exists():
+        return set()
+    lines = [line for line in EXPLAINED.read_text().splitlines() if line and not line.startswith("#")]
+    return {tuple(part.strip() for part in line.split("|")[:4]) for line in lines}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--work", type=Path, required=True, help="a folder of its own; the copy is kept there")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--folders", default="profiles,objectives,solvers,studies")
+    parser.add_argument("--slow", type=float, default=3.0, help="seconds: tests above this are left out")
+    parser.add_argument("--again", type=Path, help="mutants.csv of an earlier run")
+    parser.add_argument("--jobs", type=int, default=2)
+    options = parser.parse_args()
+    folders = options.folders.split(",")
+    copy = make_copy(options.work.resolve())
+    mutants = (mutants_alive(copy, options.again) if options.again
+               else chosen_mutants(copy, folders, options.count, options.seed))
+    tests = Tests(copy, options.slow, options.jobs)
+    tests.prepare(folders)
+    (options.work / "left_out.txt").write_text("\n".join(tests.left_out) + "\n")
+
+    table = options.work / "mutants.csv"
+    done = list(csv.reader(table.open())) if table.exists() else []
+    with table.open("a", newline="") as file:
+        writer = csv.writer(file)
+        for index, (folder, path, offset, old, new) in enumerate(mutants):
+            if index < len(done):
+                continue
+            original = (copy / path).read_text()
+            line = original.count("\n", 0, offset) + 1
+            text = original.splitlines()[line - 1].strip()
+            (copy / path).write_text(original[:offset] + new + original[offset + len(old):])
+            try:
+                verdict, by = tests.verdict(folder)
+            finally:
+                (copy / path).write_text(original)
+            row = [str(index), verdict, str(path), str(line), old.strip(), new.strip(), text, by]
+            writer.writerow(row)
+            file.flush()
+            done.append(row)
+            print(f"{index + 1:4} of {len(mutants)}  {verdict:9}  {path}:{line}  {old.strip()} -> {new.strip()}  {by}",
+                  flush=True)
+
+    count = {verdict: sum(row[1] == verdict for row in done) for verdict in ("killed", "stillborn", "alive")}
+    known = explained()
+    open_rows = [row for row in done if row[1] == "alive" and (row[2], row[6], row[4], row[5]) not in known]
+    print(f"\n{count['killed']} killed, {count['stillborn']} stillborn, {count['alive']} alive, "
+          f"{len(open_rows)} of them unexplained")
+    for row in open_rows:
+        print(f"  {row[2]}:{row[3]}  {row[4]} -> {row[5]}    {row[6]}")
+    sys.exit(1 if open_rows else 0)
+
+
+if __name__ == "__main__":
+    main()

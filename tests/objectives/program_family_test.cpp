@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// From the segments of a program to the stretches of its motions: where breakpoints fall.
+#include "objectives/program_family.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// Dwell of 60°, rise of 120°, dwell of 60°, return of 120°.
+Scene program() {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.segments = {{SegmentKind::dwell, 60.0 * degree, "", {}},
+                             {SegmentKind::spline, 120.0 * degree, "", 1.0},
+                             {SegmentKind::dwell, 60.0 * degree, "", {}},
+                             {SegmentKind::spline, 120.0 * degree, "", 0.0}};
+    return scene;
+}
+
+std::vector<double> spline_begins(const MotionFamily& family, int stretch) {
+    std::vector<double> begins;
+    for (const MotionFamily::Piece& piece : family.pieces())
+        if (piece.stretch == stretch) begins.push_back(piece.begin);
+    return begins;
+}
+
+/// The unit of x is that of the scene; a place written in units of a segment lies that part of the way along
+/// it.
+TEST(ProgramFamily, OwnBreakpointsLieInUnitsOfEachSegment) {
+    Scene scene = program();
+    scene.spline.breakpoints = {0.0, 0.2, 0.45, 0.5, 1.0};
+    const double unit = scene.motion.unit_angle();
+    for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
+        const MotionFamily family = program_family(scene, kind);
+        for (const auto& [stretch, begin_deg] : {std::pair{1, 60.0}, std::pair{3, 240.0}}) {
+            const std::vector<double> begins = spline_begins(family, stretch);
+            ASSERT_EQ(begins.size(), 4U);
+            for (std::size_t i = 0; i < begins.size(); ++i)
+                EXPECT_NEAR(begins[i] * unit / degree, begin_deg + 120.0 * scene.spline.breakpoints[i],
+                            1e-10);
+        }
+    }
+}
+
+TEST(ProgramFamily, UniformBreakpointsDivideEachSegment) {
+    Scene scene = program();
+    scene.spline.segments = 5;
+    const double unit = scene.motion.unit_angle();
+    const MotionFamily family = program_family(scene, DesignKind::states);
+    const std::vector<double> begins = spline_begins(family, 3);
+    ASSERT_EQ(begins.size(), 5U);
+    for (std::size_t i = 0; i < begins.size(); ++i)
+        EXPECT_NEAR(begins[i] * unit / degree, 240.0 + 24.0 * static_cast<double>(i), 1e-10);
+    EXPECT_NEAR(family.end() * unit / degree, 360.0, 1e-10);
+}
+
+}  // namespace
+}  // namespace camopt
