@@ -2,6 +2,7 @@
 #include "linear/rank_revealing_qr.hpp"
 
 #include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -177,13 +180,17 @@ TEST(RankRevealingQr, BadlyScaledRows) {
 }
 
 TEST(RankRevealingQr, RejectsBadInput) {
-    EXPECT_THROW(static_cast<void>(analyse_rows(Sparse(2, 2), Eigen::VectorXd::Zero(3))), ModelError);
+    EXPECT_EQ(refusal<ModelError>([&] { (void)analyse_rows(Sparse(2, 2), Eigen::VectorXd::Zero(3)); }),
+              "analyse_rows: the matrix has 2 rows, the right side 3");
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(2, 2);
     matrix(0, 1) = std::nan("");
-    EXPECT_THROW(static_cast<void>(analyse_rows(to_sparse(matrix), Eigen::VectorXd::Zero(2))), ModelError);
-    EXPECT_THROW(static_cast<void>(analyse_rows(to_sparse(Eigen::MatrixXd::Identity(2, 2)),
-                                                Eigen::Vector2d(1.0, std::nan("")))),
-                 ModelError);
+    EXPECT_EQ(refusal<ModelError>([&] { (void)analyse_rows(to_sparse(matrix), Eigen::VectorXd::Zero(2)); }),
+              "analyse_rows: an entry is not finite");
+    EXPECT_EQ(refusal<ModelError>([&] {
+                  (void)analyse_rows(to_sparse(Eigen::MatrixXd::Identity(2, 2)),
+                                     Eigen::Vector2d(1.0, std::nan("")));
+              }),
+              "analyse_rows: an entry is not finite");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "motions/any_curve_limit.hpp"
 
 #include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Caps = std::optional<double>;
 
@@ -147,10 +150,14 @@ TEST(AnyCurveLimit, ShorterHalfDecides) {
 }
 
 TEST(AnyCurveLimit, Refusals) {
-    EXPECT_THROW((void)any_curve_limit(drd(0, 0, 0)), InputError);
-    EXPECT_THROW((void)any_curve_limit(drd(-1, 0, 1)), InputError);
-    EXPECT_THROW((void)any_curve_limit(drd(1, 0, 1, 0.0)), InputError);
-    EXPECT_THROW((void)any_curve_limit(rr(1, 1, 1, 1)), InputError);
+    EXPECT_EQ(refusal([&] { (void)any_curve_limit(drd(0, 0, 0)); }),
+              "any-curve limit: all weights are 0, at least one must be > 0");
+    EXPECT_EQ(refusal([&] { (void)any_curve_limit(drd(-1, 0, 1)); }),
+              "any-curve limit: velocity_weight = -1 found, allowed >= 0 and finite");
+    EXPECT_EQ(refusal([&] { (void)any_curve_limit(drd(1, 0, 1, 0.0)); }),
+              "any-curve limit: velocity_cap = 0 found, allowed > 0 and finite");
+    EXPECT_EQ(refusal([&] { (void)any_curve_limit(rr(1, 1, 1, 1)); }),
+              "any-curve limit: length = 1 found, allowed > 1 for RR");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The laws of the catalogue against the table of golden peaks, dense samples and central differences.
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
-#include "refusal.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 

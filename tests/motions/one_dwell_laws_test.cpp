@@ -4,7 +4,7 @@
 
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
-#include "refusal.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 

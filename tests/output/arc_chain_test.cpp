@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "output/biarc.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -14,6 +15,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Eigen::Vector2d;
 using std::numbers::pi;
@@ -127,12 +130,20 @@ TEST(ArcChain, LeavesOutAStretchThatStandsStill) {
 
 TEST(ArcChain, SaysWhatIsWrong) {
     const std::vector<double> knots{0.0, 1.0};
-    EXPECT_THROW((void)arc_chain(ellipse, knots, true), InputError);  // not closed
-    EXPECT_THROW((void)arc_chain(ellipse, std::vector<double>{0.0}, false), InputError);
-    EXPECT_THROW((void)arc_chain(ellipse, std::vector<double>{0.0, 0.0}, false), InputError);
-    EXPECT_THROW((void)arc_chain(ellipse, knots, false, {0.0, 1.0}), InputError);
+    EXPECT_EQ(refusal([&] { (void)arc_chain(ellipse, knots, true); }),
+              "a closed curve ends 0.04460635251153326 m from where it begins");  // not closed
+    EXPECT_EQ(refusal([&] { (void)arc_chain(ellipse, std::vector<double>{0.0}, false); }),
+              "an arc chain needs at least two knots");
+    EXPECT_EQ(refusal([&] {
+                  (void)arc_chain(ellipse, std::vector<double>{0.0, 0.0}, false);
+              }),
+              "the knots of an arc chain ascend, but 0 follows 0");
+    EXPECT_EQ(refusal([&] {
+                  (void)arc_chain(ellipse, knots, false, {0.0, 1.0});
+              }),
+              "the tolerance of an arc chain is 0, it must be > 0");
     const PlaneCurve broken = [](double t) { return CurvePoint{{1.0 / t, 0.0}, {0.0, 1.0}}; };
-    EXPECT_THROW((void)arc_chain(broken, knots, false), InputError);
+    EXPECT_EQ(refusal([&] { (void)arc_chain(broken, knots, false); }), "the curve is not finite at 0");
 }
 
 }  // namespace

@@ -11,11 +11,14 @@
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check_cam.hpp"
 #include "studies/solve.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 constexpr double millimetre = 1e-3;
 constexpr int places = 4001;
@@ -78,7 +81,8 @@ TEST(MechanismDxf, AGuideHasBothWalls) {
 TEST(MechanismDxf, ADrumIsRefused) {
     const Solution solution = solved("cylinder_slide");
     EXPECT_FALSE(has_plane_mechanism(solution));
-    EXPECT_THROW((void)mechanism_dxf(solution), InputError);
+    EXPECT_EQ(refusal([&] { (void)mechanism_dxf(solution); }),
+              "a drawing needs the cam of a plane mechanism, and this solution has none");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "output/report.hpp"
 #include "output/solution_text.hpp"
 #include "sample_solution.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 int count_of(const std::string& text, const std::string& part) {
     int count = 0;
@@ -95,7 +98,8 @@ TEST(ReferenceMotion, AProgramHasPeaksToCompareWithAndNoCurve) {
 }
 
 TEST(MotionSvg, NeedsACurve) {
-    EXPECT_THROW((void)motion_svg(test::infeasible_solution()), InputError);
+    EXPECT_EQ(refusal([&] { (void)motion_svg(test::infeasible_solution()); }),
+              "motion.svg needs a motion, and this solution has none");
 }
 
 TEST(ReferenceMotion, TheReturnMirrorsTheRiseOnItsOwnAngle) {

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "studies/cam_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 /// The cells of a line; empty ones are NaN.
 std::vector<double> numbers(const std::string& line) {
@@ -92,7 +95,8 @@ TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
 TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
     auto [points, displacements] = sample(FollowerType::translating_flat);
     displacements.pop_back();
-    EXPECT_THROW((void)profile_csv(points, displacements, FollowerType::translating_flat), InputError);
+    EXPECT_EQ(refusal([&] { (void)profile_csv(points, displacements, FollowerType::translating_flat); }),
+              "profile.csv: 97 points and 96 displacements");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 #include "dxf_text.hpp"
 #include "studies/cam_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using units::millimetre;
 
@@ -105,7 +108,8 @@ TEST(ProfileDxf, ASectorStaysOpenAndTheToleranceMustBePositive) {
     shape.closed = false;
     const ProfileDxf dxf = profile_dxf(shape);
     EXPECT_FALSE(test::dxf_polylines(dxf.text).front().closed);
-    EXPECT_THROW((void)profile_dxf(shape, 0.0), InputError);
+    EXPECT_EQ(refusal([&] { (void)profile_dxf(shape, 0.0); }),
+              "the tolerance of an arc chain is 0, it must be > 0");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "output/sweep_text.hpp"
 #include "output/text_file.hpp"
 #include "temporary_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using test::TemporaryFolder;
 
@@ -72,7 +75,8 @@ TEST(SweepJson, ReadsBackTheSame) {
                   std::string::npos)
             << text;
     sweep.identity.chunking.size = 0;
-    EXPECT_THROW((void)read_sweep_json(sweep_json(sweep), "x"), InputError);
+    EXPECT_EQ(refusal([&] { (void)read_sweep_json(sweep_json(sweep), "x"); }),
+              "x: found no description of a sweep; allowed: one that camopt sweep wrote");
 }
 
 TEST(SweepJson, TellsWhatMakesTwoSweepsDifferent) {

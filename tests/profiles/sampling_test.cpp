@@ -2,6 +2,7 @@
 // Whole cams as points: the chords keep their tolerance, the breakpoints are there.
 #include "core/errors.hpp"
 #include "test_turn.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Eigen::Vector2d;
 using namespace test;
@@ -127,9 +130,11 @@ TEST(Sampling, RefusesWhatMakesNoPoints) {
     const auto sample = [&](const ProfileSampling& sampling) {
         return sampled_profile(cam.cam, TestTurn(), {cam.lift, 1.0}, sampling);
     };
-    EXPECT_THROW((void)sample({.count = 1}), InputError);
-    EXPECT_THROW((void)sample({.chord_tolerance = 0.0}), InputError);
-    EXPECT_THROW((void)sample({.chord_tolerance = std::nan("")}), InputError);
+    EXPECT_EQ(refusal([&] { (void)sample({.count = 1}); }), "count: found 1; allowed: at least 2");
+    EXPECT_EQ(refusal([&] { (void)sample({.chord_tolerance = 0.0}); }),
+              "chord_tolerance: found 0; allowed: above 0");
+    EXPECT_EQ(refusal([&] { (void)sample({.chord_tolerance = std::nan("")}); }),
+              "chord_tolerance: found nan; allowed: above 0");
 }
 
 }  // namespace

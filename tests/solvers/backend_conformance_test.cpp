@@ -5,6 +5,7 @@
 #include "core/errors.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/test_problems.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,8 @@
 
 namespace camopt::test {
 namespace {
+
+using testing_support::refusal;
 
 using testing::AnyOf;
 using testing::HasSubstr;
@@ -324,14 +327,20 @@ TEST_P(Backend, CarriesAnExceptionOfTheStopRequest) {
 
 TEST_P(Backend, RefusesWrongInput) {
     const KnownProblem problem = corner_lp();
-    EXPECT_THROW((void)minimize(*problem.nlp, Eigen::VectorXd::Zero(5)), InputError);
-    EXPECT_THROW((void)minimize(*problem.nlp, Eigen::Vector2d(0.0, std::nan(""))), InputError);
+    EXPECT_EQ(refusal([&] { (void)minimize(*problem.nlp, Eigen::VectorXd::Zero(5)); }),
+              "start of the solve: found 5 entries, the problem has 2 variables");
+    EXPECT_EQ(refusal([&] { (void)minimize(*problem.nlp, Eigen::Vector2d(0.0, std::nan(""))); }),
+              "start of the solve: an entry is not finite");
     BackendOptions bad;
     bad.tolerance = 0.0;
-    EXPECT_THROW((void)solver_->minimize(*problem.nlp, problem.start, bad, {}), InputError);
+    EXPECT_EQ(refusal([&] { (void)solver_->minimize(*problem.nlp, problem.start, bad, {}); }),
+              "solver option 'tolerance': found 0, allowed is a number in (0, 1)");
     bad = {};
     bad.native["xyz"] = 1.0;
-    EXPECT_THROW((void)solver_->minimize(*problem.nlp, problem.start, bad, {}), InputError);
+    const std::string message =
+        refusal([&] { (void)solver_->minimize(*problem.nlp, problem.start, bad, {}); });
+    EXPECT_EQ(message.find("unknown option 'xyz' of " + std::string(solver_->name()) + "; allowed: "), 0U)
+        << message;
 }
 
 TEST_P(Backend, GivesTheSameAnswerTwice) {

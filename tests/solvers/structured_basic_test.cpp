@@ -2,11 +2,14 @@
 // Closed forms, degenerate and smooth problems, limits and refusals.
 #include "core/errors.hpp"
 #include "tests/solvers/structured_problems.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <random>
 
 namespace camopt::testing {
 namespace {
+
+using testing_support::refusal;
 
 constexpr double tolerance = 2e-9;
 
@@ -254,9 +257,10 @@ TEST(StructuredBasic, TakesRowsAndCostsThatAreOnlyCalledDifficult) {
 
 TEST(StructuredBasic, RefusesAStartOfTheWrongSize) {
     const QuadraticData data(1, 1);
-    EXPECT_THROW(
-        static_cast<void>(make_structured_solver()->minimize(QuadraticNlp(data), Eigen::VectorXd(3), {}, {})),
-        InputError);
+    EXPECT_EQ(refusal([&] {
+                  (void)make_structured_solver()->minimize(QuadraticNlp(data), Eigen::VectorXd(3), {}, {});
+              }),
+              "start of the solve: found 3 entries, the problem has 1 variables");
 }
 
 TEST(StructuredBasic, NamesValuesThatAreNotFinite) {
@@ -286,9 +290,19 @@ TEST(StructuredBasic, KeepsTheLimitsOfTheCaller) {
 TEST(StructuredBasic, ReadsItsOptions) {
     EXPECT_EQ(structured_options({{"correctors", 4LL}}).correctors, 4);
     EXPECT_EQ(structured_options({{"regularisation", 1e-8}}).regularisation, 1e-8);
-    EXPECT_THROW(static_cast<void>(structured_options({{"corectors", 4LL}})), InputError);
-    EXPECT_THROW(static_cast<void>(structured_options({{"correctors", 1.5}})), InputError);
-    EXPECT_THROW(static_cast<void>(structured_options({{"patience", 0LL}})), InputError);
+    EXPECT_EQ(refusal([&] {
+                  (void)structured_options({{"corectors", 4LL}});
+              }),
+              "structured has no option \"corectors\"; allowed: correctors, factorization, first_radius, "
+              "max_iterations, max_passes, patience, regularisation");
+    EXPECT_EQ(refusal([&] {
+                  (void)structured_options({{"correctors", 1.5}});
+              }),
+              "structured.correctors: an integer of moderate size is expected");
+    EXPECT_EQ(refusal([&] {
+                  (void)structured_options({{"patience", 0LL}});
+              }),
+              "structured.patience: allowed is >= 2");
 }
 
 }  // namespace

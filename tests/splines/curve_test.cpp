@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "splines/basis.hpp"
 #include "splines/extrema.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 struct Shape {
     int degree, continuity, segments;
@@ -138,12 +141,15 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CurveTest,
 
 TEST(Curve, RefusesWhatDoesNotFit) {
     const SplineSpace space = SplineSpace::uniform(3, 2, 4, 1.0);
-    EXPECT_THROW(SplineCurve(space, Eigen::MatrixXd::Zero(4, 3)), InputError);
-    EXPECT_THROW((void)SplineCurve::from_coefficients(space, Eigen::VectorXd::Zero(6)), InputError);
-    EXPECT_THROW(SplineCurve(space, Eigen::MatrixXd::Constant(4, 4, std::nan(""))), InputError);
+    EXPECT_EQ(refusal([&] { SplineCurve(space, Eigen::MatrixXd::Zero(4, 3)); }),
+              "pieces: found 4 x 3; allowed: 4 x 4");
+    EXPECT_EQ(refusal([&] { (void)SplineCurve::from_coefficients(space, Eigen::VectorXd::Zero(6)); }),
+              "coefficients: found 6; allowed: 7");
+    EXPECT_EQ(refusal([&] { SplineCurve(space, Eigen::MatrixXd::Constant(4, 4, std::nan(""))); }),
+              "pieces: found a value that is not finite");
     const SplineCurve curve(space, Eigen::MatrixXd::Zero(4, 4));
-    EXPECT_THROW((void)curve.at(1.1), InputError);
-    EXPECT_THROW((void)curve.at(-0.1), InputError);
+    EXPECT_EQ(refusal([&] { (void)curve.at(1.1); }), "x: found 1.1; allowed: 0 … 1");
+    EXPECT_EQ(refusal([&] { (void)curve.at(-0.1); }), "x: found -0.1; allowed: 0 … 1");
 }
 
 TEST(Curve, DerivativesAboveTheDegreeAreZero) {

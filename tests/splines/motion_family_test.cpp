@@ -3,6 +3,7 @@
 #include "splines/motion_family.hpp"
 
 #include "core/errors.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Kind = StretchRequest::Kind;
 
@@ -143,9 +146,12 @@ TEST(MotionFamily, MeanSquaresAreIntegrals) {
 TEST(MotionFamily, RefusesDisplacementsThatContradict) {
     FamilyRequest request;
     request.stretches = {spline(0, 1, 4, 1.0), dwell(1, 2)};  // closed: the dwell ends at 0
-    EXPECT_THROW((void)MotionFamily::make(request), InputError);
+    EXPECT_EQ(refusal([&] { (void)MotionFamily::make(request); }),
+              "displacements contradict each other: found 0 and 1 at the joint after 2 stretches; allowed: "
+              "one displacement there (a dwell keeps it, a closed program ends at 0)");
     request.stretches.clear();
-    EXPECT_THROW((void)MotionFamily::make(request), InputError);
+    EXPECT_EQ(refusal([&] { (void)MotionFamily::make(request); }),
+              "a family of motions: found no stretch; allowed: one or more");
 }
 
 }  // namespace

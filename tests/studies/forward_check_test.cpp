@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "studies/forward_check_input.hpp"
 #include "studies/point_curve.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Eigen::Vector2d;
 using std::numbers::pi;
@@ -47,8 +50,12 @@ TEST(PointCurve, KeepsACornerAtABreakAndLeavesRepeatedPointsOut) {
     EXPECT_DOUBLE_EQ(curve.length(), 4.0);
     EXPECT_NEAR((curve.at(1.7) - Vector2d(1.7, 0)).norm(), 0.0, 1e-15);
     EXPECT_NEAR((curve.at(2.7) - Vector2d(2, 0.7)).norm(), 0.0, 1e-15);
-    EXPECT_THROW(PointCurve(points, std::vector<int>{6}, false), InputError);
-    EXPECT_THROW(PointCurve(std::vector<Vector2d>{{0, 0}, {0, 0}, {1, 0}}, {}, false), InputError);
+    EXPECT_EQ(refusal([&] { PointCurve(points, std::vector<int>{6}, false); }),
+              "break 6 of a curve of 6 points");
+    EXPECT_EQ(refusal([&] {
+                  PointCurve(std::vector<Vector2d>{{0, 0}, {0, 0}, {1, 0}}, {}, false);
+              }),
+              "a curve needs at least three different points");
 }
 
 TEST(ForwardCheck, EveryFollowerMovesAsDesigned) {
@@ -139,13 +146,14 @@ TEST(ForwardCheck, ASectorIsCheckedBetweenItsEnds) {
 TEST(ForwardCheck, SaysWhatIsWrong) {
     ForwardCheckInput input;
     input.points = {{1, 0}, {0, 1}, {-1, 0}};
-    EXPECT_THROW((void)forward_check(input), InputError);
+    EXPECT_EQ(refusal([&] { (void)forward_check(input); }), "a forward check needs the designed motion");
     input.designed = [](double) { return 0.0; };
     input.angles = 0;
-    EXPECT_THROW((void)forward_check(input), InputError);
+    EXPECT_EQ(refusal([&] { (void)forward_check(input); }), "a forward check of 0 angles: at least 1");
     input.angles = 1;
     input.points[1].x() = NAN;
-    EXPECT_THROW((void)forward_check(input), InputError);
+    EXPECT_EQ(refusal([&] { (void)forward_check(input); }),
+              "a forward check takes finite points only, and one is not");
 }
 
 }  // namespace

@@ -5,11 +5,14 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/free_knot_descent.hpp"
 #include "studies/solve.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 Scene scene_of(MotionType type, int degree, int segments) {
     Scene scene;
@@ -162,7 +165,9 @@ TEST(FreeKnotSolve, ProgramsAreRefused) {
     scene.motion.segments = {{SegmentKind::spline, 3.0, "", 1.0},
                              {SegmentKind::dwell, 3.283185307179586, "", {}}};
     scene.motion.closed = false;
-    EXPECT_THROW((void)solve(scene), InputError);
+    EXPECT_EQ(
+        refusal([&] { (void)solve(scene); }),
+        "spline.knots: found \"free\" in a program; allowed: \"fixed\", or motion type \"DRD\" or \"RR\"");
 }
 
 }  // namespace

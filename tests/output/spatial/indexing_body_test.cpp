@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 TEST(IndexingBody, IsMadeOfSolids) {
     for (const auto& [cam, motion] : {std::pair{test::barrel_cam(), test::barrel_motion()},
@@ -68,12 +71,16 @@ TEST(IndexingBody, RollersDoNotEnterIt) {
 TEST(IndexingBody, RefusesMotionsThatDoNotIndex) {
     FollowerMotion half = test::barrel_motion();
     half.breakpoints.back() = 3.0;
-    EXPECT_THROW(static_cast<void>(indexing_body(test::barrel_cam(), half)), InputError);
+    EXPECT_EQ(refusal([&] { (void)indexing_body(test::barrel_cam(), half); }),
+              "indexing cam: the motion must take one turn, it takes 171.887 deg");
     FollowerMotion rest = test::barrel_motion();
     rest.state = [](double) { return FollowerState{}; };
-    EXPECT_THROW(static_cast<void>(indexing_body(test::barrel_cam(), rest)), InputError);
-    EXPECT_THROW(static_cast<void>(indexing_body(test::barrel_cam(), test::barrel_motion(), {4, 5, 0.4})),
-                 InputError);
+    EXPECT_EQ(refusal([&] { (void)indexing_body(test::barrel_cam(), rest); }),
+              "indexing cam: the motion must end one pitch from where it begins");
+    EXPECT_EQ(refusal([&] {
+                  (void)indexing_body(test::barrel_cam(), test::barrel_motion(), {4, 5, 0.4});
+              }),
+              "indexing body: angles must be >= 16, found 4");
 }
 
 }  // namespace

@@ -4,11 +4,14 @@
 
 #include "core/errors.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using test::millimetre;
 
@@ -54,7 +57,9 @@ TEST(NcExport, SmallerCutterTakesTwoPassesAndLeavesWhatMechanismsSay) {
 TEST(NcExport, RefusesACutterLargerThanTheRoller) {
     NcExportOptions options;
     options.cutter_diameter = 64.0 * millimetre;
-    EXPECT_THROW(static_cast<void>(exported(test::barrel_cam(), test::barrel_motion(), options)), InputError);
+    EXPECT_EQ(refusal([&] { (void)exported(test::barrel_cam(), test::barrel_motion(), options); }),
+              "cutter location: cutter radius + stock must not exceed the roller radius, or the other flank "
+              "is cut away; m, found 0.032");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "surface_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using test::millimetre;
 
@@ -69,15 +72,21 @@ TEST(GroovedCam, IsABlankWithoutItsGroove) {
 }
 
 TEST(GroovedCam, RefusesWhatIsNoSuchCam) {
-    EXPECT_THROW(static_cast<void>(grooved_cam(test::barrel_grid(), {0.02, 0.2, -0.2, 0.2})), InputError);
+    EXPECT_EQ(refusal([&] {
+                  (void)grooved_cam(test::barrel_grid(), {0.02, 0.2, -0.2, 0.2});
+              }),
+              "grooved cam: the groove does not close, its ends are 142.314 mm apart");
     GroovedBlank blank = test::closed_blank();
     blank.upper = 40.0 * millimetre;
-    EXPECT_THROW(static_cast<void>(grooved_cam(test::closed_grid(), blank)), InputError);
+    EXPECT_EQ(refusal([&] { (void)grooved_cam(test::closed_grid(), blank); }),
+              "grooved cam: the groove reaches z = 40.2213 mm, beyond the blank");
     blank = test::closed_blank();
     blank.bore_radius = 50.0 * millimetre;
-    EXPECT_THROW(static_cast<void>(grooved_cam(test::closed_grid(), blank)), InputError);
+    EXPECT_EQ(refusal([&] { (void)grooved_cam(test::closed_grid(), blank); }),
+              "grooved cam: the groove reaches into the bore");
     blank.bore_radius = 0.0;
-    EXPECT_THROW(static_cast<void>(grooved_cam(test::closed_grid(), blank)), InputError);
+    EXPECT_EQ(refusal([&] { (void)grooved_cam(test::closed_grid(), blank); }),
+              "grooved cam: the blank needs 0 < bore radius < outer radius and lower < upper end");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/surface/mesh_svg.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Section = std::vector<Eigen::Vector3d>;
 
@@ -44,13 +47,22 @@ TEST(SweptSolid, Ring) {
 }
 
 TEST(SweptSolid, RefusesWhatDoesNotMatch) {
-    EXPECT_THROW(static_cast<void>(swept_solid(std::vector<Section>{square(1, 0)}, false)), InputError);
-    EXPECT_THROW(static_cast<void>(swept_solid(std::vector{square(1, 0), square(1, 1)}, true)), InputError);
+    EXPECT_EQ(refusal([&] { (void)swept_solid(std::vector<Section>{square(1, 0)}, false); }),
+              "a swept solid needs 2 sections at least, found 1");
+    EXPECT_EQ(refusal([&] {
+                  (void)swept_solid(std::vector{square(1, 0), square(1, 1)}, true);
+              }),
+              "a swept solid needs 3 sections at least, found 2");
     Section three = square(1, 1);
     three.pop_back();
-    EXPECT_THROW(static_cast<void>(swept_solid(std::vector{square(1, 0), three}, false)), InputError);
-    EXPECT_THROW(static_cast<void>(swept_solid(std::vector{square(1, 0), square(NAN, 1)}, false)),
-                 InputError);
+    EXPECT_EQ(refusal([&] {
+                  (void)swept_solid(std::vector{square(1, 0), three}, false);
+              }),
+              "the sections of a swept solid need the same number of corners, at least three");
+    EXPECT_EQ(refusal([&] {
+                  (void)swept_solid(std::vector{square(1, 0), square(NAN, 1)}, false);
+              }),
+              "a corner of a swept solid is not finite");
 }
 
 TEST(MeshEdges, EveryFaultIsFound) {
@@ -88,7 +100,7 @@ TEST(MeshFiles, BinaryStl) {
             EXPECT_EQ(std::bit_cast<float>(number(84 + 12 + 12 * i + 4 * k)),
                       static_cast<float>(1e3 * box.vertices[corner](static_cast<int>(k))));
     }
-    EXPECT_THROW(static_cast<void>(stl_bytes({}, "nothing")), InputError);
+    EXPECT_EQ(refusal([&] { (void)stl_bytes({}, "nothing"); }), "STL: the mesh has no triangles");
 }
 
 TEST(MeshFiles, Obj) {
@@ -109,7 +121,7 @@ TEST(MeshSvg, DrawsWhatFacesTheEyeFromFarToNear) {
     for (std::size_t place = 0; (place = svg.find("<path", place)) != std::string::npos; ++place) ++facets;
     EXPECT_EQ(facets, 8u);  // two sides of two triangles, a cap of four
     EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
-    EXPECT_THROW(static_cast<void>(mesh_svg({}, view, "")), InputError);
+    EXPECT_EQ(refusal([&] { (void)mesh_svg({}, view, ""); }), "picture of a mesh: there is no facet to draw");
 }
 
 }  // namespace

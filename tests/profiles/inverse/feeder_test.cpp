@@ -3,6 +3,7 @@
 // the way back, faults.
 #include "core/errors.hpp"
 #include "reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 using test::inch;
 
@@ -162,7 +165,7 @@ TEST(InverseFeeder, FaultsByName) {
     EXPECT_EQ(name_of(InverseFault::rocker_misses_pin), "rocker_misses_pin");
     FeederLinkage wrong = linkage;
     wrong.feeder_offset = 0.0;
-    EXPECT_THROW(wrong.validate(), InputError);
+    EXPECT_EQ(refusal([&] { wrong.validate(); }), "the feeder's offset is 0 m; it must not be 0");
 }
 
 TEST(RollerLaw, StrokesAndTheirTimes) {
@@ -176,9 +179,14 @@ TEST(RollerLaw, StrokesAndTheirTimes) {
             EXPECT_NEAR(time_at(stroke, state_of(stroke, time).distance), time, 1e-9);
         }
     EXPECT_TRUE(std::isnan(time_at(roller.strokes()[0], 20.0 * inch)));
-    EXPECT_THROW((void)roller.at(0.3), InputError);
-    EXPECT_THROW(RollerLaw({test::forward_stroke(), test::forward_stroke()}), InputError);
-    EXPECT_THROW(RollerLaw({}), InputError);
+    EXPECT_EQ(refusal([&] { (void)roller.at(0.3); }),
+              "the roller's motion lasts from 0 to 0.258 s; 0.3 s was asked for");
+    EXPECT_EQ(refusal([&] {
+                  RollerLaw({test::forward_stroke(), test::forward_stroke()});
+              }),
+              "stroke 1 of the roller ends at 0.158 s, 0.3551428 m and stroke 2 begins at 0 s, "
+              "0.038099999999999995 m; they must meet");
+    EXPECT_EQ(refusal([&] { RollerLaw({}); }), "the roller has no stroke; it needs at least one");
 }
 
 }  // namespace

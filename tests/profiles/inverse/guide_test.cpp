@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 using Eigen::Vector2d;
 using test::inch;
@@ -169,7 +172,9 @@ TEST(Guide, RefusesWhatIsNoGuide) {
     EXPECT_EQ(refusal({GuideLine{a, b}}), "");
     G1GuideDimensions none = test::forward_dimensions();
     none.line_end = 100.0;
-    EXPECT_THROW((void)make_g1_guide(none), InputError);
+    EXPECT_EQ(refusal([&] { (void)make_g1_guide(none); }),
+              "no arcs of radius 0.25196799999999997 and 0.271018 m join the line that ends at 100 m to one "
+              "at 0.15707963267948966 rad through the pivot");
 }
 
 TEST(Guide, NamesWhatItDoesNotReach) {
@@ -177,8 +182,12 @@ TEST(Guide, NamesWhatItDoesNotReach) {
     EXPECT_EQ(guide.reach(1.0 * inch), Reach::before_guide);
     EXPECT_EQ(guide.reach(2.0 * inch), Reach::within);
     EXPECT_EQ(guide.reach(15.0 * inch), Reach::beyond_guide);
-    EXPECT_THROW((void)guide.at(15.0 * inch), InputError);
-    EXPECT_THROW((void)guide.at(std::nan("")), InputError);
+    EXPECT_EQ(
+        refusal([&] { (void)guide.at(15.0 * inch); }),
+        "the roller at L = 0.381 m is not on the guide, which goes from 0.038099999999999995 to 0.3556 m");
+    EXPECT_EQ(
+        refusal([&] { (void)guide.at(std::nan("")); }),
+        "the roller at L = nan m is not on the guide, which goes from 0.038099999999999995 to 0.3556 m");
 }
 
 TEST(GuidePoints, WallsLieARollerAside) {

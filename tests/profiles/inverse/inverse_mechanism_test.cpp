@@ -6,6 +6,7 @@
 #include "core/errors.hpp"
 #include "core/inverse_spec.hpp"
 #include "reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 using test::inch;
 using Numbers = std::array<double, inverse_number_count>;
@@ -132,7 +135,8 @@ TEST(InverseMechanism, SaysWhatDoesNotReach) {
     EXPECT_NE(mechanism().fault(numbers, 0.0, 2.7 * inch).find("ascend"), std::string::npos);
     MechanismSpec other = inverse_spec();
     other.type = "barrel";
-    EXPECT_THROW((void)inverse_mechanism(other), InputError);
+    EXPECT_EQ(refusal([&] { (void)inverse_mechanism(other); }),
+              "a mechanism of type \"barrel\"; allowed: \"inverse\"");
 }
 
 }  // namespace

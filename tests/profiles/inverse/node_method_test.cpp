@@ -4,12 +4,15 @@
 
 #include "core/errors.hpp"
 #include "reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 TEST(NodeMethod, HundredStepsAsInThePaper) {
     // Its printed rows are multiples of 0.00158 s: 100 steps, 101 nodes.
@@ -38,7 +41,8 @@ TEST(NodeMethod, VelocityConvergesAccelerationDoesNot) {
 
 TEST(NodeMethod, RefusesTooFewNodes) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
-    EXPECT_THROW((void)node_method(guide, test::forward_stroke(), 2), InputError);
+    EXPECT_EQ(refusal([&] { (void)node_method(guide, test::forward_stroke(), 2); }),
+              "2 nodes were asked for; central differences need at least 3");
     EXPECT_EQ(node_method(guide, test::forward_stroke(), 3).size(), 3U);
 }
 

@@ -7,6 +7,7 @@
 #include "profiles/spatial/flank_grid.hpp"
 #include "reference_cams.hpp"
 #include "situations.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -16,6 +17,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using namespace test;
 using Eigen::Vector3d;
@@ -90,11 +93,15 @@ TEST(FlankGrid, OfThePapersSize) {
 }
 
 TEST(FlankGrid, RefusesWhatIsNoGrid) {
-    EXPECT_THROW((void)flank_grid(barrel_cam(), barrel_motion(), FlankSampling{.sections = 1}), InputError);
-    EXPECT_THROW((void)flank_grid(barrel_cam(), barrel_motion(), FlankSampling{.angles = 1}), InputError);
-    EXPECT_THROW((void)flank_grid(barrel_cam(), barrel_motion(),
-                                  FlankSampling{.from_height = 0.02, .to_height = 0.01}),
-                 InputError);
+    EXPECT_EQ(refusal([&] { (void)flank_grid(barrel_cam(), barrel_motion(), FlankSampling{.sections = 1}); }),
+              "sections: found 1; allowed: at least 2");
+    EXPECT_EQ(refusal([&] { (void)flank_grid(barrel_cam(), barrel_motion(), FlankSampling{.angles = 1}); }),
+              "angles: found 1; allowed: at least 2");
+    EXPECT_EQ(refusal([&] {
+                  (void)flank_grid(barrel_cam(), barrel_motion(),
+                                   FlankSampling{.from_height = 0.02, .to_height = 0.01});
+              }),
+              "to_height: found 0.01 m; allowed: above from_height, 0.02 m");
 }
 
 TEST(SpatialFaults, NameWhatCannotBeBuilt) {

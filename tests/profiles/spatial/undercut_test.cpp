@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "profiles/spatial/interference.hpp"
 #include "situations.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using namespace test;
 using Eigen::Vector3d;
@@ -225,9 +228,14 @@ TEST(Interference, SeesWhatIsFarAwayOnTheCam) {
 }
 
 TEST(Interference, RefusesOptionsThatCheckNothing) {
-    EXPECT_THROW((void)interference(barrel_cam(), barrel_motion(), {.sections = 0}), InputError);
-    EXPECT_THROW((void)interference(barrel_cam(), barrel_motion(), {.angles = 1}), InputError);
-    EXPECT_THROW((void)interference(barrel_cam(), barrel_motion(), {.cutter = {0.03, 0.02}}), InputError);
+    EXPECT_EQ(refusal([&] { (void)interference(barrel_cam(), barrel_motion(), {.sections = 0}); }),
+              "sections: found 0; allowed: at least 1");
+    EXPECT_EQ(refusal([&] { (void)interference(barrel_cam(), barrel_motion(), {.angles = 1}); }),
+              "angles: found 1; allowed: at least 2");
+    EXPECT_EQ(refusal([&] {
+                  (void)interference(barrel_cam(), barrel_motion(), {.cutter = {0.03, 0.02}});
+              }),
+              "a stretch from 0.03 to 0.02 m; allowed: to > from");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/errors.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "profiles/inverse/reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 using test::inch;
 
@@ -71,9 +74,11 @@ TEST(InverseForward, SlotWallLeadsTheRoller) {
 TEST(InverseForward, RefusesWhatCannotBeChecked) {
     const Guide guide = make_g1_guide(test::forward_dimensions());
     GuideCheckInput input = input_for(guide);
-    EXPECT_THROW((void)polyline_check(input), InputError);
+    EXPECT_EQ(refusal([&] { (void)polyline_check(input); }),
+              "0 points of the guide were given; it needs at least 3");
     input.points = guide_points(guide, 100).points;
-    EXPECT_THROW((void)slot_check(input), InputError);  // no roller
+    EXPECT_EQ(refusal([&] { (void)slot_check(input); }),
+              "the roller's radius is 0 m; it must be > 0");  // no roller
     input.end = 20.0 * inch;
     input.designed = [](double) { return 0.0; };
     EXPECT_EQ(polyline_check(input).deviation, std::numeric_limits<double>::infinity());

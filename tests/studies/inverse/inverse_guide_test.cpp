@@ -6,6 +6,7 @@
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
 #include "profiles/inverse/reference_machine.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@
 namespace camopt {
 
 namespace {
+
+using testing_support::refusal;
 
 using test::inch;
 
@@ -79,12 +82,16 @@ TEST(WishedGuide, ArcsStepAndSplinesDoNot) {
 TEST(WishedGuide, RefusesWhatTheMachineCannotDo) {
     const auto law = make_law("cycloidal");
     FeederWish wish = reference_wish();
-    EXPECT_THROW((void)wished_guide(wish, *law, 1), InputError);
+    EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 1); }),
+              "1 nodes of the guide were asked for; it needs at least 2");
     wish.upper = 40.0 * inch;
-    EXPECT_THROW((void)wished_guide(wish, *law, 16), InputError);
+    EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
+              "the machine cannot move the feeder as wished at 0.110815 s: rocker_misses_pin");
     wish = reference_wish();
     wish.to = 20.0 * inch;
-    EXPECT_THROW((void)wished_guide(wish, *law, 16), InputError);
+    EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
+              "the wished feeder motion: guide from 0.038099999999999995 to 0.35559999999999997 m, rise from "
+              "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve.hpp"
 #include "studies/solve_without_explaining.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using Point = std::complex<double>;
 
@@ -165,7 +168,9 @@ TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {
 TEST(TappetScenes, FormulasAreNotTakenForGranted) {
     Scene scene = tappet_scene(75, 30);
     scene.mechanism->formulas.reset();
-    EXPECT_THROW(static_cast<void>(solve(scene)), InputError);
+    EXPECT_EQ(refusal([&] { (void)solve(scene); }),
+              "mechanism: a cam of type \"remote\" without its formulas; allowed: a scene that "
+              "profiles/factory, or the program itself, has completed");
 }
 
 }  // namespace

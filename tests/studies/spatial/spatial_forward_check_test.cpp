@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 
 namespace camopt {
 namespace {
+
+using testing_support::refusal;
 
 using namespace test;
 
@@ -111,7 +114,8 @@ TEST(SpatialForwardCheck, RefusesWhatItCannotCheck) {
     const auto refused = [&](auto change) {
         SpatialForwardCheckInput input = good;
         change(input);
-        EXPECT_THROW((void)spatial_forward_check(input), InputError);
+        EXPECT_EQ(refusal([&] { (void)spatial_forward_check(input); }),
+                  "a forward check needs the designed motion");
     };
     refused([](auto& input) { input.designed = nullptr; });
     refused([](auto& input) { input.sections.clear(); });

@@ -8,11 +8,12 @@
 
 namespace camopt::testing_support {
 
-/// The message of the InputError that `action` throws; "no refusal" where it throws none.
-inline std::string refusal(const auto& action) {
+/// The message of the Error that `action` throws; "no refusal" where it throws none.
+template <class Error = InputError>
+std::string refusal(const auto& action) {
     try {
         action();
-    } catch (const InputError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "no refusal";
