@@ -15,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Sign = DisplacementBox::Sign;
 
 // Relaxations solved at most, shared out by the number of free displacements: enough to close the cases of
