@@ -28,6 +28,9 @@ Solution solved(const std::string& name) {
     Scene scene =
         input::read_scene_file(path, {.laws = {"modified_sine"}, .solvers = {"ipopt", "structured"}});
     complete_mechanism(scene);
+    // One start finds what all find; and it may take the time it takes.
+    scene.solver.starts = 1;
+    scene.solver.max_seconds = 600.0;
     return solve(scene);
 }
 
@@ -75,9 +78,7 @@ double of_modified_sine(const Rebuilt& cam, const MotionScale& scale) {
 
 void expect_motion_of_the_scene(const Solution& solution) {
     ASSERT_TRUE(solution.motion);
-    // Without Ipopt, or on a slow machine, the search may end before the best is found.
-    EXPECT_NE(solution.certificate.verdict, Verdict::failed);
-    EXPECT_NE(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_LE(solution.certificate.worst_violation, solution.scene.solver.tolerance);
     const Motion& motion = *solution.motion;
     const MotionPoint first = motion.at(motion.begin()), last = motion.at(motion.end(), Side::left);
     EXPECT_NEAR(first.derivative[0], 0.0, 1e-9);
@@ -118,6 +119,8 @@ TEST(SpatialScenes, PaperCupMachineBelowTheModifiedSinesPressureAngle) {
 TEST(SpatialScenes, IndexingByACylindricalCam) {
     const Solution solution = solved("ocrf_indexing");
     expect_motion_of_the_scene(solution);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::local);
+    EXPECT_NEAR(solution.certificate.objective, 0.94635201327, 1e-8);  // of 40 starts the best
     const MotionScale scale = motion_scale(solution.scene);
     EXPECT_NEAR(of_modified_sine(indexing(), scale), 33.4188748, 1e-5);
     EXPECT_LT(indexing().largest(*solution.motion, scale), 32.0 + 1e-6);
@@ -147,6 +150,10 @@ TEST(SpatialScenes, SlideOnACylindricalCam) {
 TEST(SpatialScenes, TheSmallestBarrelForFortyDegrees) {
     const Solution solution = solved("barrel_smallest");
     expect_motion_of_the_scene(solution);
+    // Found by both solvers from all starts; the flat bottom leaves the last digits of stationarity open.
+    EXPECT_NEAR(solution.certificate.objective, 9.53878965, 1e-7);
+    EXPECT_TRUE(solution.certificate.verdict == Verdict::local ||
+                solution.certificate.verdict == Verdict::feasible);
     const MotionScale scale = motion_scale(solution.scene);
     double enough = 250.0, too_little = 100.0;
     for (int i = 0; i < 30; ++i) {
