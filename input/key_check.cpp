@@ -12,8 +12,6 @@
 namespace camopt::input {
 namespace {
 
-constexpr std::string_view not_yet = "not available yet in this version of camopt";
-
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -130,10 +128,6 @@ class KeyCheck {
     void check_text(const Given& given, const std::string& key) const {
         const Node& value = given.value();
         const auto& choices = given.row->choices;
-        if (value.kind == NodeKind::text && !value.text.empty() && value.text == given.row->later_choice)
-            source_.fail_unavailable(value.place, key,
-                                     fmt::format("found {}, which is {}; allowed: {}", value.shown(), not_yet,
-                                                 given.row->allowed(*given.spelling)));
         refuse_unless(value.kind == NodeKind::text, given, key);
         if (choices.empty() || std::ranges::find(choices, value.text) != choices.end()) return;
         const std::vector<std::string> words(choices.begin(), choices.end());

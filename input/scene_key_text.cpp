@@ -78,8 +78,7 @@ std::string markdown_row(const KeyRow& row) {
     for (const Spelling& spelling : row.spellings)
         keys += fmt::format("{}`{}`", keys.empty() ? "" : ", ", row.key(spelling));
     std::string later;
-    if (!row.later_choice.empty()) later = fmt::format(" *`\"{}\"` is not available yet.*", row.later_choice);
-    if (!row.instead_of.empty()) later += fmt::format(" Instead of `{}`.", row.instead_of);
+    if (!row.instead_of.empty()) later = fmt::format(" Instead of `{}`.", row.instead_of);
     if (!row.cam_type.empty() && row.table == "cam")
         later += fmt::format(" *Type {} only.*", row.cam_types('`'));
     return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_name(row), unit_text(row),

@@ -24,7 +24,7 @@ Rows top_level() {
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
         {"", "linkage", table, plain, any, {}, "no linkage",
          "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.",
-         Availability::needs_cam, {}, {}, "remote"},
+         Availability::needs_cam, {}, "remote"},
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
@@ -77,7 +77,7 @@ Rows spline() {
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
          "program from 0 to 1, in units of each spline segment.",
-         Availability::now, {}, "segments"},
+         Availability::now, "segments"},
         {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
          "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
          "where the search starts. DRD and RR, at most 256 segments."},

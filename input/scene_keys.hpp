@@ -46,8 +46,7 @@ struct KeyRow {
     std::string_view default_text;          ///< "required" where there is none
     std::string_view meaning;
     Availability availability = Availability::now;
-    std::string_view later_choice = {};  ///< a text of the contract that is not available yet
-    std::string_view instead_of = {};    ///< another key of the table that must not stand beside it
+    std::string_view instead_of = {};  ///< another key of the table that must not stand beside it
     /// Only where cam.type is this, or one of these: "disk|barrel"; empty: whatever it is.
     std::string_view cam_type = {};
 

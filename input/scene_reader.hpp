@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // TOML scene file → validated Scene: units converted to SI and radians, every value checked, nothing guessed.
 // Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …", the first one met (keys and values in the
-// order of the file, then what must hold between them); UnavailableError for a part of the scene contract
-// this version does not have. The keys are listed in input/scene_keys.hpp and docs/scene_file.md.
+// order of the file, then what must hold between them). The keys are listed in input/scene_keys.hpp and
+// docs/scene_file.md.
 #pragma once
 
 #include "core/scene.hpp"

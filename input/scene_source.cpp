@@ -62,10 +62,6 @@ void SceneSource::fail(const Place& place, std::string_view key, std::string_vie
     throw InputError(error_prefix(name, place, key) + std::string(what));
 }
 
-void SceneSource::fail_unavailable(const Place& place, std::string_view key, std::string_view what) const {
-    throw UnavailableError(error_prefix(name, place, key) + std::string(what));
-}
-
 namespace {
 
 /// "via[1]" → "via", 1; "at" → "at", none.

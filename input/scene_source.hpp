@@ -61,7 +61,6 @@ class SceneSource {
 
     /// Throws InputError "PLACE: key: what".
     [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;
-    [[noreturn]] void fail_unavailable(const Place& place, std::string_view key, std::string_view what) const;
 
     /// Throws for a member of the Scene: its place and its key as written, or those of the nearest table.
     [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;

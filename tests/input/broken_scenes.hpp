@@ -14,7 +14,6 @@ struct BrokenScene {
     std::string toml;
     std::string message;
     std::vector<std::string> overrides = {};
-    bool unavailable = false;  ///< UnavailableError
 };
 
 /// How GoogleTest shows a case.
