@@ -47,7 +47,8 @@ Eigen::VectorXd row_lengths(const Sparse& matrix) {
 Sparse scaled_transpose(const Sparse& matrix, const Eigen::VectorXd& length) {
     Sparse result = matrix.transpose();
     for (Eigen::Index i = 0; i < result.outerSize(); ++i)
-        for (Sparse::InnerIterator entry(result, i); entry; ++entry) entry.valueRef() /= length[i];
+        for (Sparse::InnerIterator entry(result, i); entry; ++entry)
+            if (length[i] > 0.0) entry.valueRef() /= length[i];  // a row may consist of stored zeros
     result.prune(0.0, 0.0);
     result.makeCompressed();
     return result;

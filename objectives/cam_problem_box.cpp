@@ -12,6 +12,9 @@ namespace {
 
 // In lifts: no cam follows a motion that strays farther, so proofs need not look there.
 constexpr double farthest_displacement = 1e3;
+// Limits of the motions that a proof speaks of may be relaxed by the tolerance of the solve: what is said of
+// their shape is said of limits relaxed by this, more than any tolerance in use.
+constexpr double relaxed_limits = 1e-6;
 // Steps with which the range of displacements is bounded.
 constexpr int range_samples = 200;
 
@@ -124,13 +127,14 @@ Box CamProblem::box(double incumbent, double relaxation) const {
 std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     const std::vector<KnownPoint>& points = model_->known_points;
     if (points.size() < 2) return {-infinity, infinity};
-    const SupportedBounds known = supported_bounds(incumbent, 0.0);
+    const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
         // Without an incumbent nothing is known to keep the limits.
         if (!std::isfinite(incumbent) || rule.stretch >= 0) continue;
-        slope.least = std::max(slope.least, rule->slope_range().least);
-        slope.most = std::min(slope.most, rule->slope_range().most);
+        const SlopeRange own = rule->slope_range();
+        slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));
+        slope.most = std::min(slope.most, own.most + relaxed_limits * std::abs(own.most));
     }
     /// How far y can move away with a slope of at most `steepest`.
     const auto reach = [&](const KnownPoint& from, double distance, double steepest) {

@@ -26,13 +26,7 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
 /// The form in the optimizer's units, divided by reference².
 QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
     QuadraticForm form = model.design.mean_square(order, model.mean_square_weights(order));
-    const Eigen::VectorXd scale = design_scales(model);
-    const double factor = 1.0 / (reference * reference);
-    const Eigen::SparseMatrix<double> rows_scaled = scale.asDiagonal() * form.matrix;
-    form.matrix = rows_scaled * scale.asDiagonal();
-    form.matrix *= factor;
-    form.linear = factor * scale.cwiseProduct(form.linear);
-    form.constant *= factor;
+    form.scale(1.0 / (reference * reference), design_scales(model));
     return form;
 }
 
@@ -187,9 +181,7 @@ void GridNlp::add_cost_terms() {
     }
     if (model_->energy_weight > 0.0) {
         energy_ = scaled_form(*model_, 3, model_->jerk_reference);
-        energy_->matrix *= model_->energy_weight;
-        energy_->linear *= model_->energy_weight;
-        energy_->constant *= model_->energy_weight;
+        energy_->scale(model_->energy_weight, Eigen::VectorXd::Ones(design_size()));
     }
     shape_.linear_cost = rms_.empty() && !energy_;
     shape_.quadratic_cost = rms_.empty();
@@ -241,10 +233,10 @@ void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
     const Eigen::VectorXd design = x.head(design_size());
     for (const RmsTerm& term : rms_) {
         const double q = x[term.variable];
-        out.head(design_size()) += term.weight / q * (term.form.matrix * design + term.form.linear);
+        out.head(design_size()) += term.weight / q * term.form.slope(design);
         out[term.variable] += 0.5 * term.weight * (1.0 - term.form.value(design) / (q * q));
     }
-    if (energy_) out.head(design_size()) += 2.0 * (energy_->matrix * design + energy_->linear);
+    if (energy_) out.head(design_size()) += 2.0 * energy_->slope(design);
 }
 
 RuleValue GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
@@ -296,7 +288,7 @@ void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRe
         const double q = x[term.variable];
         const double factor = sigma * term.weight / q;
         visit_lower(term.form.matrix, [&](int, int, double value) { add(factor * value); });
-        const Eigen::VectorXd slope = term.form.matrix * design + term.form.linear;
+        const Eigen::VectorXd slope = term.form.slope(design);
         for (int j = 0; j < design_size(); ++j) add(-factor / q * slope[j]);
         add(factor / (q * q) * term.form.value(design));
     }

@@ -320,18 +320,6 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
 }
 
-/// The weight of a dimension, as for disk cams by its name, divided by the lift; where the output swings by
-/// the lift times a length of the mechanism.
-double mechanism_weight(const Scene& scene, const std::string& name) {
-    const MechanismSpec& spec = *scene.mechanism;
-    const double lift = scene.motion.lift;
-    for (int d = 0; d < dimension_count; ++d)
-        if (name == name_of(static_cast<DimensionIndex>(d)))
-            return scene.objective.dimensions[static_cast<std::size_t>(d)] /
-                   (spec.formulas->swings() ? lift * spec.formulas->length(spec.middle()) : lift);
-    return 0.0;
-}
-
 void add_mechanism(CamModel& model, const Scene& scene) {
     if (!scene.mechanism) return;
     const MechanismSpec& spec = *scene.mechanism;
@@ -366,6 +354,16 @@ void add_mechanism(CamModel& model, const Scene& scene) {
 }
 
 }  // namespace
+
+double mechanism_weight(const Scene& scene, const std::string& name) {
+    const MechanismSpec& spec = *scene.mechanism;
+    const double lift = scene.motion.lift;
+    for (int d = 0; d < dimension_count; ++d)
+        if (name == name_of(static_cast<DimensionIndex>(d)))
+            return scene.objective.dimensions[static_cast<std::size_t>(d)] /
+                   (spec.formulas->swings() ? lift * spec.formulas->length(spec.middle()) : lift);
+    return 0.0;
+}
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                      std::span<const DisplacementBox> boxes) {

@@ -20,6 +20,11 @@ namespace camopt {
 /// centre distance. m; the scene must have a cam.
 [[nodiscard]] double dimension_unit(const Scene& scene);
 
+/// What the objective multiplies a dimension of the scene's mechanism by: its weight, which it has under the
+/// name it has for disk cams, over the lift; where the output swings over the lift times a length of the
+/// mechanism. 0: none. The scene must have a mechanism with its formulas.
+[[nodiscard]] double mechanism_weight(const Scene& scene, const std::string& name);
+
 /// The one spline of a DRD or RR scene: its breakpoints, end states, exact points and symmetry.
 [[nodiscard]] DesignRequest spline_request(const Scene& scene, DesignKind kind);
 

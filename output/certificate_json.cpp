@@ -37,7 +37,8 @@ Json proof_json(const DualityProof& proof) {
             {"constant", number_json(proof.constant)},
             {"rows", rows},
             {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
-            {"bound", number_json(proof.bound)}};
+            {"bound", number_json(proof.bound)},
+            {"limits_relaxed_by", number_json(proof.limits_relaxed_by)}};
 }
 
 /// Proofs that several cases share stand in the first; the others name it.
@@ -116,6 +117,7 @@ DualityProof read_proof(const Json& json) {
     proof.box.lower = read_vector(json.at("box").at("lower"), variables, -infinity, "box.lower");
     proof.box.upper = read_vector(json.at("box").at("upper"), variables, infinity, "box.upper");
     proof.bound = number_or(json.at("bound"), -infinity);
+    proof.limits_relaxed_by = json.value("limits_relaxed_by", 0.0);
     return proof;
 }
 
@@ -130,7 +132,9 @@ std::string_view how_to_check() {
            "min(r[j] box.lower[j], r[j] box.upper[j]). This number must not be less than \"bound\" (up "
            "to the rounding of your own sum). Any multipliers give a true bound, so nothing has to be "
            "believed of the solver. Statement \"objective\": no curve of this kind has a smaller "
-           "objective than the bound. Statement \"least_common_violation\": every curve of this kind "
+           "objective than the bound; where \"limits_relaxed_by\" is above 0, the rows of limits stand moved "
+           "out by that part of their size, and the bound is of every curve that keeps the limits to within "
+           "it. Statement \"least_common_violation\": every curve of this kind "
            "violates some limit by at least the bound, so a bound above 0 proves that the scene is "
            "infeasible. Statement \"conditions\": the rows are conditions that contradict each other; a "
            "bound above 0 proves that no curve of this kind meets them all. null: the side is open "

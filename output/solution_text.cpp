@@ -63,6 +63,11 @@ bool searched(const Solution& solution) {
     return !solution.solver.convex && solution.solver.starts > 0;
 }
 
+/// A motion that was found, and then did not stand the audit of what is delivered.
+bool was_found_wanting(const Solution& solution) {
+    return solution.certificate.verdict == Verdict::failed && solution.motion != nullptr;
+}
+
 /// "8 starts" or "from one start"
 std::string starts_text(int starts) {
     return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
@@ -138,6 +143,10 @@ std::string relaxation_lines(const Solution& solution) {
 std::string verdict_sentence(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     const SolverReport& solver = solution.solver;
+    if (was_found_wanting(solution))
+        return fmt::format(
+            "Failed: the motion that was found is not what the scene asks for{}, see the notes.",
+            because(certificate));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
@@ -157,6 +166,12 @@ std::string verdict_sentence(const Solution& solution) {
 std::string verdict_sentence(const Certificate& certificate) {
     switch (certificate.verdict) {
         case Verdict::optimal:
+            if (certificate.proof && certificate.proof->limits_relaxed_by > 0.0)
+                return fmt::format(
+                    "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
+                    "spline "
+                    "space that keeps them to within {} of their size is better by more than the gap.",
+                    short_text(certificate.proof->limits_relaxed_by, 2));
             return "Proved optimal: no curve of this spline space is better by more than the gap.";
         case Verdict::local:
             if (certificate.gap)

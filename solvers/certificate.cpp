@@ -34,6 +34,10 @@ double relative_gap(double objective, double bound) {
     return std::max(0.0, objective - bound) / std::max(1.0, std::abs(objective));
 }
 
+bool bound_passes(double objective, double bound, double tolerance) {
+    return bound > objective + tolerance * std::max(1.0, std::abs(objective));
+}
+
 double recomputed_bound(const DualityProof& proof) {
     const Eigen::Index variables = proof.cost.size();
     const Eigen::Index rows = proof.multipliers.size();

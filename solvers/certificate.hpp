@@ -45,6 +45,9 @@ struct DualityProof {
     Eigen::VectorXd multipliers;
     Box box;
     double bound = 0.0;
+    /// Above 0: the rows of the limits stand moved out by this times their scale, and the bound is of every
+    /// point that keeps the limits to within it (solvers/relaxed_limits.hpp).
+    double limits_relaxed_by = 0.0;
 };
 
 /// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
@@ -60,9 +63,16 @@ struct CaseProof {
 /// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
 [[nodiscard]] double recomputed_bound(const DualityProof& proof);
 
-/// (objective − bound) / max(1, |objective|). A point that uses the tolerance of its limits may lie below the
-/// bound by as much: no gap then.
+/// (objective − bound) / max(1, |objective|), 0 where the bound is above by rounding. A bound that passes the
+/// objective by more (bound_passes) is none of the point, and has no gap to it.
 [[nodiscard]] double relative_gap(double objective, double bound);
+
+/// Whether a bound lies above an objective by more than `tolerance`, relative: then the point lies outside
+/// the problem that the bound is of, by using the tolerance of its limits.
+[[nodiscard]] bool bound_passes(double objective, double bound, double tolerance);
+
+/// Reason of a point whose limits lie within rounding of infeasible, and of which nothing is proved.
+inline constexpr const char* limits_within_rounding = "limits_within_rounding_of_infeasible";
 
 struct Certificate {
     Verdict verdict = Verdict::failed;

@@ -3,6 +3,7 @@
 
 #include "solvers/duality.hpp"
 #include "solvers/elastic.hpp"
+#include "solvers/relaxed_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>
@@ -90,6 +91,34 @@ void report_infeasible(ContinuousResult& result, FirstPoint first) {
 
 }  // namespace
 
+void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+                         const ExchangeOptions& exchange, const JudgeOptions& judge,
+                         const SolveControl& control) {
+    Certificate& certificate = result.certificate;
+    const auto passes = [&](double bound) {
+        return bound_passes(certificate.objective, bound, judge.tolerance);
+    };
+    if (!certificate.lower_bound || !passes(*certificate.lower_bound)) return;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+    result.proof_source.clear();
+    if (!(certificate.worst_violation <= judge.tolerance)) return;  // nothing is delivered
+    BackendOptions options;
+    options.tolerance = exchange.backend.tolerance;
+    options.max_seconds = exchange.backend.max_seconds;
+    const double slack = std::max(judge.tolerance, certificate.worst_violation);
+    std::optional<DualityProof> proof =
+        relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
+    if (!proof || passes(proof->bound)) return;
+    certificate.lower_bound = proof->bound;
+    certificate.gap = relative_gap(certificate.objective, proof->bound);
+    certificate.proof = std::move(proof);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = "structured, limits relaxed by the tolerance";
+}
+
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
     if (!(certificate.worst_violation <= options.tolerance)) {
         certificate.verdict = Verdict::failed;
@@ -136,11 +165,20 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     if (is_better(latest, best, judge.tolerance)) best = latest;
     result.certificate.objective = best.objective;
     result.certificate.worst_violation = best.violation;
+    bool no_room = false;
     if (best.x.size() > 0) {
         result.x = best.x;
-        if (best.violation <= judge.tolerance) prove(result, problem, solver, exchange, judge, timed);
+        if (best.violation <= judge.tolerance) {
+            prove(result, problem, solver, exchange, judge, timed);
+            const bool had_bound = result.certificate.lower_bound.has_value();
+            settle_passed_bound(result, problem, exchange, judge, timed);
+            no_room = had_bound && !result.certificate.lower_bound;
+        }
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);
+    if (no_room && result.certificate.verdict == Verdict::local) result.certificate.verdict = Verdict::feasible;
+    if (no_room && result.certificate.verdict == Verdict::feasible)
+        result.certificate.reason = limits_within_rounding;
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
     return result;
 }

@@ -21,6 +21,13 @@ struct ContinuousResult {
     std::string proof_source;  ///< whose multipliers proved the bound
 };
 
+/// Where the bound at hand passes the objective of the delivered point (the limits lie within rounding of
+/// infeasible), the proof becomes that of the limits relaxed by the tolerance; where there is none, nothing
+/// is left of it. Afterwards no bound passes the objective. `problem`: what the bound is of.
+void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+                         const ExchangeOptions& exchange, const JudgeOptions& judge,
+                         const SolveControl& control);
+
 /// The verdict for a delivered point whose lower bound (if any) is already in the certificate.
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options);
 

@@ -9,6 +9,11 @@
 
 namespace camopt {
 
+namespace {
+// Widths within this of each other are alike.
+constexpr double much_wider = 2.0;
+}  // namespace
+
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
     : space_(std::move(space)), pieces_(std::move(pieces)) {
     if (pieces_.rows() != degree() + 1 || pieces_.cols() != space_.segments()) {
@@ -60,10 +65,13 @@ Eigen::VectorXd SplineCurve::coefficients() const {
     const int step = p - continuity();
     Eigen::VectorXd result(space_.dimension());
     for (int j = 0; j < result.size(); ++j) {
-        // Any segment of the support gives the same number; the middle one rounds least.
+        // Any segment of the support gives the same number. The middle one rounds least, unless another is
+        // much wider: from a narrow one the knots of the others lie far away.
         const int last = std::min(j / step, space_.segments() - 1);
         const int first = j <= p ? 0 : (j - p + step - 1) / step;
-        const int segment = (first + last) / 2;
+        int segment = (first + last) / 2;
+        for (int i = first; i <= last; ++i)
+            if (space_.width(i) > much_wider * space_.width(segment)) segment = i;
         result[j] = blossom_weights(space_, j, segment) * pieces_.col(segment);
     }
     return result;

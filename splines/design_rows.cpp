@@ -40,13 +40,8 @@ std::vector<Candidate> candidates_of(const DesignForm& form, const SplineSpace& 
     std::vector<Candidate> candidates;
     for (const Equality& row : form.rows)
         candidates.push_back({without_fixed(row.row, form, new_index), nullptr});
-    for (const PointCondition& condition : conditions) {
-        const int segment = space.segment_of(condition.at, condition.side);
-        const double t = condition.at - space.breakpoints()[segment];
-        AffineRow row = without_fixed(functional_of(form.maps[segment], t, condition.order), form, new_index);
-        row.offset -= condition.value;
-        candidates.push_back({std::move(row), &condition});
-    }
+    for (const PointCondition& condition : conditions)
+        candidates.push_back({condition_row(form, space, condition, new_index), &condition});
     return candidates;
 }
 
@@ -86,6 +81,10 @@ bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& 
                                [&](const auto& part) { return candidates[part.first].asked(); });
 }
 
+// A weight this small beside the largest of its row is what rounding leaves of zero: a derivative of a basis
+// function at the place where it vanishes.
+constexpr double negligible_weight = 1e-13;
+
 // Exact points this close to saying the same make ill-conditioned rows: cos of the angle between them.
 constexpr double nearly_parallel = 0.99;
 
@@ -121,6 +120,19 @@ AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others) {
         row.offset *= before / after;
         for (double& weight : row.weights) weight *= before / after;
     }
+    return row;
+}
+
+AffineRow condition_row(const DesignForm& form, const SplineSpace& space, const PointCondition& condition,
+                        const std::vector<int>& new_index) {
+    const int segment = space.segment_of(condition.at, condition.side);
+    const double t = condition.at - space.breakpoints()[segment];
+    AffineRow row = functional_of(form.maps[segment], t, condition.order);
+    const double rounding = negligible_weight * largest(row);
+    for (double& weight : row.weights)
+        if (std::abs(weight) <= rounding) weight = 0.0;
+    row = without_fixed(row, form, new_index);
+    row.offset -= condition.value;
     return row;
 }
 

@@ -87,7 +87,6 @@ DesignVector DesignVector::make(const DesignRequest& request) {
         design.orders_.push_back(form.entries[j].order);
         design.places_.push_back(form.entries[j].place);
     }
-    for (LocalMap& map : form.maps) design.maps_.push_back(without_fixed(std::move(map), form, new_index));
 
     ConditionSelection selection;
     // Nothing to select where the ends have room and nothing else is asked for: the usual case, at any size.
@@ -100,12 +99,11 @@ DesignVector DesignVector::make(const DesignRequest& request) {
     std::vector<AffineRow> asked;
     for (const auto* conditions : {&form.leftover, &selection.kept}) {
         for (const PointCondition& condition : *conditions) {
-            AffineRow row = design.functional(condition.at, condition.order, condition.side);
-            row.offset -= condition.value;
-            asked.push_back(unlike(std::move(row), asked));
+            asked.push_back(unlike(condition_row(form, request.space, condition, new_index), asked));
             design.add_equality(asked.back(), condition.name);
         }
     }
+    for (LocalMap& map : form.maps) design.maps_.push_back(without_fixed(std::move(map), form, new_index));
     return design;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "splines/gram.hpp"
 
+#include <Eigen/Cholesky>
+
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -8,54 +11,67 @@ namespace camopt {
 
 namespace {
 
-/// ∫_0^h (Σ_m u_m t^m)(Σ_k v_k t^k) dt as uᵀ W v, for the derivative of `order` of a polynomial with `size`
-/// terms.
-Eigen::MatrixXd energy_of_monomials(int size, int order, double h) {
-    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(size, size);
-    const auto falling = [order](int m) {
-        double factor = 1.0;
-        for (int r = 0; r < order; ++r) factor *= m - r;
-        return factor;
-    };
+/// Rᵀ with ∫_0^h (y^{(order)})² dt = |R u|² for y = Σ_m u_m t^m: in t / h the Gram matrix of the monomials is
+/// Hilbert's, of size 4 at most where it is used.
+Eigen::MatrixXd root_of_energy(int size, int order, double h) {
+    const int terms = std::max(0, size - order);
+    Eigen::MatrixXd hilbert(terms, terms);
+    for (int m = 0; m < terms; ++m)
+        for (int k = 0; k < terms; ++k) hilbert(m, k) = 1.0 / (m + k + 1);
+    const Eigen::MatrixXd lower = hilbert.llt().matrixL();
+    Eigen::MatrixXd root = Eigen::MatrixXd::Zero(terms, size);
     for (int m = order; m < size; ++m) {
-        for (int k = order; k < size; ++k) {
-            const int power = m + k - 2 * order + 1;
-            energy(m, k) = falling(m) * falling(k) * std::pow(h, power) / power;
-        }
+        double factor = std::sqrt(h) * std::pow(h, m - order);
+        for (int r = 0; r < order; ++r) factor *= m - r;
+        root.col(m) = factor * lower.row(m - order).transpose();
     }
-    return energy;
+    return root;
 }
 
 }  // namespace
 
-void add_energy(const LocalMap& map, int order, double width, double weight, QuadraticForm& form,
-                std::vector<Eigen::Triplet<double>>& entries) {
-    const Eigen::MatrixXd energy =
-        weight * energy_of_monomials(static_cast<int>(map.offset.size()), order, width);
-    const Eigen::MatrixXd weighted = energy * map.matrix;
-    const Eigen::MatrixXd local = map.matrix.transpose() * weighted;
-    const Eigen::VectorXd linear = weighted.transpose() * map.offset;
-    for (int a = 0; a < static_cast<int>(map.columns.size()); ++a) {
-        form.linear[map.columns[a]] += linear[a];
-        for (int b = 0; b < static_cast<int>(map.columns.size()); ++b) {
-            entries.emplace_back(map.columns[a], map.columns[b], local(a, b));
-        }
+void QuadraticForm::scale(double factor, const Eigen::VectorXd& units) {
+    const Eigen::SparseMatrix<double> rows_scaled = units.asDiagonal() * matrix;
+    matrix = rows_scaled * units.asDiagonal();
+    matrix *= factor;
+    linear = factor * units.cwiseProduct(linear);
+    const double root = std::sqrt(factor);
+    roots = (root * roots * units.asDiagonal()).eval();
+    offset *= root;
+}
+
+void EnergySum::add(const LocalMap& map, int order, double width, double weight) {
+    const Eigen::MatrixXd root =
+        std::sqrt(weight) * root_of_energy(static_cast<int>(map.offset.size()), order, width);
+    const Eigen::MatrixXd by_entry = root * map.matrix;
+    const Eigen::VectorXd offset = root * map.offset;
+    const auto first = static_cast<int>(offset_.size());
+    for (int row = 0; row < static_cast<int>(offset.size()); ++row) {
+        offset_.push_back(offset[row]);
+        for (int k = 0; k < static_cast<int>(map.columns.size()); ++k)
+            roots_.emplace_back(first + row, map.columns[k], by_entry(row, k));
     }
-    form.constant += map.offset.dot(energy * map.offset);
+}
+
+QuadraticForm EnergySum::form(double factor) const {
+    QuadraticForm form;
+    const double root = std::sqrt(factor);
+    form.offset =
+        root * Eigen::Map<const Eigen::VectorXd>(offset_.data(), static_cast<Eigen::Index>(offset_.size()));
+    form.roots.resize(form.offset.size(), variables_);
+    form.roots.setFromTriplets(roots_.begin(), roots_.end());
+    form.roots *= root;
+    form.matrix =
+        Eigen::SparseMatrix<double>(form.roots.transpose()) * Eigen::SparseMatrix<double>(form.roots);
+    form.linear = form.roots.transpose() * form.offset;
+    return form;
 }
 
 QuadraticForm mean_square_form(const DesignVector& design, int order) {
     const SplineSpace& space = design.space();
-    QuadraticForm form;
-    form.linear = Eigen::VectorXd::Zero(design.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    const double part = 1.0 / (space.end() - space.begin());
-    for (int i = 0; i < space.segments(); ++i) {
-        add_energy(design.local_map(i), order, space.width(i), part, form, entries);
-    }
-    form.matrix.resize(design.size(), design.size());
-    form.matrix.setFromTriplets(entries.begin(), entries.end());
-    return form;
+    EnergySum sum(design.size());
+    for (int i = 0; i < space.segments(); ++i) sum.add(design.local_map(i), order, space.width(i), 1.0);
+    return sum.form(1.0 / (space.end() - space.begin()));
 }
 
 }  // namespace camopt

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Energies of a spline as exact quadratic forms of its design vector.
 //
-//   (1/L) ∫ (y^{(r)})² dx = xᵀ Q x + 2 bᵀ x + c,   L = end − begin,
-// by integrating the local polynomials in closed form, so without quadrature error.
+//   (1/L) ∫ (y^{(r)})² dx = |R x + r|² = xᵀ Q x + 2 bᵀ x + c,   L = end − begin,
+// by integrating the local polynomials in closed form, so without quadrature error. Values and slopes come
+// from R x + r, which is y^{(r)} itself by orthonormal polynomials on each segment: a sum of squares. The
+// three parts of xᵀ Q x + 2 bᵀ x + c are larger than their sum by the square of (width of a motion / width of
+// a segment)^r, and their sum has lost as many digits.
 #pragma once
 
 #include "splines/design_vector.hpp"
@@ -15,18 +18,34 @@
 namespace camopt {
 
 struct QuadraticForm {
-    Eigen::SparseMatrix<double> matrix;  ///< Q, symmetric, both triangles
-    Eigen::VectorXd linear;              ///< b
-    double constant = 0.0;               ///< c
-    [[nodiscard]] double value(const Eigen::VectorXd& x) const {
-        return x.dot(matrix * x) + 2.0 * linear.dot(x) + constant;
+    Eigen::SparseMatrix<double> matrix;                  ///< Q = Rᵀ R, symmetric, both triangles
+    Eigen::VectorXd linear;                              ///< b = Rᵀ r
+    Eigen::SparseMatrix<double, Eigen::RowMajor> roots;  ///< R
+    Eigen::VectorXd offset;                              ///< r
+
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const { return (roots * x + offset).squaredNorm(); }
+    /// Half the gradient: Q x + b.
+    [[nodiscard]] Eigen::VectorXd slope(const Eigen::VectorXd& x) const {
+        return roots.transpose() * (roots * x + offset);
     }
+    /// factor times the form, in units of x: x = units · (new x). factor >= 0.
+    void scale(double factor, const Eigen::VectorXd& units);
 };
 
-/// Adds weight · ∫_0^width (y^{(order)})² dt of one local polynomial to a form whose matrix is still
-/// triplets.
-void add_energy(const LocalMap& map, int order, double width, double weight, QuadraticForm& form,
-                std::vector<Eigen::Triplet<double>>& entries);
+/// Sums energies of local polynomials into one form.
+class EnergySum {
+ public:
+    explicit EnergySum(Eigen::Index variables) : variables_(variables) {}
+    /// Adds weight · ∫_0^width (y^{(order)})² dt of one local polynomial.
+    void add(const LocalMap& map, int order, double width, double weight);
+    /// `factor` times the sum.
+    [[nodiscard]] QuadraticForm form(double factor) const;
+
+ private:
+    Eigen::Index variables_;
+    std::vector<Eigen::Triplet<double>> roots_;
+    std::vector<double> offset_;
+};
 
 /// Mean square of the derivative of `order` (0 … degree) over the whole spline.
 [[nodiscard]] QuadraticForm mean_square_form(const DesignVector& design, int order);

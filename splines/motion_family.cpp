@@ -147,25 +147,16 @@ MotionChain MotionFamily::motion(const Eigen::VectorXd& x) const {
 }
 
 QuadraticForm MotionFamily::mean_square(int order, const std::vector<double>& weights) const {
-    QuadraticForm form;
-    form.linear = Eigen::VectorXd::Zero(size_);
-    std::vector<Eigen::Triplet<double>> entries;
+    EnergySum sum(size_);
     double length = 0.0;
     for (const Piece& piece : pieces_) {
         if (piece.segment < 0) continue;
         length += piece.end - piece.begin;
         const LocalMap& map = runs_[stretches_[piece.stretch].run].maps[piece.segment];
         const double weight = weights.empty() ? 1.0 : weights[piece.stretch];
-        add_energy(map, order, piece.end - piece.begin, weight, form, entries);
+        sum.add(map, order, piece.end - piece.begin, weight);
     }
-    form.matrix.resize(size_, size_);
-    form.matrix.setFromTriplets(entries.begin(), entries.end());
-    if (length > 0.0) {
-        form.matrix /= length;
-        form.linear /= length;
-        form.constant /= length;
-    }
-    return form;
+    return sum.form(length > 0.0 ? 1.0 / length : 1.0);
 }
 
 }  // namespace camopt

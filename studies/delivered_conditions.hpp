@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Whether the delivered splines are the curves they should be: joints as smooth as their space says.
-//
-// Where breakpoints lie very close (or are very many) y''' is a difference of nearly equal numbers divided by
-// the cube of their distance, and rounding alone makes it jump. Peaks and limits of such a curve are those of
-// no motion of the space, so no verdict but `failed` is true of it.
+// Whether a delivered motion meets what its scene demands exactly: its ends and joints, the top of a rise and
+// return, displacements of a program, exact points, symmetry, ends without jerk. From the motion alone,
+// whatever the optimizer built in or eliminated.
 #pragma once
 
 #include "studies/solution.hpp"
 
+#include <string>
+#include <vector>
+
 namespace camopt {
 
-/// A jump of y … y''' that is this much of the derivative's own peak is still the same motion for every
-/// purpose.
-inline constexpr double largest_joint_jump = 1e-6;
-
-struct JointJump {
-    double relative = 0.0;  ///< by the largest magnitude of that derivative
+/// A condition, and by how much the motion misses it.
+struct ConditionMiss {
+    std::string condition;  ///< in words: "y' = 1 at x = 0.5 (motion.via[0].velocity)"
+    double relative = 0.0;  ///< by the larger of the wanted value and the derivative's peak (y: of 1)
     double at = 0.0;        ///< x
-    int order = 0;
 };
 
-/// The worst jump of a derivative up to min(continuity, 3) at an interior breakpoint.
-[[nodiscard]] JointJump worst_joint_jump(const SplineCurve& curve);
-
-/// The verdict becomes `failed` (reason "breakpoints_too_close", a note says where) where a delivered spline
-/// jumps by more than largest_joint_jump. Nothing to do where no motion was delivered.
-void judge_delivered_joints(Solution& solution);
+/// Those that are missed by more than `tolerance`, the worst first. Nothing where no motion was delivered.
+[[nodiscard]] std::vector<ConditionMiss> missed_conditions(const Solution& solution, double tolerance);
 
 }  // namespace camopt

@@ -78,8 +78,20 @@ void add_symmetry(std::vector<LimitOutcome>& all, const Scene& scene, const Moti
     all.push_back(exact_point("symmetric", "motion.symmetric", 0.0, worst, at));
 }
 
-/// x and side of every place where the scene wants no jerk: the ends, of a program where a spline meets a
-/// dwell.
+void add_end_jerk(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
+    if (scene.spline.end_jerk != EndJerk::zero) return;
+    double worst = 0.0, at = motion.begin();
+    for (const auto& [x, side] : quiet_places(scene, motion)) {
+        const double jerk = std::abs(motion.at(x, side).derivative[3]);
+        if (jerk <= worst) continue;
+        worst = jerk;
+        at = x;
+    }
+    all.push_back(exact_point("end_jerk", "spline.end_jerk", 0.0, worst, at));
+}
+
+}  // namespace
+
 std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const MotionChain& motion) {
     if (scene.motion.type != MotionType::program)
         return {{motion.begin(), Side::right}, {motion.end(), Side::left}};
@@ -97,20 +109,6 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
     }
     return places;
 }
-
-void add_end_jerk(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
-    if (scene.spline.end_jerk != EndJerk::zero) return;
-    double worst = 0.0, at = motion.begin();
-    for (const auto& [x, side] : quiet_places(scene, motion)) {
-        const double jerk = std::abs(motion.at(x, side).derivative[3]);
-        if (jerk <= worst) continue;
-        worst = jerk;
-        at = x;
-    }
-    all.push_back(exact_point("end_jerk", "spline.end_jerk", 0.0, worst, at));
-}
-
-}  // namespace
 
 LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance) {
     const double excess = is_least(reached) ? reached.limit - reached.worst : reached.worst - reached.limit;

@@ -5,6 +5,7 @@
 
 #include "studies/solution.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -25,6 +26,11 @@ struct MotionFigures {
 /// Exact points and symmetry are limits on the distance from them. Symmetry is looked at between the
 /// breakpoints at samples.
 [[nodiscard]] std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures);
+
+/// x and side of every place where a scene with spline.end_jerk wants y''' = 0: the ends, of a program where
+/// a spline meets a dwell.
+[[nodiscard]] std::vector<std::pair<double, Side>> quiet_places(const Scene& scene,
+                                                                const MotionChain& motion);
 
 /// tolerance: of the solve. A limit that is missed by no more than it, relative, is kept.
 [[nodiscard]] LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance);

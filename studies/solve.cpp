@@ -11,7 +11,7 @@
 #include "solvers/registry.hpp"
 #include "studies/contradiction.hpp"
 #include "studies/cost_scale.hpp"
-#include "studies/delivered_conditions.hpp"
+#include "studies/delivered_audit.hpp"
 #include "studies/relaxation.hpp"
 #include "studies/rest_conflict.hpp"
 #include "studies/solution_report.hpp"
@@ -188,7 +188,6 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     if (problem.model().mechanism)
         solution.evaluations.profile_points = *problem.model().mechanism->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
-    judge_delivered_joints(solution);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = watch.seconds();
     return solution;
@@ -217,6 +216,7 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
             : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
                            timed, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
+    audit_delivered(solution);
     if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;
 }

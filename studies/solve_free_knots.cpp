@@ -106,8 +106,9 @@ void add(EvaluationCounts& to, const EvaluationCounts& more) {
     to.profile_points += more.profile_points;
 }
 
+/// With a motion that stood the audit.
 bool is_delivered(const Solution& solution) {
-    return solution.motion != nullptr;
+    return solution.motion != nullptr && solution.certificate.verdict != Verdict::failed;
 }
 
 /// From a verdict for fixed breakpoints to one for free ones.
@@ -121,6 +122,7 @@ void judge_freely(Solution& solution, const Search& search, const Scene& scene) 
     solution.solver.proof_source.clear();
     if (!is_delivered(solution)) {
         solution.conflict.clear();
+        if (solution.motion) return;  // the audit has said what is wrong with it
         certificate.verdict = Verdict::failed;
         const Termination ended = search.best.termination;
         certificate.reason = was_stopped(ended) ? name_of(ended) : "no_feasible_point";

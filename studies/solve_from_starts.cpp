@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace camopt {
 
@@ -120,6 +121,7 @@ void judge_search(ContinuousResult& result, const StartSearch& search, const Sol
 /// What a relaxation gives. `settled`: the answer of the whole already.
 struct Relaxed {
     ContinuousResult result;
+    std::shared_ptr<const CamProblem> problem;  ///< what its bound is of
     bool settled = false;
 };
 
@@ -137,10 +139,10 @@ Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOpti
                       const JudgeOptions& judge, const SolveControl& control) {
     ExchangeOptions options = exchange;
     options.backend.native.clear();  // they belong to the backend the user chose
-    CamProblem problem(std::move(part));
-    Relaxed relaxed{solve_continuous(problem, *make_structured_solver(), options, judge, control)};
+    const auto problem = std::make_shared<CamProblem>(std::move(part));
+    Relaxed relaxed{solve_continuous(*problem, *make_structured_solver(), options, judge, control), problem};
     Certificate& certificate = relaxed.result.certificate;
-    drop_idle_bound(certificate);
+    if (certificate.verdict != Verdict::optimal) drop_idle_bound(certificate);
     relaxed.settled = certificate.verdict == Verdict::infeasible;
     if (certificate.verdict != Verdict::optimal) return relaxed;
     const Candidate kept = judged(whole, relaxed.result.x);
@@ -194,6 +196,7 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
         result.certificate.proof = std::move(bound.proof);
         result.certificate.proof_kind = bound.proof_kind;
         result.proof_source = "structured, convex relaxation";
+        settle_passed_bound(result, *relaxed.problem, exchange, judge, timed);
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);

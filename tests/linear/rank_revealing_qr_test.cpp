@@ -65,6 +65,19 @@ TEST(RankRevealingQr, ZeroRowsAreDependent) {
     EXPECT_TRUE(found.dependent[1].combination.empty());
 }
 
+TEST(RankRevealingQr, ARowOfStoredZerosIsDependent) {
+    for (const double other : {0.0, 5.0}) {
+        Eigen::SparseMatrix<double> matrix(2, 3);
+        matrix.insert(0, 1) = 0.0;
+        matrix.insert(1, 2) = other;
+        const RowDependence found = analyse_rows(matrix, Eigen::Vector2d(0.875, 1.0));
+        ASSERT_FALSE(found.dependent.empty());
+        EXPECT_EQ(found.dependent[0].row, 0);
+        EXPECT_EQ(found.dependent[0].mismatch, 0.875);
+        EXPECT_EQ(found.independent.size(), other > 0.0 ? 1u : 0u);
+    }
+}
+
 TEST(RankRevealingQr, KeepsTheEarlierOfEqualRows) {
     Eigen::MatrixXd matrix(4, 3);
     matrix << 1, 2, 0, 0, 1, 1, 2, 4, 0, 0, 3, 3;

@@ -78,6 +78,43 @@ TEST(CertificateFile, ProvesEveryDesignVectorAndTerm) {
     }
 }
 
+/// A cap on jerk at (or by a hair below) the least jerk there is.
+Scene capped_at_optimum(DesignKind kind, double factor) {
+    Scene scene;
+    scene.motion.rise = 1.7589951739541236;
+    scene.spline.segments = 23;
+    scene.spline.design = kind;
+    scene.objective.jerk = 0.25946764130575101;
+    scene.objective.reference.numeric = true;
+    scene.objective.reference.jerk = 69.5;
+    scene.limits.jerk = normalised_limit("limits.jerk", 32.187830655880568 * factor);
+    return scene;
+}
+
+TEST(CertificateFile, NoBoundPassesTheObjectiveWhereLimitsLeaveNoRoom) {
+    int proved = 0;
+    for (const DesignKind kind : {DesignKind::ordinates, DesignKind::coefficients, DesignKind::states}) {
+        for (const double factor : {1.0, 1.0 - 1e-10, 1.0 - 5e-10, 1.0 + 1e-10}) {
+            SCOPED_TRACE(std::string(name_of(kind)) + " " + std::to_string((factor - 1.0) * 1e10));
+            const Solution solution = solve(capped_at_optimum(kind, factor));
+            const json file = json::parse(certificate_json(solution.certificate));
+            if (file["verdict"] == "infeasible") continue;
+            ASSERT_NEAR(file["objective"].get<double>(), 0.120168353, 1e-8);
+            if (file["lower_bound"].is_null()) {
+                EXPECT_NE(file["verdict"], "optimal");
+                continue;
+            }
+            const double objective = file["objective"], bound = file["lower_bound"];
+            EXPECT_LE(bound, objective + 1e-9);
+            EXPECT_GE(recomputed(file["proof"]), bound);
+            EXPECT_EQ(file["verdict"], "optimal");
+            EXPECT_LE(objective - bound, 1e-7);
+            ++proved;
+        }
+    }
+    EXPECT_GE(proved, 9);
+}
+
 TEST(CertificateFile, ProvesInfeasibility) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);

@@ -133,6 +133,29 @@ TEST(Contradiction, IsInfeasibleAndNamed) {
     EXPECT_NE(solution.notes[0].find("motion.via["), std::string::npos) << solution.notes[0];
 }
 
+TEST(Contradiction, OfAConditionThatNoFreeNumberMovesIsSeenByEveryDesignVector) {
+    // Two quintic segments leave one control point free, whose basis function is level in the middle: y'(0.5)
+    // is 1.875 whatever it is.
+    for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
+        Scene scene;
+        scene.spline.degree = 5;
+        scene.spline.segments = 2;
+        scene.spline.design = kind;
+        scene.objective.jerk = 1.0;
+        scene.motion.via = {{0.5, {}, 1.0, {}}};
+        const Solution solution = solve(scene);
+        EXPECT_EQ(solution.certificate.verdict, Verdict::infeasible) << name_of(kind);
+        EXPECT_EQ(solution.certificate.reason, "conditions_contradict") << name_of(kind);
+        ASSERT_TRUE(solution.certificate.proof);
+        EXPECT_GT(recomputed_bound(*solution.certificate.proof), 0.1);
+        scene.motion.via = {{0.5, {}, 1.875, {}}};  // what it is anyway
+        const Solution kept = solve(scene);
+        EXPECT_EQ(kept.certificate.verdict, Verdict::optimal) << name_of(kind);
+        ASSERT_TRUE(kept.curve);
+        EXPECT_NEAR(kept.curve->derivative(0.5, 1), 1.875, 1e-12);
+    }
+}
+
 TEST(Contradiction, RedundantSetPointsAreNamedAndHarmless) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.motion.symmetric = true;

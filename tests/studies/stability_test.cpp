@@ -8,7 +8,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "studies/cost_scale.hpp"
-#include "studies/delivered_conditions.hpp"
+#include "studies/delivered_audit.hpp"
 #include "studies/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -152,14 +152,14 @@ TEST(CostScale, TheProofIsThatOfTheScene) {
     EXPECT_EQ(solution.scene.objective.velocity, scene.objective.velocity);
 }
 
-TEST(DeliveredConditions, AJumpIsAFailureWithAName) {
+TEST(DeliveredAudit, AJumpIsAFailureWithAName) {
     Solution solution = solved_twelve();
-    judge_delivered_joints(solution);
+    audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     Solution bent = with_bent_piece(solution, 1, 1e-4);
     EXPECT_NEAR(worst_joint_jump(*bent.curve).at, 4.0 / 12, 1e-12);
     EXPECT_EQ(worst_joint_jump(*bent.curve).order, 1);
-    judge_delivered_joints(bent);
+    audit_delivered(bent);
     EXPECT_EQ(bent.certificate.verdict, Verdict::failed);
     EXPECT_EQ(bent.certificate.reason, "breakpoints_too_close");
     ASSERT_FALSE(bent.notes.empty());
