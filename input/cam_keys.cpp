@@ -106,11 +106,11 @@ std::vector<KeyRow> dimension_weight_rows() {
 std::vector<KeyRow> cam_limit_rows() {
     return {
         {"limits", "pressure_angle", number, angle, right_angle, {}, "none",
-         "Cap on the pressure angle at every cam angle.", needs_cam},
+         "Cap on the pressure angle at every cam angle; where the two below replace it still at rest and in dwells.", needs_cam},
         {"limits", "rise_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower rises.", needs_cam},
+         "Cap on the pressure angle while the follower rises; at rest and in dwells the least of the three holds.", needs_cam},
         {"limits", "return_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower returns.", needs_cam},
+         "Cap on the pressure angle while the follower returns; at rest and in dwells the least of the three holds.", needs_cam},
         {"limits", "cam_radius_min", number, length, not_negative, {}, "none",
          "Least convex radius of curvature of the cam surface; 0: just no undercut.", needs_cam},
         {"limits", "concave_radius_min", number, length, not_negative, {}, "none",

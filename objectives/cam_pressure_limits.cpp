@@ -3,24 +3,25 @@
 #include "core/nlp.hpp"
 #include "objectives/cam_limit_parts.hpp"
 #include "objectives/cam_limits.hpp"
+#include "objectives/rest_places.hpp"
 #include "profiles/quantity_algebra.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace camopt {
 
 namespace cam_limit_parts {
 
-namespace {
-
-constexpr double right_angle = 0.5 * std::numbers::pi;
-
-/// A length by which geometry is made dimensionless: the prime radius, or for an arm its pivot's distance.
 double length_of(const DiskCam& cam) {
     if (is_oscillating(cam.follower)) return cam[DimensionIndex::center_distance];
     return cam[DimensionIndex::base_radius] + cam[DimensionIndex::roller_radius];
 }
+
+namespace {
+
+constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// sign · N cos φm − D sin φm over L.
 struct PressureSide {
@@ -68,6 +69,13 @@ QuantityValue general_pressure(const DiskCam& cam, FollowerState state, const Pr
                -std::sin(side.limit.value) / length, denominator);
 }
 
+RangeAlong pressure_range(const DiskCam& cam, StateAlong state, const PressureSide& side, double length) {
+    if (side.at_rest) state.velocity = {};
+    return sum(side.sign * std::cos(side.limit.value) / length,
+               quantity(cam, state, Quantity::pressure_numerator), -std::sin(side.limit.value) / length,
+               quantity(cam, state, Quantity::pressure_denominator));
+}
+
 /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
 /// MECHANISMS §5. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex where the cosine
 /// is concave for the upper side, where it is convex for the lower one.
@@ -99,7 +107,8 @@ SlopeRange pressure_slopes(const DiskCam& cam, const PressureSide& side) {
     return sense_of(cam.rotation) > 0.0 ? turned : SlopeRange{-turned.most, -turned.least};
 }
 
-void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side) {
+void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side,
+                       std::vector<double> places = {}) {
     const double length = length_of(cam->cam);
     const bool linear = pressure_is_linear(*cam);
     CamFormula formula;
@@ -111,10 +120,14 @@ void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side
         return linear ? linear_pressure(own, state, side, length)
                       : general_pressure(own, state, side, length);
     };
+    formula.range = [side, length](const DiskCam& own, const StateAlong& state) {
+        return pressure_range(own, state, side, length);
+    };
     formula.convex = [cam, side](double least, double most) {
         return pressure_is_convex(*cam, side, least, most);
     };
     formula.slope = pressure_slopes(cam->cam, side);
+    formula.places = std::move(places);
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }
 
@@ -132,8 +145,12 @@ void add_pressure(Rules& rules, const Scene& scene, const Shared& cam) {
     const bool alike = upper && lower && upper->value == lower->value;
     const bool leans = is_oscillating(cam->cam.follower) || cam->cam[DimensionIndex::offset] != 0.0 ||
                        cam->is_variable(DimensionIndex::offset);
-    if (alike || !leans) return;
-    for (const int sign : {1, -1}) add_pressure_side(rules, cam, {sign, *limits.stricter(), true});
+    if (!leans) return;
+    for (const int sign : {1, -1}) {
+        if (!alike) add_pressure_side(rules, cam, {sign, *limits.stricter(), true});
+        if (limits.general_at_rest_alone())
+            add_pressure_side(rules, cam, {sign, *limits.general, true}, rest_places(scene));
+    }
 }
 
 }  // namespace cam_limit_parts
@@ -142,12 +159,20 @@ PressureLimits pressure_limits(const LimitSpec& limits) {
     const auto either = [&](const std::optional<WrittenLimit>& own) {
         return own ? own : limits.pressure_angle;
     };
-    return {either(limits.rise_pressure_angle), either(limits.return_pressure_angle)};
+    return {either(limits.rise_pressure_angle), either(limits.return_pressure_angle), limits.pressure_angle};
 }
 
 std::optional<WrittenLimit> PressureLimits::stricter() const {
     if (!rise || !back) return rise ? rise : back;
     return rise->value <= back->value ? rise : back;
+}
+
+std::optional<WrittenLimit> PressureLimits::at_rest() const {
+    return general_at_rest_alone() ? general : stricter();
+}
+
+bool PressureLimits::general_at_rest_alone() const {
+    return general && general->value < stricter()->value;
 }
 
 }  // namespace camopt

@@ -40,6 +40,8 @@ void CamProblem::start_rule(int index) {
     const PlacedRule& rule = model_->rules[index];
     const MotionFamily& family = model_->design;
     const int order = rule->highest_order();
+    for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
+    if (!rule->places().empty()) return;
     int last_stretch = -1;
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;

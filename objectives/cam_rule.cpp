@@ -44,17 +44,34 @@ SlopeRange CamRule::slope_range() const {
     return {formula_.slope.least / unit, formula_.slope.most / unit};
 }
 
-RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
-    ++*cam_->profile_points;
-    const std::size_t variables = cam_->variables.size();
+DiskCam CamRule::cam_at(const Eigen::VectorXd& q) const {
     DiskCam cam = cam_->cam;
-    for (std::size_t k = 0; k < variables; ++k) {
+    for (std::size_t k = 0; k < cam_->variables.size(); ++k) {
         cam.dimensions[static_cast<std::size_t>(cam_->variables[k].dimension)] =
             cam_->variables[k].reference * q[static_cast<Eigen::Index>(k)];
     }
-    const QuantityValue physical = formula_.value(cam, state_of(point, cam_->scale));
+    return cam;
+}
 
-    const Eigen::Index size = 4 + static_cast<Eigen::Index>(variables);
+std::optional<RangeAlong> CamRule::range_along(const std::array<Interval, 5>& derivatives,
+                                               const Eigen::VectorXd& q) const {
+    if (!formula_.range) return {};
+    ++*cam_->profile_points;
+    // By x, as the rule's slope along the motion is: only s', s'' themselves are by the cam angle.
+    const auto along = [&](double unit, std::size_t order) {
+        const Interval by(unit);
+        return RangeAlong(by * derivatives[order], by * derivatives[order + 1], by * derivatives[order + 2]);
+    };
+    const double lift = cam_->scale.lift, slope = lift / cam_->scale.unit_angle;
+    return formula_.range(cam_at(q),
+                          {along(lift, 0), along(slope, 1), along(slope / cam_->scale.unit_angle, 2)});
+}
+
+RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
+    ++*cam_->profile_points;
+    const QuantityValue physical = formula_.value(cam_at(q), state_of(point, cam_->scale));
+
+    const Eigen::Index size = 4 + static_cast<Eigen::Index>(cam_->variables.size());
     RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
     for (const Slot& a : slots_) {
         rule.gradient[a.to] = a.unit * physical.gradient[a.from];

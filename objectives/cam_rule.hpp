@@ -5,11 +5,13 @@
 #pragma once
 
 #include "objectives/point_rule.hpp"
+#include "profiles/quantity_along.hpp"
 #include "profiles/sampling.hpp"
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -36,12 +38,25 @@ struct CamFormula {
     std::string name;  ///< the key of the limit, as the user wrote it
     /// <= 0 is kept; dimensionless, of order one.
     std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
+    /// The same over a stretch of the cam angle.
+    std::function<RangeAlong(const DiskCam&, const StateAlong&)> range;
     int highest_order = 2;
     bool linear = false;
     double scale = 1.0;                                          ///< a value of this is a violation of 100 %
     std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
-    SlopeRange slope = {};  ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
+    std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
+    SlopeRange slope = {};            ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
 };
+
+/// Both from one text, generic over the state.
+template <class Formula>
+[[nodiscard]] CamFormula cam_formula(std::string name, const Formula& formula) {
+    CamFormula result;
+    result.name = std::move(name);
+    result.value = formula;
+    result.range = formula;
+    return result;
+}
 
 class CamRule final : public PointRule {
  public:
@@ -54,13 +69,18 @@ class CamRule final : public PointRule {
     [[nodiscard]] SlopeRange slope_range() const override;
     [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
     [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] const std::vector<double>& places() const override { return formula_.places; }
     [[nodiscard]] double scale() const override { return formula_.scale; }
+    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
+                                                        const Eigen::VectorXd& q) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
     std::shared_ptr<const CamVariables> cam_;
     CamFormula formula_;
     std::vector<int> parameters_;
+    /// The cam for the rule's own parameters.
+    [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& q) const;
     /// Each variable of a quantity that moves: where its partial stands there, where in the rule's variables,
     /// and its unit.
     struct Slot {

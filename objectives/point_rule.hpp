@@ -9,10 +9,12 @@
 #include "core/curvature.hpp"
 #include "core/motion.hpp"
 #include "core/nlp.hpp"
+#include "core/range_along.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,11 @@ class PointRule {
     [[nodiscard]] virtual int highest_order() const { return 3; }
     /// A hard limit of the user's scene, as opposed to a peak variable's definition.
     [[nodiscard]] virtual bool limit() const = 0;
+    /// Holds at these x alone, ascending; empty: at every cam angle.
+    [[nodiscard]] virtual const std::vector<double>& places() const {
+        static const std::vector<double> everywhere;
+        return everywhere;
+    }
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
@@ -58,6 +65,15 @@ class PointRule {
     /// rules need not say.
     [[nodiscard]] virtual Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
                                                 const Eigen::VectorXd& q) const {
+        static_cast<void>(derivatives);
+        static_cast<void>(q);
+        return {};
+    }
+    /// Along a stretch of x on which y to its fourth derivative lie in `derivatives`: what encloses the rule,
+    /// its slope and its second derivative by x. Empty: nobody has written that down, and its maxima are
+    /// looked for by samples.
+    [[nodiscard]] virtual std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
+                                                                const Eigen::VectorXd& q) const {
         static_cast<void>(derivatives);
         static_cast<void>(q);
         return {};

@@ -1,83 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rule_maxima.hpp"
 
+#include "objectives/piece_maxima.hpp"
 #include "splines/extrema.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
-// Samples of the slope on one piece: a spline's is short and smooth, a law's may be the whole segment.
+// Samples of the slope on one piece where nothing encloses the rule: a spline's is short and smooth, a law's
+// may be the whole segment.
 constexpr int samples_on_spline = 8;
 constexpr int samples_on_shape = 32;
-// The root of the slope is found to this part of its bracket.
-constexpr double root_accuracy = 1e-14;
-constexpr int most_root_steps = 80;
 // Two candidates closer than this in value at one place are one: the rule does not jump there.
 constexpr double same_value = 1e-12;
+// Of a rule's scale: maxima this far below the largest, and below 0, change nothing.
+constexpr double far_below = 0.1;
+// Of a rule's scale: to this an enclosed maximum is known. A tenth of the tightest usual tolerance.
+constexpr double enclosed_accuracy = 1e-10;
 
-struct SlopeAt {
-    double value = 0.0, slope = 0.0;
-};
-
-SlopeAt slope_at(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q, double x, Side side) {
-    const MotionPoint point = motion.at(x, side);
-    const RuleValue value = rule.evaluate(point, q);
-    double slope = value.by_place;
-    for (int order = 0; order < 3; ++order) slope += value.gradient[order] * point.derivative[order + 1];
-    return {value.value, slope};
-}
-
-/// Where the slope falls through zero between `left` (> 0) and `right` (< 0): regula falsi with halved ends
-/// (Illinois), bisection where it stalls.
-double root_of_slope(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q, double left,
-                     double right, double slope_left, double slope_right) {
-    const double accuracy = root_accuracy * (right - left);
-    for (int step = 0; step < most_root_steps && right - left > accuracy; ++step) {
-        double x = right - slope_right * (right - left) / (slope_right - slope_left);
-        if (!(x > left && x < right) || step % 8 == 7) x = 0.5 * (left + right);
-        if (x <= left || x >= right) break;
-        const double slope = slope_at(rule, motion, q, x, Side::right).slope;
-        if (slope == 0.0) return x;
-        if (slope > 0.0) {
-            left = x;
-            slope_left = slope;
-            slope_right *= 0.5;
-        } else {
-            right = x;
-            slope_right = slope;
-            slope_left *= 0.5;
-        }
-    }
-    return 0.5 * (left + right);
-}
-
-/// Where the rule may be largest on one piece: its ends from inside and the maxima between, ascending.
-std::vector<Extremum> candidates_on_piece(const PointRule& rule, const Motion& motion,
-                                          const Eigen::VectorXd& q, double begin, double end, int samples) {
-    std::vector<Extremum> found;
-    double left = begin;
-    SlopeAt at_left = slope_at(rule, motion, q, begin, Side::right);
-    found.push_back({at_left.value, begin, Side::right});
-    for (int k = 1; k <= samples; ++k) {
-        const bool last = k == samples;
-        const double right = last ? end : begin + (end - begin) * k / samples;
-        const SlopeAt at_right = slope_at(rule, motion, q, right, last ? Side::left : Side::right);
-        if (at_left.slope > 0.0 && at_right.slope < 0.0) {
-            const double x = root_of_slope(rule, motion, q, left, right, at_left.slope, at_right.slope);
-            found.push_back({rule.evaluate(motion.at(x), q).value, x, Side::right});
-        }
-        if (last) found.push_back({at_right.value, end, Side::left});
-        left = right;
-        at_left = at_right;
-    }
-    return found;
-}
+using piece_maxima::PolynomialPiece;
+using piece_maxima::Stretch;
+using piece_maxima::Subject;
 
 /// A rule along the pieces of a spline as polynomials in x − begin.
 class RuleOnSpline {
@@ -140,12 +91,83 @@ void append(std::vector<Extremum>& all, std::vector<Extremum> more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Of a rule that holds at a few places alone.
+std::vector<Extremum> at_places(const Subject& subject) {
+    std::vector<Extremum> all;
+    for (const double x : subject.rule.places()) {
+        const Side side = x < subject.motion.end() ? Side::right : Side::left;
+        all.push_back({subject.value(x, side), x, side});
+    }
+    return all;
+}
+
+/// Maxima on pieces where y is a polynomial and the rule is none: enclosed where it can be, else sampled.
+/// Pieces are gathered first, so that the largest of their ends is known and most of the motion is out of the
+/// question.
+class CurvedPieces {
+ public:
+    explicit CurvedPieces(const Subject& subject) : subject_(subject) {}
+
+    /// The candidates of the piece come in place of `all`'s next entries.
+    void add(PolynomialPiece piece, std::vector<Extremum>& all) {
+        const Stretch& ends = piece.piece;
+        all.push_back({subject_.value(ends.begin, Side::right), ends.begin, Side::right});
+        all.push_back({subject_.value(ends.end, Side::left), ends.end, Side::left});
+        pieces_.push_back(std::move(piece));
+    }
+    void finish(std::vector<Extremum>& all) const {
+        if (pieces_.empty()) return;
+        const double scale = subject_.rule.scale();
+        double largest = -infinity;
+        for (const Extremum& end : all) largest = std::max(largest, end.value);
+        const double floor = std::min(0.0, largest) - far_below * scale;
+        for (const PolynomialPiece& piece : pieces_) {
+            if (auto inside = piece_maxima::enclosed(subject_, piece, floor, enclosed_accuracy * scale)) {
+                append(all, std::move(*inside));
+            } else {
+                append(all, piece_maxima::sampled(subject_, piece.piece, samples_on_spline));
+            }
+        }
+        // Where two pieces meet, the left one's end comes first.
+        std::ranges::stable_sort(all, [](const Extremum& one, const Extremum& other) {
+            return one.at != other.at ? one.at < other.at
+                                      : one.side == Side::left && other.side == Side::right;
+        });
+    }
+
+ private:
+    const Subject& subject_;
+    std::vector<PolynomialPiece> pieces_;
+};
+
+/// y along the pieces of a part of a chain as polynomials of x − begin; empty where it is no spline.
+std::vector<PolynomialPiece> pieces_of(const ChainPart& part) {
+    const auto* curve = dynamic_cast<const SplineCurve*>(part.shape.get());
+    if (!curve || part.x_scale < 0.0) return {};
+    std::vector<PolynomialPiece> pieces;
+    const std::vector<double>& breakpoints = curve->space().breakpoints();
+    for (int segment = 0; segment + 1 < static_cast<int>(breakpoints.size()); ++segment) {
+        const auto at = static_cast<std::size_t>(segment);
+        const double begin = part.x0 + part.x_scale * breakpoints[at];
+        const double end = part.x0 + part.x_scale * breakpoints[at + 1];
+        if (begin < part.begin || end > part.end) return {};
+        Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
+        for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
+        y[0] += part.y0;
+        pieces.push_back({{begin, end}, std::move(y)});
+    }
+    return pieces;
+}
+
 }  // namespace
 
 std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
                                   const MotionChain& motion, const Eigen::VectorXd& q) {
     std::vector<Extremum> candidates;
+    const Subject subject{*rule, motion, q};
+    if (!rule->places().empty()) return at_places(subject);
     const RuleOnSpline on_spline(*rule, q);
+    CurvedPieces curved(subject);
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
@@ -155,24 +177,46 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
             const auto& curve = dynamic_cast<const SplineCurve&>(
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
             const Eigen::VectorXd polynomial = on_spline.along(curve, piece.segment);
-            append(candidates,
-                   polynomial.size() > 0
-                       ? candidates_on_spline(curve, polynomial, piece.segment, stretch.shift)
-                       : candidates_on_piece(*rule, motion, q, piece.begin, piece.end, samples_on_spline));
+            if (polynomial.size() > 0) {
+                append(candidates, candidates_on_spline(curve, polynomial, piece.segment, stretch.shift));
+            } else {
+                curved.add({{piece.begin, piece.end}, curve.derivative_polynomial(piece.segment, 0)},
+                           candidates);
+            }
         } else {
-            append(candidates,
-                   candidates_on_piece(*rule, motion, q, piece.begin, piece.end, samples_on_shape));
+            append(candidates, piece_maxima::sampled(subject, {piece.begin, piece.end}, samples_on_shape));
         }
     }
+    curved.finish(candidates);
     return maxima_among(candidates);
 }
 
 std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {
     std::vector<Extremum> candidates;
-    const std::vector<double> points = motion.breakpoints();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        append(candidates, candidates_on_piece(rule, motion, q, points[i], points[i + 1], samples_on_shape));
+    const Subject subject{rule, motion, q};
+    if (!rule.places().empty()) return at_places(subject);
+    CurvedPieces curved(subject);
+    const auto by_samples = [&](const std::vector<double>& points) {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            append(candidates, piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape));
+    };
+    const auto* chain = dynamic_cast<const MotionChain*>(&motion);
+    if (!chain) {
+        by_samples(motion.breakpoints());
+        return maxima_among(candidates);
     }
+    const std::vector<double> all_points = motion.breakpoints();
+    for (const ChainPart& part : chain->parts()) {
+        std::vector<PolynomialPiece> pieces = pieces_of(part);
+        if (pieces.empty()) {
+            std::vector<double> points;
+            std::ranges::copy_if(all_points, std::back_inserter(points),
+                                 [&](double x) { return x >= part.begin && x <= part.end; });
+            by_samples(points);
+        }
+        for (PolynomialPiece& piece : pieces) curved.add(std::move(piece), candidates);
+    }
+    curved.finish(candidates);
     return maxima_among(candidates);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The continuous maxima of a rule along a motion.
 //
-// Linear rules and the torque on a spline are polynomials on each piece: exact. Others: the slope along the
-// motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''} y''', is bracketed between samples of a stated density and
-// its root found to round-off.
+// On a spline: of linear rules and the torque polynomials, exact; of rules that say how they range over a
+// stretch (PointRule::range_along) enclosed, so that none is missed that lies near the largest or above 0. Of
+// the rest, and on given laws, sampled: the slope along the motion, dg/dx = g_y y' + g_{y'} y'' + g_{y''}
+// y''', is bracketed and its root found to round-off, with samples the closer the worse a cubic follows the
+// rule.
 #pragma once
 
 #include "objectives/model.hpp"

@@ -90,10 +90,12 @@ Json cam_json(const Solution& solution) {
     json["pressure_angle_deg"] = writer.extreme(summary.pressure_angle, degree);
     json["rise_pressure_angle_deg"] = writer.extreme(summary.rise_pressure_angle, degree);
     json["return_pressure_angle_deg"] = writer.extreme(summary.return_pressure_angle, degree);
+    json["rest_pressure_angle_deg"] = writer.extreme(summary.rest_pressure_angle, degree);
     json["convex_radius_mm"] = writer.extreme(convex_radius(summary), millimetre);
     json["concave_radius_mm"] = writer.extreme(summary.concave_radius, millimetre);
     json["regularity"] = writer.extreme(summary.regularity, 1.0);
     json["undercut"] = summary.undercut();
+    json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
     if (has_flat_face(cam.cam.follower))
         json["contact_offset_mm"] = writer.extreme(summary.contact_offset, millimetre);
     json["smallest"] = smallest_json(writer, cam.smallest);

@@ -44,6 +44,11 @@ class Figures {
         : degrees_per_x_(solution.scene.motion.unit_angle() / degree) {}
 
     void add(std::string name, const CamExtreme& extreme, double unit, std::string_view unit_name) {
+        if (std::isinf(extreme.value)) {
+            all_.push_back(
+                {std::move(name), no_contact_words, short_text(degrees_per_x_ * extreme.at, angle_digits)});
+            return;
+        }
         all_.push_back(
             {std::move(name),
              fmt::format("{}{}{}", short_text(extreme.value / unit), unit_name.empty() ? "" : " ", unit_name),

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace camopt {
 
@@ -31,7 +33,10 @@ void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits) {
     line.number(row.objective).number(row.loss_percent);
     line.number(row.peaks.velocity.value).number(row.peaks.acceleration.value).number(row.peaks.jerk.value);
     line.number(row.peaks.torque.value).number(row.peaks.rms_acceleration).number(row.peaks.rms_jerk);
-    for (const LimitOutcome& outcome : row.limits) line.number(outcome.reached.worst);
+    for (const LimitOutcome& outcome : row.limits) {
+        const double worst = outcome.reached.worst;
+        line.number(outcome.reached.no_contact || std::isnan(worst) ? std::nullopt : std::optional(worst));
+    }
 }
 
 }  // namespace

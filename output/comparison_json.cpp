@@ -22,6 +22,7 @@ Json limits_json(const ComparisonRow& row, double degrees_per_x) {
                         {"unit", reached.unit},
                         {"at_deg", number_json(reached.at * degrees_per_x)},
                         {"kept", outcome.kept},
+                        {"no_contact", reached.no_contact},
                         {"excess", number_json(outcome.excess)},
                         {"key", reached.key}});
     }

@@ -49,6 +49,7 @@ std::string loss_words(const ComparisonRow& row) {
 std::string broken_words(const LimitOutcome& outcome) {
     const ConstraintReport& reached = outcome.reached;
     const std::string name = words_of(reached.name);
+    if (reached.no_contact) return fmt::format("{}: {}", name, no_contact_words);
     if (std::isnan(outcome.excess)) return name + " does not exist: the cam cannot be built";
     if (reached.name == "symmetric")
         return fmt::format("not symmetric, by {}", short_text(outcome.excess, figures));

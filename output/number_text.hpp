@@ -7,6 +7,9 @@
 
 namespace camopt {
 
+/// In place of a figure of a cam that its follower cannot touch as designed.
+inline constexpr const char* no_contact_words = "undercut, no contact";
+
 /// The shortest decimal text that reads back as the same double. Empty for a value that is not finite.
 [[nodiscard]] std::string round_trip_text(double value);
 

@@ -91,9 +91,10 @@ std::string limits_section(const Solution& solution) {
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format("| `{}` | {} {} | {} {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
-                            short_text(row.worst, 9), row.unit, short_text(row.at * degrees_per_x),
-                            row.active ? "active: it shapes the motion" : "not active");
+        text += fmt::format(
+            "| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
+            row.no_contact ? std::string(no_contact_words) : short_text(row.worst, 9) + " " + row.unit,
+            short_text(row.at * degrees_per_x), row.active ? "active: it shapes the motion" : "not active");
     return text;
 }
 

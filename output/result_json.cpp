@@ -64,6 +64,7 @@ Json constraints_json(const Solution& solution) {
                         {"unit", row.unit},
                         {"at_deg", number_json(row.at * degrees_per_x)},
                         {"active", row.active},
+                        {"no_contact", row.no_contact},
                         {"key", row.key}});
     }
     return list;

@@ -214,6 +214,9 @@ std::string objective_line(const Solution& solution, std::string_view separator)
 }
 
 std::string constraint_sentence(const ConstraintReport& row) {
+    if (row.no_contact)
+        return fmt::format("{} = {}: {} does not exist: {}", row.key, short_text(row.limit), row.name,
+                           no_contact_words);
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     return fmt::format("{} = {}: {} reaches {}{} ({})", row.key, short_text(row.limit), row.name,
                        short_text(row.worst, figures), unit, row.active ? "active" : "not active");

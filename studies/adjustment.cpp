@@ -2,6 +2,7 @@
 #include "studies/adjustment.hpp"
 
 #include "core/units.hpp"
+#include "objectives/cam_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,10 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
     const auto add = [&](WrittenMember member, bool grows, double end) {
         if (limits.*member) all.push_back(limit_adjustment(scene, member, grows, end));
     };
+    // Where both strokes have their own the general one holds at rest, if it is the least.
     const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
-    if (!both_replaced) add(&LimitSpec::pressure_angle, true, largest_pressure_angle);
+    if (!both_replaced || pressure_limits(limits).general_at_rest_alone())
+        add(&LimitSpec::pressure_angle, true, largest_pressure_angle);
     add(&LimitSpec::rise_pressure_angle, true, largest_pressure_angle);
     add(&LimitSpec::return_pressure_angle, true, largest_pressure_angle);
     add(&LimitSpec::cam_radius_min, false, 0.0);

@@ -159,7 +159,10 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         comparison.rows.push_back(law_row(bench, info, optimum));
     }
     std::ranges::stable_sort(comparison.rows, [](const ComparisonRow& one, const ComparisonRow& other) {
-        if (one.misfit.empty() != other.misfit.empty()) return one.misfit.empty();
+        const auto rank = [](const ComparisonRow& row) {
+            return !row.misfit.empty() ? 2 : row.feasible ? 0 : 1;
+        };
+        if (rank(one) != rank(other)) return rank(one) < rank(other);
         return one.objective < other.objective;
     });
     return comparison;

@@ -35,9 +35,10 @@ struct ComparisonRow {
 
 struct Comparison {
     Solution optimum;
-    std::optional<DiskCam> cam;       ///< whose dimensions the laws were judged with
-    std::vector<ComparisonRow> rows;  ///< by objective; the optimum among them where there is a motion; laws
-                                      ///< that do not fit come last
+    std::optional<DiskCam> cam;  ///< whose dimensions the laws were judged with
+    /// By objective: first what keeps every limit, then what breaks one or cannot touch its cam, last the
+    /// laws that do not fit. The optimum is among them where there is a motion.
+    std::vector<ComparisonRow> rows;
 };
 
 /// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum; its relaxation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The largest value of a smooth figure along a motion: samples between its breakpoints, the best refined.
+// The largest value of a smooth figure along a motion: samples between its breakpoints, and closer wherever
+// the figure bends so much that it may be larger than the best of them. Samples, not a proof.
 #pragma once
 
 #include "core/extremum.hpp"

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace camopt {
 
 namespace {
@@ -14,6 +16,10 @@ bool speaks_of_rest(const PlacedRule& rule) {
            rule->curvature(-infinity, infinity) == Curvature::general;
 }
 
+bool holds_at(const PointRule& rule, double x) {
+    return rule.places().empty() || std::ranges::binary_search(rule.places(), x);
+}
+
 }  // namespace
 
 std::optional<RestConflict> rest_conflict(const CamModel& model, double tolerance) {
@@ -21,7 +27,7 @@ std::optional<RestConflict> rest_conflict(const CamModel& model, double toleranc
     for (const PlacedRule& rule : model.rules) {
         if (!speaks_of_rest(rule)) continue;
         for (const KnownPoint& known : model.known_points) {
-            if (!known.at_rest) continue;
+            if (!known.at_rest || !holds_at(*rule, known.x)) continue;
             const double value = rule->evaluate({known.x, {known.y, 0.0, 0.0, 0.0}}, {}).value;
             const double violation = value / rule->scale();
             if (violation > tolerance && (!worst || violation > worst->violation))

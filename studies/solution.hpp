@@ -29,6 +29,7 @@ struct ConstraintReport {
     std::string unit;
     double at = 0.0;
     bool active = false;
+    bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
 };
 
 /// The least change of one number alone, the others kept, that makes the scene feasible; none where none was

@@ -131,6 +131,20 @@ std::string plain_name(const std::string& key) {
     return key;
 }
 
+const CamExtreme& larger(const CamExtreme& one, const CamExtreme& other) {
+    return one.value >= other.value ? one : other;
+}
+
+/// What the general limit on the pressure angle speaks of: all, or the stroke that has none of its own, and
+/// always where the follower rests.
+CamExtreme general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
+    const bool rise = limits.rise_pressure_angle.has_value(), back = limits.return_pressure_angle.has_value();
+    if (!rise && !back) return summary.pressure_angle;
+    if (rise && back) return summary.rest_pressure_angle;
+    return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
+                  summary.rest_pressure_angle);
+}
+
 }  // namespace
 
 SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
@@ -165,17 +179,9 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     const auto add = [&](const std::optional<WrittenLimit>& limit, const CamExtreme& worst, int sign) {
         if (limit) all.push_back(limit_report(*limit, worst, sign));
     };
-    const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
-    if (!both_replaced) {
-        const bool rest = limits.rise_pressure_angle || limits.return_pressure_angle;
-        add(limits.pressure_angle,
-            !rest                        ? summary.pressure_angle
-            : limits.rise_pressure_angle ? summary.return_pressure_angle
-                                         : summary.rise_pressure_angle,
-            1);
-    }
-    add(limits.rise_pressure_angle, summary.rise_pressure_angle, 1);
-    add(limits.return_pressure_angle, summary.return_pressure_angle, 1);
+    add(limits.pressure_angle, general_pressure_angle(limits, summary), 1);
+    add(limits.rise_pressure_angle, larger(summary.rise_pressure_angle, summary.rest_pressure_angle), 1);
+    add(limits.return_pressure_angle, larger(summary.return_pressure_angle, summary.rest_pressure_angle), 1);
     add(limits.cam_radius_min, summary.convex_radius, -1);
     if (limits.concave_radius_min) {
         all.push_back(limit_report(*limits.concave_radius_min,
@@ -193,7 +199,15 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
         add(limits.torque_max, summary.forces->torque, 1);
         if (summary.forces->hertz_pressure)
             add(limits.hertz_pressure_max, *summary.forces->hertz_pressure, 1);
+        // A torque can be computed without a contact, but not exerted.
+        for (ConstraintReport& row : all) {
+            const bool needs_contact = row.name == "torque_max" || row.name == "hertz_pressure_max";
+            if (needs_contact && summary.no_contact) row.worst = infinity;
+        }
     }
+    // A cam that is nowhere concave has an infinite concave radius; anything else infinite is no figure.
+    for (ConstraintReport& row : all)
+        row.no_contact = summary.no_contact && std::isinf(row.worst) && row.name != "concave_radius_min";
     return all;
 }
 

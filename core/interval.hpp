@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Enclosures: [lower, upper] holds every value a formula takes while its variables run over theirs.
+//
+// Every result is widened by more than its rounding error (least_widening of its size), so that what is
+// enclosed stays so in double arithmetic without touching the rounding mode. Division by an interval that
+// holds 0, the root of one that holds a negative number: everything, (-infinity, infinity).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace camopt {
+
+struct Interval {
+    double lower = 0.0, upper = 0.0;
+
+    Interval() = default;
+    Interval(double value) : lower(value), upper(value) {}  // NOLINT(google-explicit-constructor)
+    Interval(double low, double high) : lower(low), upper(high) {}
+
+    [[nodiscard]] double width() const { return upper - lower; }
+    [[nodiscard]] bool holds(double value) const { return lower <= value && value <= upper; }
+    [[nodiscard]] static Interval everything() {
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    }
+};
+
+namespace enclosing {
+
+// Four roundings of a double: sines and roots of the library are good to one or two.
+inline constexpr double least_widening = 4.0 * std::numeric_limits<double>::epsilon();
+
+/// `low` and `high` were computed with one rounding each.
+[[nodiscard]] inline Interval widened(double low, double high) {
+    if (std::isnan(low) || std::isnan(high)) return Interval::everything();
+    constexpr double tiny = std::numeric_limits<double>::min();
+    return {low - least_widening * std::abs(low) - tiny, high + least_widening * std::abs(high) + tiny};
+}
+
+}  // namespace enclosing
+
+[[nodiscard]] inline Interval operator-(const Interval& a) {
+    return {-a.upper, -a.lower};
+}
+[[nodiscard]] inline Interval operator+(const Interval& a, const Interval& b) {
+    return enclosing::widened(a.lower + b.lower, a.upper + b.upper);
+}
+[[nodiscard]] inline Interval operator-(const Interval& a, const Interval& b) {
+    return enclosing::widened(a.lower - b.upper, a.upper - b.lower);
+}
+[[nodiscard]] inline Interval operator*(const Interval& a, const Interval& b) {
+    const double p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
+    if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return Interval::everything();
+    return enclosing::widened(std::min(std::min(p, q), std::min(r, s)),
+                              std::max(std::max(p, q), std::max(r, s)));
+}
+[[nodiscard]] inline Interval operator/(const Interval& a, const Interval& b) {
+    if (b.holds(0.0)) return Interval::everything();
+    return a * enclosing::widened(1.0 / b.upper, 1.0 / b.lower);
+}
+/// Never below 0, as a product of a with itself is not seen to be.
+[[nodiscard]] inline Interval square(const Interval& a) {
+    const double p = a.lower * a.lower, q = a.upper * a.upper;
+    const Interval result = enclosing::widened(a.holds(0.0) ? 0.0 : std::min(p, q), std::max(p, q));
+    return {std::max(0.0, result.lower), result.upper};
+}
+[[nodiscard]] inline Interval sqrt(const Interval& a) {
+    if (!(a.lower >= 0.0)) return Interval::everything();
+    const Interval result = enclosing::widened(std::sqrt(a.lower), std::sqrt(a.upper));
+    return {std::max(0.0, result.lower), result.upper};
+}
+[[nodiscard]] inline Interval cos(const Interval& a) {
+    constexpr double pi = std::numbers::pi;
+    // Angles of a mechanism; beyond a few turns the multiples of pi are not known well enough.
+    constexpr double farthest = 100.0;
+    if (!(a.width() < 2.0 * pi) || std::abs(a.lower) > farthest || std::abs(a.upper) > farthest)
+        return {-1.0, 1.0};
+    const double at_lower = std::cos(a.lower), at_upper = std::cos(a.upper);
+    double least = std::min(at_lower, at_upper), most = std::max(at_lower, at_upper);
+    // An extreme at k pi is taken to be inside a little too early rather than too late.
+    constexpr double near = 1e-12;
+    for (double k = std::ceil((a.lower - near) / pi); k * pi <= a.upper + near; ++k)
+        (std::fmod(std::abs(k), 2.0) == 0.0 ? most : least) = std::fmod(std::abs(k), 2.0) == 0.0 ? 1.0 : -1.0;
+    const Interval result = enclosing::widened(least, most);
+    return {std::max(-1.0, result.lower), std::min(1.0, result.upper)};
+}
+[[nodiscard]] inline Interval sin(const Interval& a) {
+    return cos(a - Interval(0.5 * std::numbers::pi));
+}
+
+/// What both hold; they are known to hold something together.
+[[nodiscard]] inline Interval common(const Interval& a, const Interval& b) {
+    return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
+}  // namespace camopt

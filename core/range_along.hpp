@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// A function of the cam angle over a stretch of it: where its values, its slopes and its second derivatives
+// lie.
+//
+// Formulas that are generic over the scalar take it as they take numbers, and give the enclosure of the whole
+// formula: from them maxima are bounded, not sampled. Of a single angle (stretch of length 0) the enclosure
+// is as wide as rounding.
+#pragma once
+
+#include "core/interval.hpp"
+
+namespace camopt {
+
+struct RangeAlong {
+    Interval value, slope, bend;  ///< f, df/dx, d²f/dx²
+
+    RangeAlong() = default;
+    RangeAlong(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+    RangeAlong(const Interval& f, const Interval& first, const Interval& second)
+        : value(f), slope(first), bend(second) {}
+};
+
+[[nodiscard]] inline RangeAlong operator-(const RangeAlong& a) {
+    return {-a.value, -a.slope, -a.bend};
+}
+[[nodiscard]] inline RangeAlong operator+(const RangeAlong& a, const RangeAlong& b) {
+    return {a.value + b.value, a.slope + b.slope, a.bend + b.bend};
+}
+[[nodiscard]] inline RangeAlong operator-(const RangeAlong& a, const RangeAlong& b) {
+    return {a.value - b.value, a.slope - b.slope, a.bend - b.bend};
+}
+[[nodiscard]] inline RangeAlong operator*(const RangeAlong& a, const RangeAlong& b) {
+    return {a.value * b.value, a.value * b.slope + a.slope * b.value,
+            a.value * b.bend + Interval(2.0) * (a.slope * b.slope) + a.bend * b.value};
+}
+[[nodiscard]] inline RangeAlong operator*(double factor, const RangeAlong& a) {
+    const Interval by(factor);
+    return {by * a.value, by * a.slope, by * a.bend};
+}
+[[nodiscard]] inline RangeAlong operator*(const RangeAlong& a, double factor) {
+    return factor * a;
+}
+/// f(u): from the ranges of f, f' and f'' over the values of u.
+[[nodiscard]] inline RangeAlong composed(const Interval& f, const Interval& first, const Interval& second,
+                                         const RangeAlong& u) {
+    return {f, first * u.slope, second * square(u.slope) + first * u.bend};
+}
+[[nodiscard]] inline RangeAlong operator/(const RangeAlong& a, const RangeAlong& b) {
+    const Interval inverse = Interval(1.0) / b.value, squared = square(inverse);
+    return a * composed(inverse, -squared, Interval(2.0) * (squared * inverse), b);
+}
+[[nodiscard]] inline RangeAlong square(const RangeAlong& a) {
+    return composed(square(a.value), Interval(2.0) * a.value, Interval(2.0), a);
+}
+[[nodiscard]] inline RangeAlong sqrt(const RangeAlong& a) {
+    const Interval root = sqrt(a.value), first = Interval(0.5) / root;
+    return composed(root, first, -(Interval(0.5) * first) / a.value, a);
+}
+[[nodiscard]] inline RangeAlong sin(const RangeAlong& a) {
+    const Interval sine = sin(a.value);
+    return composed(sine, cos(a.value), -sine, a);
+}
+[[nodiscard]] inline RangeAlong cos(const RangeAlong& a) {
+    const Interval cosine = cos(a.value);
+    return composed(cosine, -sin(a.value), -cosine, a);
+}
+
+/// A follower's s, s', s'' along a stretch of the cam angle.
+struct StateAlong {
+    RangeAlong s, velocity, acceleration;
+};
+
+}  // namespace camopt
