@@ -19,7 +19,7 @@ using Sign = DisplacementBox::Sign;
 // Levels pass along a chain in one sweep forth and one back; the third sees what the boxes gained.
 constexpr int sweeps = 3;
 
-struct Interval {
+struct Reach {
     double least = -infinity, most = infinity;
 
     void meet(double low, double high) {
@@ -45,10 +45,10 @@ bool rests_beside(const Scene& scene, const MotionFamily& family, int index, int
     return family.stretches()[static_cast<std::size_t>(other)].kind == Kind::dwell;
 }
 
-std::vector<Interval> known_levels(const FreeDisplacements& free, const MotionFamily& family) {
+std::vector<Reach> known_levels(const FreeDisplacements& free, const MotionFamily& family) {
     const std::vector<MotionFamily::Stretch>& stretches = family.stretches();
-    std::vector<Interval> levels(stretches.size() + 1);
-    const auto set = [](Interval& level, const AffineRow& row) {
+    std::vector<Reach> levels(stretches.size() + 1);
+    const auto set = [](Reach& level, const AffineRow& row) {
         if (const std::optional<double> known = known_displacement(row)) level = {*known, *known};
     };
     for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -60,8 +60,8 @@ std::vector<Interval> known_levels(const FreeDisplacements& free, const MotionFa
 }
 
 /// Where stretch i moves: its box, or anything.
-std::vector<Interval> steps_of(std::span<const DisplacementBox> boxes, const MotionFamily& family) {
-    std::vector<Interval> steps(family.stretches().size());
+std::vector<Reach> steps_of(std::span<const DisplacementBox> boxes, const MotionFamily& family) {
+    std::vector<Reach> steps(family.stretches().size());
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (family.stretches()[i].kind == Kind::dwell) steps[i] = {0.0, 0.0};
     for (const DisplacementBox& box : boxes)
@@ -134,8 +134,8 @@ std::vector<DisplacementBox> whole_range(const FreeDisplacements& free, const Mo
 }
 
 bool narrow(std::vector<DisplacementBox>& boxes, const FreeDisplacements& free, const MotionFamily& family) {
-    std::vector<Interval> levels = known_levels(free, family);
-    std::vector<Interval> steps = steps_of(boxes, family);
+    std::vector<Reach> levels = known_levels(free, family);
+    std::vector<Reach> steps = steps_of(boxes, family);
     const int count = static_cast<int>(steps.size());
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (int i = 0; i < count; ++i)
@@ -145,10 +145,10 @@ bool narrow(std::vector<DisplacementBox>& boxes, const FreeDisplacements& free, 
         for (int i = 0; i < count; ++i)
             steps[i].meet(levels[i + 1].least - levels[i].most, levels[i + 1].most - levels[i].least);
     }
-    for (const Interval& level : levels)
+    for (const Reach& level : levels)
         if (level.empty()) return false;
     for (DisplacementBox& box : boxes) {
-        const Interval& step = steps[static_cast<std::size_t>(box.stretch)];
+        const Reach& step = steps[static_cast<std::size_t>(box.stretch)];
         if (step.empty()) return false;
         if (box.sign == Sign::stands) continue;
         box.least = std::min(step.least, step.most);
