@@ -2,12 +2,12 @@
 // camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/terminal.hpp"
 #include "output/number_text.hpp"
 #include "studies/scene_check.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -54,7 +54,7 @@ ExitCode check_command(const CheckRequest& request) {
     for (const std::string& condition : check.contradictions)
         text += fmt::format("  infeasible: {} contradicts other conditions\n", condition);
     if (!check.derivatives_agree) text += "  the derivatives are wrong\n";
-    std::fputs(text.c_str(), stdout);
+    print(text);
     if (!check.derivatives_agree) return failure;
     return check.contradictions.empty() ? success : proved_infeasible;
 }

@@ -4,6 +4,7 @@
 #include "apps/command_words.hpp"
 #include "apps/commands.hpp"
 #include "apps/pareto_run.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/version.hpp"
 #include "studies/papers/paper_catalogue.hpp"
@@ -347,7 +348,7 @@ std::string joined(int count, const char* const* words) {
 }
 
 ExitCode complain(std::string_view what, ExitCode code) {
-    std::fputs(fmt::format("camopt: {}\n", what).c_str(), stderr);
+    print_error(fmt::format("camopt: {}\n", what));
     return code;
 }
 

@@ -4,15 +4,15 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/terminal.hpp"
 #include "output/comparison_csv.hpp"
 #include "output/comparison_json.hpp"
 #include "output/comparison_svg.hpp"
 #include "output/comparison_text.hpp"
+#include "output/folder_update.hpp"
 #include "output/result_folder.hpp"
-#include "output/text_file.hpp"
 #include "studies/comparison.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -39,13 +39,14 @@ ExitCode compare_command(const CompareRequest& request) {
     const Comparison comparison = compare_with_progress(scene);
     const RunOrigin origin{request.scene, request.command};
     if (!request.out.empty()) {
-        const std::filesystem::path folder = request.out;
-        write_text_file(folder / "comparison.csv", comparison_csv(comparison));
-        write_text_file(folder / "comparison.svg", comparison_svg(comparison));
-        write_text_file(folder / "comparison.json", comparison_json(comparison, origin));
+        FolderUpdate folder(request.out);
+        folder.write("comparison.csv", comparison_csv(comparison));
+        folder.write("comparison.svg", comparison_svg(comparison));
+        folder.write("comparison.json", comparison_json(comparison, origin));
+        folder.finish();
     }
     const std::string text = request.json ? comparison_json(comparison, origin) : comparison_text(comparison);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return exit_code_of(comparison.optimum.certificate.verdict);
 }
 

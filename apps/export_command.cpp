@@ -5,16 +5,17 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/spatial_spec.hpp"
 #include "core/units.hpp"
 #include "output/disk/disk_export.hpp"
+#include "output/folder_update.hpp"
 #include "output/result_folder.hpp"
 #include "output/solution_text.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
-#include "output/text_file.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "studies/check_cam.hpp"
 #include "studies/solve.hpp"
@@ -22,7 +23,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -73,16 +73,12 @@ PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
     return request.post.empty() ? post : read_post(request.post, std::move(post));
 }
 
-void write_program(const std::filesystem::path& folder, const CheckedProgram& program, Exported& result) {
+void write_program(FolderUpdate& folder, const CheckedProgram& program, Exported& result) {
     result.text = nc_check_text(program);
     result.fault = program.fault();
-    std::filesystem::remove(folder / "cam.nc");  // an earlier run's does not go with this check
-    write_text_file(folder / "cam_nc_check.txt", result.text);
-    if (result.fault.empty()) {
-        write_text_file(folder / "cam.nc", program.program.text);
-        result.written.push_back(folder / "cam.nc");
-    }
-    result.written.push_back(folder / "cam_nc_check.txt");
+    folder.remove_earlier("cam.nc");  // it does not go with this check
+    if (result.fault.empty()) folder.write("cam.nc", program.program.text);
+    folder.write("cam_nc_check.txt", result.text);
 }
 
 /// The same of all cams.
@@ -128,7 +124,8 @@ NcExportOptions nc_options(const ExportRequest& request) {
     return options;
 }
 
-Exported export_spatial(const ExportRequest& request, const Solution& solution) {
+void export_spatial(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                    Exported& result) {
     const SpatialCam cam =
         spatial_cam(spatial_follower(*solution.scene.mechanism), solution.scene.mechanism->rotation,
                     solution.mechanism->mechanism.dimensions);
@@ -141,26 +138,24 @@ Exported export_spatial(const ExportRequest& request, const Solution& solution) 
     options.picture = request.picture;
     options.sampling = {request.sections, request.points, 0.0, 0.0};
     options.title = title_of(solution);
-    Exported result{{}, write_cam_files(request.out, cam, motion, options), {}};
+    for (const std::filesystem::path& file : write_cam_files(folder.aside(), cam, motion, options))
+        folder.add(file.filename().string());
     if (request.nc) {
         NcExportOptions nc = nc_options(request);
         nc.title = options.title;
         const auto machine = machine_for(cam, nc.z_offset);
-        write_program(request.out, nc_export(cam, motion, *machine, post_of(request, *machine), nc), result);
+        write_program(folder, nc_export(cam, motion, *machine, post_of(request, *machine), nc), result);
     }
-    return result;
 }
 
-Exported export_disk(const ExportRequest& request, const Solution& solution) {
+void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                 Exported& result) {
     const MotionChain motion = cam_motion(solution);
     const ProfileShape shape = profile_shape(solution.cam->cam, motion, motion_scale(solution.scene));
-    const std::filesystem::path folder = request.out;
-    Exported result;
     if (request.stl) {
         const DiskSolid solid{request.thickness_mm * units::millimetre,
                               0.5 * request.bore_mm * units::millimetre, request.points};
-        write_text_file(folder / "cam.stl", stl_bytes(disk_solid(shape, solid), title_of(solution)));
-        result.written.push_back(folder / "cam.stl");
+        folder.write("cam.stl", stl_bytes(disk_solid(shape, solid), title_of(solution)));
     }
     if (request.nc) {
         DiskNcOptions nc;
@@ -175,7 +170,6 @@ Exported export_disk(const ExportRequest& request, const Solution& solution) {
         const auto machine = plane_milling_machine();
         write_program(folder, disk_nc(shape, *machine, post_of(request, *machine), nc), result);
     }
-    return result;
 }
 
 }  // namespace
@@ -185,13 +179,14 @@ ExitCode export_command(const ExportRequest& request) {
     const InterruptWatch watch;  // until the files are written
     const Solution solution = solved(request);
     Exported exported;
-    if (solution.motion && solution.mechanism) exported = export_spatial(request, solution);
-    if (solution.motion && solution.cam) exported = export_disk(request, solution);
-    std::fputs((summary_text(solution, exported.written) + exported.text).c_str(), stdout);
+    FolderUpdate folder(request.out);
+    if (solution.motion && solution.mechanism) export_spatial(request, solution, folder, exported);
+    if (solution.motion && solution.cam) export_disk(request, solution, folder, exported);
+    exported.written = folder.finish();
+    print(summary_text(solution, exported.written) + exported.text);
     if (!exported.fault.empty()) {
-        std::fputs(fmt::format("camopt: the NC program is refused and was not written: {}\n", exported.fault)
-                       .c_str(),
-                   stderr);
+        print_error(
+            fmt::format("camopt: the NC program is refused and was not written: {}\n", exported.fault));
         return failure;
     }
     return exit_code_of(solution.certificate.verdict);

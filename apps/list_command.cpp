@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt list: the laws, followers and solvers that this camopt knows.
 #include "apps/commands.hpp"
+#include "apps/terminal.hpp"
 #include "input/follower_kinds.hpp"
 #include "motions/law_catalogue.hpp"
 #include "output/json_text.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -160,7 +160,7 @@ ExitCode list_command(const ListRequest& request) {
         text = request.json ? json_text(solvers_json()) : solvers_text();
     else
         text = request.json ? json_text(followers_json()) : followers_text();
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return success;
 }
 

@@ -5,16 +5,16 @@
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/sweep_request.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "output/folder_update.hpp"
 #include "output/pareto_csv.hpp"
 #include "output/pareto_svg.hpp"
 #include "output/result_folder.hpp"
-#include "output/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace camopt::apps {
@@ -83,16 +83,13 @@ ExitCode pareto_run(const SweepRequest& request) {
     const ExitCode code = exit_code_of(front);
     const Comparison laws = laws_of(scene);
     const ParetoPicture picture{front, scene, &laws};
-    const std::filesystem::path folder = request.out;
-    write_text_file(folder / "pareto.csv", pareto_csv(front));
-    write_text_file(folder / "pareto.svg", pareto_svg(picture));
-    write_text_file(folder / "pareto.html", pareto_html(picture));
-    std::fputs(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture),
-                           (folder / "pareto.csv").string())
-                   .c_str(),
-               stdout);
-    if (code == interrupted)
-        std::fputs("camopt: interrupted; the points that are finished are written\n", stderr);
+    FolderUpdate folder(request.out);
+    folder.write("pareto.csv", pareto_csv(front));
+    folder.write("pareto.svg", pareto_svg(picture));
+    folder.write("pareto.html", pareto_html(picture));
+    const std::filesystem::path table = folder.finish().front();
+    print(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture), table.string()));
+    if (code == interrupted) print_error("camopt: interrupted; the points that are finished are written\n");
     return code;
 }
 

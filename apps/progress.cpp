@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/progress.hpp"
 
+#include "core/printable.hpp"
+
 #include <cstdio>
 #include <unistd.h>
 
@@ -19,7 +21,7 @@ bool on_terminal() {
 std::function<void(std::string_view)> terminal_progress() {
     if (!on_terminal()) return {};
     return [](std::string_view message) {
-        std::fprintf(stderr, "%s%.*s", wipe_line, static_cast<int>(message.size()), message.data());
+        std::fputs((wipe_line + printable(message)).c_str(), stderr);
         std::fflush(stderr);
     };
 }

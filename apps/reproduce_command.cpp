@@ -3,15 +3,15 @@
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
+#include "apps/terminal.hpp"
+#include "output/folder_update.hpp"
 #include "output/paper_figure_svg.hpp"
 #include "output/paper_report_csv.hpp"
 #include "output/paper_report_json.hpp"
 #include "output/paper_report_text.hpp"
 #include "output/result_folder.hpp"
-#include "output/text_file.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -36,15 +36,16 @@ ReportRun computed_report(const PaperInfo& paper) {
     return run;
 }
 
-void write_report_folder(const std::filesystem::path& folder, const PaperReport& report) {
-    write_text_file(folder / "report.json", paper_report_json(report));
-    write_text_file(folder / "report.md", paper_report_markdown(report));
-    for (const PaperTable& table : report.tables)
-        write_text_file(folder / (table.key + ".csv"), paper_table_csv(table));
+void write_report_folder(const std::filesystem::path& path, const PaperReport& report) {
+    FolderUpdate folder(path);
+    folder.write("report.json", paper_report_json(report));
+    folder.write("report.md", paper_report_markdown(report));
+    for (const PaperTable& table : report.tables) folder.write(table.key + ".csv", paper_table_csv(table));
     for (const PaperFigure& figure : report.figures) {
-        write_text_file(folder / (figure.key + ".csv"), paper_figure_csv(figure));
-        write_text_file(folder / (figure.key + ".svg"), paper_figure_svg(figure));
+        folder.write(figure.key + ".csv", paper_figure_csv(figure));
+        folder.write(figure.key + ".svg", paper_figure_svg(figure));
     }
+    folder.finish();
 }
 
 }  // namespace
@@ -54,12 +55,12 @@ ExitCode reproduce_command(const ReproduceRequest& request) {
     if (!request.out.empty()) prepare_folder(request.out);
     const ReportRun run = computed_report(paper);
     if (run.interrupted) {
-        std::fputs("camopt: interrupted; the report is incomplete and was not written\n", stderr);
+        print_error("camopt: interrupted; the report is incomplete and was not written\n");
         return failure;
     }
     if (!request.out.empty()) write_report_folder(request.out, run.report);
     const std::string text = request.json ? paper_report_json(run.report) : paper_report_text(run.report);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return run.report.faults.empty() ? success : failure;
 }
 

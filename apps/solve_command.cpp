@@ -4,6 +4,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/result_folder.hpp"
 #include "output/result_json.hpp"
@@ -16,7 +17,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -89,7 +89,7 @@ ExitCode solve_command(const SolveRequest& request) {
     const RunOrigin origin{request.scene, request.command};
     const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return exit_code_of(solution.certificate.verdict);
 }
 

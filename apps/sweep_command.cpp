@@ -7,13 +7,13 @@
 #include "apps/sweep_finish.hpp"
 #include "apps/sweep_request.hpp"
 #include "apps/sweep_solve.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/version.hpp"
 #include "studies/sweep_check.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <thread>
 
 namespace camopt::apps {
@@ -46,12 +46,10 @@ int worker_count(const SweepRequest& request) {
 
 ExitCode tell_interruption(const SweepFolder& folder) {
     const std::size_t finished = folder.finished_chunks().size();
-    std::fputs(
+    print_error(
         fmt::format("camopt: interrupted; {} of {} chunks are finished and kept in {}; the same command "
                     "with --resume goes on\n",
-                    finished, folder.chunks().size(), folder.path().string())
-            .c_str(),
-        stderr);
+                    finished, folder.chunks().size(), folder.path().string()));
     return interrupted;
 }
 
@@ -81,10 +79,8 @@ ExitCode sweep_command(const SweepRequest& request) {
                              sweep_shard(request)});
     FolderLock lock(folder.path());
     if (const int damaged = folder.remove_leftovers(); damaged > 0)
-        std::fputs(
-            fmt::format("camopt: {} chunk(s) in {} were damaged and are solved again\n", damaged, request.out)
-                .c_str(),
-            stderr);
+        print_error(fmt::format("camopt: {} chunk(s) in {} were damaged and are solved again\n", damaged,
+                                request.out));
     const InterruptWatch watch;
     const PoolOutcome outcome =
         solve_missing_chunks(folder, scenes, worker_count(request), [&] { lock.leave_to_parent(); });

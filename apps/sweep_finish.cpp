@@ -2,12 +2,12 @@
 #include "apps/sweep_finish.hpp"
 
 #include "apps/sweep_pictures.hpp"
+#include "apps/terminal.hpp"
 #include "output/sweep_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace camopt::apps {
 
@@ -23,7 +23,7 @@ ExitCode finish_sweep(const SweepFolder& folder) {
     text += shard.is_whole() ? fmt::format("  wrote {}\n", folder.table_path().string())
                              : fmt::format("  kept in {}; join the shards with camopt sweep merge\n",
                                            folder.path().string());
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return std::ranges::find(table.rows, Verdict::failed, &SweepRow::verdict) == table.rows.end() ? success
                                                                                                   : failure;
 }

@@ -4,9 +4,9 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
+#include "output/folder_update.hpp"
 #include "output/sweep_html.hpp"
 #include "output/sweep_svg.hpp"
-#include "output/text_file.hpp"
 
 #include <optional>
 #include <vector>
@@ -39,8 +39,10 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table) {
         end_progress();
     }
     const SweepPicture picture{table, scene, losses ? &*losses : nullptr};
-    write_text_file(folder.path() / "sweep.svg", sweep_svg(picture));
-    write_text_file(folder.path() / "sweep.html", sweep_html(picture));
+    FolderUpdate update(folder.path());
+    update.write("sweep.svg", sweep_svg(picture));
+    update.write("sweep.html", sweep_html(picture));
+    update.finish();
 }
 
 }  // namespace camopt::apps

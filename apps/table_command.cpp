@@ -3,16 +3,16 @@
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
+#include "apps/terminal.hpp"
+#include "output/folder_update.hpp"
 #include "output/reference_table_csv.hpp"
 #include "output/reference_table_json.hpp"
 #include "output/reference_table_svg.hpp"
 #include "output/reference_table_text.hpp"
 #include "output/result_folder.hpp"
-#include "output/text_file.hpp"
 #include "studies/reference_table.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -37,14 +37,16 @@ TableRun computed_table() {
     return run;
 }
 
-void write_table_folder(const std::filesystem::path& folder, const ReferenceTable& table) {
-    write_text_file(folder / "table.json", reference_table_json(table));
-    write_text_file(folder / "table.md", reference_table_markdown(table));
-    write_text_file(folder / "table.svg", reference_table_svg(table));
-    write_text_file(folder / "optimum_points.csv", optimum_points_csv(table));
-    write_text_file(folder / "convergence.csv", convergence_csv(table));
-    write_text_file(folder / "laws.csv", laws_csv(table));
-    write_text_file(folder / "weights.csv", weights_csv(table));
+void write_table_folder(const std::filesystem::path& path, const ReferenceTable& table) {
+    FolderUpdate folder(path);
+    folder.write("table.json", reference_table_json(table));
+    folder.write("table.md", reference_table_markdown(table));
+    folder.write("table.svg", reference_table_svg(table));
+    folder.write("optimum_points.csv", optimum_points_csv(table));
+    folder.write("convergence.csv", convergence_csv(table));
+    folder.write("laws.csv", laws_csv(table));
+    folder.write("weights.csv", weights_csv(table));
+    folder.finish();
 }
 
 /// Success only where every row is proved optimal: a table with a hole in it must not pass for a whole one.
@@ -61,12 +63,12 @@ ExitCode table_command(const TableRequest& request) {
     if (!request.out.empty()) prepare_folder(request.out);
     const TableRun run = computed_table();
     if (run.interrupted) {
-        std::fputs("camopt: interrupted; the table is incomplete and was not written\n", stderr);
+        print_error("camopt: interrupted; the table is incomplete and was not written\n");
         return failure;
     }
     if (!request.out.empty()) write_table_folder(request.out, run.table);
     const std::string text = request.json ? reference_table_json(run.table) : reference_table_text(run.table);
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return exit_code_of(run.table);
 }
 

@@ -2,6 +2,7 @@
 #include "input/document.hpp"
 
 #include "core/errors.hpp"
+#include "core/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -30,19 +31,15 @@ namespace {
 constexpr std::size_t longest_shown_text = 60;
 
 std::string shown_text(const std::string& text) {
-    std::string shown = "\"";
-    for (const char letter : text.substr(0, longest_shown_text)) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            shown += '\\';
-            shown += letter;
-        } else if (code < 0x20 || code == 0x7f) {
-            shown += fmt::format("\\u{:04x}", code);
-        } else {
-            shown += letter;
-        }
+    std::size_t length = std::min(text.size(), longest_shown_text);
+    while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xc0U) == 0x80U)
+        --length;  // no half letter
+    std::string escaped;
+    for (const char letter : text.substr(0, length)) {
+        if (letter == '"' || letter == '\\') escaped += '\\';
+        escaped += letter;
     }
-    return shown + (text.size() > longest_shown_text ? "…\"" : "\"");
+    return '"' + printable(escaped) + (length < text.size() ? "…\"" : "\"");
 }
 
 std::string shown_number(double number) {
@@ -74,10 +71,11 @@ std::string Node::shown() const {
 }
 
 std::string error_prefix(std::string_view source_name, const Place& place, std::string_view key) {
-    const std::string where = place.override_text.empty()
-                                  ? fmt::format("{}:{}:{}: ", source_name, place.line, place.column)
-                                  : fmt::format("--set {}: ", place.override_text);
-    return key.empty() ? where : fmt::format("{}{}: ", where, key);
+    const std::string where =
+        place.override_text.empty()
+            ? fmt::format("{}:{}:{}: ", printable(source_name), place.line, place.column)
+            : fmt::format("--set {}: ", printable(place.override_text));
+    return key.empty() ? where : fmt::format("{}{}: ", where, printable(key));
 }
 
 }  // namespace camopt::input

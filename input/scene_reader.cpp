@@ -2,6 +2,7 @@
 #include "input/scene_reader.hpp"
 
 #include "core/errors.hpp"
+#include "core/file_bytes.hpp"
 #include "input/cam_reader.hpp"
 #include "input/key_check.hpp"
 #include "input/mechanism_reader.hpp"
@@ -11,13 +12,14 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <system_error>
 
 namespace camopt::input {
 namespace {
+
+// A scene with a breakpoint in every micrometre of a metre is smaller.
+constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{1} << 28U;
 
 /// Turns a file whose keys have been checked into a Scene; what is absent keeps the default of
 /// core/scene.hpp.
@@ -156,14 +158,11 @@ Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known
     std::error_code error;
     if (std::filesystem::is_directory(path, error))
         throw InputError(name + ": found a directory; allowed: a scene file in TOML");
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw InputError(fmt::format("{}: cannot be read: {}; allowed: a scene file in TOML", name,
-                                     std::generic_category().message(errno)));
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad()) throw InputError(name + ": reading stopped with an error; allowed: a scene file in TOML");
-    return read_scene(text, name, known, overrides);
+    const FileBytes file = file_bytes(path, most_scene_bytes);
+    if (!file.fault.empty())
+        throw InputError(
+            fmt::format("{}: cannot be read: {}; allowed: a scene file in TOML", name, file.fault));
+    return read_scene(file.bytes, name, known, overrides);
 }
 
 }  // namespace camopt::input

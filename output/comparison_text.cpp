@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/comparison_text.hpp"
 
+#include "core/printable.hpp"
 #include "output/comparison_words.hpp"
 #include "output/number_text.hpp"
 #include "output/solution_text.hpp"
@@ -55,7 +56,7 @@ TextTable table_of(const Comparison& comparison) {
 std::string comparison_text(const Comparison& comparison) {
     const Solution& solution = comparison.optimum;
     std::string text;
-    if (!solution.scene.title.empty()) text += solution.scene.title + "\n";
+    if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
     text += verdict_sentence(solution) + "\n";
     if (!solution.motion) text += "What each limit would have to give: camopt solve.\n";
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);

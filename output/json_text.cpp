@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/json_text.hpp"
 
+#include "core/printable.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +15,8 @@ constexpr std::size_t line_width =
     110;  // an object longer than this is broken into lines; a list of numbers never
 
 std::string plain(const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    // What JSON may leave as it is, terminals need not: DEL, C1 controls, the direction of writing.
+    return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool holds_only_plain_values(const Json& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/report.hpp"
 
+#include "core/printable.hpp"
 #include "core/units.hpp"
 #include "output/display_scale.hpp"
 #include "output/infeasible_words.hpp"
@@ -172,7 +173,7 @@ std::string solver_section(const Solution& solution, const RunOrigin& origin) {
             "- To check the proof without camopt: `certificate.json` holds the rows, the multipliers, the "
             "box and "
             "the bound; its entry `how_to_check` is the recipe, one sum\n";
-    if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", origin.command);
+    if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", printable(origin.command));
     return text + fmt::format("- camopt {}\n", version());
 }
 
@@ -187,7 +188,7 @@ std::string notes_section(const std::vector<std::string>& notes) {
 
 std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     std::string text =
-        fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : solution.scene.title);
+        fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
     text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
     if (solution.motion)
         text += solution.segments.empty() ? peak_table(solution)

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "output/cam_profile.hpp"
 #include "output/certificate_json.hpp"
+#include "output/folder_update.hpp"
 #include "output/guide_files.hpp"
 #include "output/mechanism_dxf.hpp"
 #include "output/mechanism_files.hpp"
@@ -11,12 +12,10 @@
 #include "output/motion_svg.hpp"
 #include "output/report.hpp"
 #include "output/result_json.hpp"
-#include "output/text_file.hpp"
 #include "studies/mechanism_report.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <system_error>
@@ -30,29 +29,6 @@ constexpr std::array optional_files = {
     "motion.csv",           "motion.svg",  "profile.csv",   "profile.svg",
     "profile_diagrams.svg", "profile.dxf", "mechanism.svg", "pressure_angle.svg",
     "curvature.svg",        "guide.csv",   "guide.svg"};
-
-class FolderWriter {
- public:
-    explicit FolderWriter(const std::filesystem::path& folder) : folder_(folder) {}
-
-    void write(const char* name, const std::string& text) {
-        write_text_file(folder_ / name, text);
-        written_.push_back(folder_ / name);
-    }
-    /// Optional files that an earlier run left and this one does not have.
-    void remove_others() const {
-        for (const char* name : optional_files) {
-            std::error_code absent;
-            if (std::ranges::find(written_, folder_ / name) == written_.end())
-                std::filesystem::remove(folder_ / name, absent);
-        }
-    }
-    [[nodiscard]] const std::vector<std::filesystem::path>& written() const { return written_; }
-
- private:
-    const std::filesystem::path& folder_;
-    std::vector<std::filesystem::path> written_;
-};
 
 }  // namespace
 
@@ -69,8 +45,8 @@ void prepare_folder(const std::filesystem::path& folder) {
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
                                                        const Solution& solution, const RunOrigin& origin,
                                                        const WriteOptions& options) {
-    prepare_folder(folder);
-    FolderWriter writer(folder);
+    FolderUpdate writer(folder);
+    for (const char* const name : optional_files) writer.remove_earlier(name);
     if (solution.motion) {
         writer.write("motion.csv",
                      motion_csv(*solution.motion, solution.motion_peaks, solution.scene.motion));
@@ -98,11 +74,10 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     }
     if (options.dxf && has_plane_mechanism(solution))
         writer.write("profile.dxf", mechanism_dxf(solution).text);
-    writer.remove_others();
     writer.write("report.md", report_markdown(solution, origin));
     writer.write("certificate.json", certificate_json(solution.certificate));
     writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete
-    return writer.written();
+    return writer.finish();
 }
 
 }  // namespace camopt

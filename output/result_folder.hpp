@@ -17,9 +17,10 @@ struct WriteOptions {
     bool dxf = false;                ///< profile.dxf too
 };
 
-/// Creates the folder where it does not exist and writes each file in one step (text_file.hpp). Files of an
-/// earlier run that this one does not have (motion.*, profile*.*) are removed. Returns the paths written.
-/// Throws InputError where the path is a file or cannot be written.
+/// Creates the folder where it does not exist. All files are written aside first and then replace those of an
+/// earlier run together (folder_update.hpp); those that this one does not have (motion.*, profile*.*) are
+/// removed. Returns the paths written. Throws InputError where the path is a file or cannot be written: the
+/// folder is then as it was, or says by INCOMPLETE.txt that it is not.
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
                                                        const Solution& solution, const RunOrigin& origin = {},
                                                        const WriteOptions& options = {});

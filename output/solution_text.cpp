@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/solution_text.hpp"
 
+#include "core/printable.hpp"
 #include "output/cam_remarks.hpp"
 #include "output/cam_words.hpp"
 #include "output/infeasible_words.hpp"
@@ -209,7 +210,7 @@ std::string relaxation_sentence(const Relaxation& row) {
 
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
     std::string text;
-    if (!solution.scene.title.empty()) text += solution.scene.title + "\n";
+    if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
     text += verdict_sentence(solution) + "\n";
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";

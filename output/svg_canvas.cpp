@@ -1,36 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/svg_canvas.hpp"
 
+#include "core/printable.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt {
-
-namespace {
-
-std::string escaped(std::string_view words) {
-    std::string text;
-    for (const char letter : words) {
-        switch (letter) {
-            case '&':
-                text += "&amp;";
-                break;
-            case '<':
-                text += "&lt;";
-                break;
-            case '>':
-                text += "&gt;";
-                break;
-            case '"':
-                text += "&quot;";
-                break;
-            default:  // control characters are not allowed in XML
-                text += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-        }
-    }
-    return text;
-}
-
-}  // namespace
 
 std::string svg_number(double value) {
     std::string text = fmt::format("{:.2f}", value);
@@ -44,7 +19,7 @@ SvgCanvas::SvgCanvas(double width, double height, std::string_view style, std::s
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "role=\"img\">\n<title>{2}</title>\n<style>{3}</style>\n",
-        svg_number(width), svg_number(height), escaped(title), style);
+        svg_number(width), svg_number(height), xml_text(title), style);
 }
 
 void SvgCanvas::line(double x1, double y1, double x2, double y2, std::string_view css_class) {
@@ -71,7 +46,7 @@ void SvgCanvas::text(double x, double y, std::string_view words, std::string_vie
                                              : fmt::format(" transform=\"rotate({} {} {})\"",
                                                            svg_number(-turn), svg_number(x), svg_number(y));
     content_ += fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\"{}>{}</text>\n", svg_number(x),
-                            svg_number(y), css_class, rotation, escaped(words));
+                            svg_number(y), css_class, rotation, xml_text(words));
 }
 
 std::string SvgCanvas::finish() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/sweep_html.hpp"
 
+#include "core/printable.hpp"
 #include "output/number_text.hpp"
 #include "output/sweep_quantities.hpp"
 
@@ -67,21 +68,6 @@ const char* page_script = R"js(
 })();
 )js";
 
-std::string escaped(std::string_view words) {
-    std::string text;
-    for (const char letter : words) {
-        if (letter == '&')
-            text += "&amp;";
-        else if (letter == '<')
-            text += "&lt;";
-        else if (letter == '>')
-            text += "&gt;";
-        else
-            text += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-    }
-    return text;
-}
-
 std::string number_cell(const std::optional<double>& value) {
     return value ? fmt::format("{:.8g}", *value) : std::string{};
 }
@@ -94,12 +80,12 @@ std::string picture_page(std::string_view title, std::string_view svg, const Pic
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
         "charset=\"utf-8\"/>\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}\n<div "
         "id=\"tip\"></div>\n<table>\n<thead>\n<tr>",
-        escaped(title), page_style, svg);
-    for (const std::string& head : table.heads) page += fmt::format("<th>{}</th>", escaped(head));
+        xml_text(title), page_style, svg);
+    for (const std::string& head : table.heads) page += fmt::format("<th>{}</th>", xml_text(head));
     page += "</tr>\n</thead>\n<tbody>\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         page += fmt::format("<tr data-row=\"{}\">", table.numbers[i]);
-        for (const std::string& cell : table.rows[i]) page += fmt::format("<td>{}</td>", escaped(cell));
+        for (const std::string& cell : table.rows[i]) page += fmt::format("<td>{}</td>", xml_text(cell));
         page += "</tr>\n";
     }
     return page + fmt::format("</tbody>\n</table>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",

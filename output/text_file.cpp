@@ -2,6 +2,7 @@
 #include "output/text_file.hpp"
 
 #include "core/errors.hpp"
+#include "core/file_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +10,9 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace camopt {
 
@@ -68,13 +69,9 @@ void write_durable_text_file(const std::filesystem::path& path, std::string_view
 }
 
 std::string read_text_file(const std::filesystem::path& path) {
-    errno = 0;
-    if (std::filesystem::is_directory(path)) refuse("read", path, "it is a folder");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse("read", path, std::strerror(errno));
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad()) refuse("read", path, std::strerror(errno));
-    return text;
+    FileBytes file = file_bytes(path);
+    if (!file.fault.empty()) refuse("read", path, file.fault);
+    return std::move(file.bytes);
 }
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The TOML file of a post-processor.
 #include "core/errors.hpp"
+#include "core/file_bytes.hpp"
 #include "core/units.hpp"
 #include "output/nc/post_processor.hpp"
 
@@ -9,7 +10,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <type_traits>
 
@@ -163,11 +163,11 @@ PostProcessor post_of_text(std::string_view text, std::string_view name, PostPro
 }
 
 PostProcessor read_post(const std::filesystem::path& file, PostProcessor base) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!(text << stream.rdbuf()))
-        throw InputError(fmt::format("cannot read the post-processor file {}", file.string()));
-    return post_of_text(text.str(), file.string(), std::move(base));
+    const FileBytes read = file_bytes(file);
+    if (!read.fault.empty())
+        throw InputError(
+            fmt::format("cannot read the post-processor file {}: {}", file.string(), read.fault));
+    return post_of_text(read.bytes, file.string(), std::move(base));
 }
 
 }  // namespace camopt

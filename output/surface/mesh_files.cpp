@@ -2,6 +2,7 @@
 #include "output/surface/mesh_files.hpp"
 
 #include "core/errors.hpp"
+#include "core/printable.hpp"
 #include "core/units.hpp"
 
 #include <Eigen/Geometry>
@@ -30,7 +31,7 @@ void add_vector(std::string& bytes, const Eigen::Vector3d& vector) {
 
 std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
     if (mesh.triangles.empty()) throw InputError("STL: the mesh has no triangles");
-    std::string bytes = "binary STL in mm: " + title;  // "solid" there would mean a text file
+    std::string bytes = "binary STL in mm: " + printable(title);  // "solid" there would mean a text file
     bytes.resize(stl_header, ' ');
     bytes.reserve(stl_header + 4 + stl_triangle * mesh.triangles.size());
     add_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -46,7 +47,7 @@ std::string stl_bytes(const TriangleMesh& mesh, const std::string& title) {
 }
 
 std::string obj_text(std::span<const NamedMesh> meshes, const std::string& title) {
-    std::string text = fmt::format("# {}\n# lengths in mm\n", title);
+    std::string text = fmt::format("# {}\n# lengths in mm\n", printable(title));
     int offset = 1;
     for (const NamedMesh& part : meshes) {
         std::string name = part.name;

@@ -2,6 +2,7 @@
 #include "output/surface/mesh_svg.hpp"
 
 #include "core/errors.hpp"
+#include "core/printable.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -52,19 +53,6 @@ void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camer
     }
 }
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char letter : text) {
-        if (letter == '&')
-            result += "&amp;";
-        else if (letter == '<')
-            result += "&lt;";
-        else
-            result += letter;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string mesh_svg(std::span<const PaintedMesh> parts, const MeshView& view, const std::string& title) {
@@ -86,7 +74,7 @@ std::string mesh_svg(std::span<const PaintedMesh> parts, const MeshView& view, c
         "height=\"{:.0f}\" role=\"img\">\n<title>{}</title>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-width=\".6\" "
         "stroke-linejoin=\"round\">\n",
-        view.width, height, view.width, height, escaped(title));
+        view.width, height, view.width, height, xml_text(title));
     for (const Facet& facet : facets) {
         std::string path;
         for (const Eigen::Vector2d& corner : facet.corner) {

@@ -41,6 +41,15 @@ TEST(Program, SolvesAndPrintsAResultThatIsJsonAndNothingElse) {
     EXPECT_EQ(result["evaluations"]["profile_points"], 0);
 }
 
+TEST(Program, ASceneFileThatFailsUnderWayIsWrongInput) {
+    expect_refused("solve /", "found a directory");
+    if (std::filesystem::exists("/proc/self/mem")) {
+        expect_refused("solve /proc/self/mem", "cannot be read");
+        expect_refused("check /proc/self/mem", "cannot be read");
+        expect_refused("sweep /proc/self/mem --vary spline.segments=4:6:2 --out unused", "cannot read");
+    }
+}
+
 TEST(Program, PrintsASummaryForPeople) {
     const ProgramRun run = run_camopt("solve " + scene("drd_cubic_12"));
     EXPECT_EQ(run.exit_code, 0);

@@ -9,9 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
+#include <sys/resource.h>
 
 namespace camopt {
 namespace {
@@ -59,6 +63,77 @@ TEST(ResultFolder, ADrawingIsWrittenOnlyWhereItIsAskedFor) {
     EXPECT_FALSE(names_in(folder.path()).contains("profile.dxf"));  // it would not be this cam's
     write_result_folder(folder.path(), test::sample_solution());
     EXPECT_EQ(names_in(folder.path()).size(), 5U);
+}
+
+std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> contents;
+    for (const std::string& name : names_in(folder)) contents[name] = read_text_file(folder / name);
+    return contents;
+}
+
+/// Files longer than this cannot be written: what a full disk does, in the middle of a run.
+class SizeLimit {
+ public:
+    explicit SizeLimit(std::uintmax_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    SizeLimit(const SizeLimit&) = delete;
+    SizeLimit& operator=(const SizeLimit&) = delete;
+    SizeLimit(SizeLimit&&) = delete;
+    SizeLimit& operator=(SizeLimit&&) = delete;
+
+ private:
+    rlimit before_{};
+};
+
+TEST(ResultFolder, ASecondRunThatEndsHalfWayLeavesTheFirst) {
+    const test::TemporaryFolder first, second;
+    const WriteOptions many{.points = 5000};  // so that the longest file is not the first
+    write_result_folder(second.path(), test::cam_solution(), {}, many);
+    const auto whole = contents_of(second.path());
+    write_result_folder(first.path(), test::sample_solution());
+    const auto before = contents_of(first.path());
+    for (const auto& [name, text] : whole) {
+        {
+            const SizeLimit limit(text.size() - 1);
+            EXPECT_THROW(write_result_folder(first.path(), test::cam_solution(), {}, many), InputError)
+                << name;
+        }
+        EXPECT_EQ(contents_of(first.path()), before) << name;
+    }
+    write_result_folder(first.path(), test::cam_solution(), {}, many);
+    EXPECT_EQ(contents_of(first.path()), whole);
+}
+
+// A name that cannot be taken once the others have been: what a kill there would leave.
+TEST(ResultFolder, SaysThatItIsIncomplete) {
+    const test::TemporaryFolder folder;
+    write_result_folder(folder.path(), test::sample_solution());
+    std::filesystem::remove(folder.path() + "/report.md");
+    std::filesystem::create_directories(folder.path() + "/report.md/taken");
+    EXPECT_THROW(write_result_folder(folder.path(), test::cam_solution()), InputError);
+    EXPECT_NE(read_text_file(folder.path() + "/INCOMPLETE.txt").find("files of two runs"), std::string::npos);
+    EXPECT_FALSE(names_in(folder.path()).contains("result.json"));  // not the one of the first run
+    std::filesystem::remove_all(folder.path() + "/report.md");
+    write_result_folder(folder.path(), test::cam_solution());
+    EXPECT_FALSE(names_in(folder.path()).contains("INCOMPLETE.txt"));
+}
+
+TEST(ResultFolder, ClearsUpAfterRunsThatWereKilled) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() +
+                                        "/.camopt-4194305.tmp/x");             // beyond the largest process
+    std::filesystem::create_directories(folder.path() + "/.camopt-1.tmp");     // another run, not over yet
+    std::filesystem::create_directories(folder.path() + "/.camopt-mine.tmp");  // not camopt's
+    write_result_folder(folder.path(), test::infeasible_solution());
+    EXPECT_EQ(names_in(folder.path()),
+              (std::set<std::string>{".camopt-1.tmp", ".camopt-mine.tmp", "certificate.json", "report.md",
+                                     "result.json"}));
 }
 
 TEST(ResultFolder, RefusesAFile) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A set of files that replaces another in the same folder, so that files of two runs never lie side by side
+// unsaid.
+//
+//   1. every file is written into a folder aside, `.camopt-<process>.tmp` within the result folder: where one
+//      fails (a full disk), the folder is as it was;
+//   2. `INCOMPLETE.txt` appears, the file written last (who sees it finds the rest complete) disappears, the
+//      new files take their names, files that only the earlier run had are removed, the last one takes its
+//      name, `INCOMPLETE.txt` disappears. Only renaming and removing: no space is needed any more.
+// Killed within 2, the folder says so by INCOMPLETE.txt; the next run that ends well removes it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+class FolderUpdate {
+ public:
+    /// Creates the folder and the one aside. Throws InputError where it cannot.
+    explicit FolderUpdate(std::filesystem::path folder);
+    /// Without `finish` nothing has changed.
+    ~FolderUpdate();
+    FolderUpdate(const FolderUpdate&) = delete;
+    FolderUpdate& operator=(const FolderUpdate&) = delete;
+    FolderUpdate(FolderUpdate&&) = delete;
+    FolderUpdate& operator=(FolderUpdate&&) = delete;
+
+    /// Throws InputError where it cannot be written.
+    void write(const std::string& name, std::string_view text);
+    /// Where a file is to be written by others; `add` its name then.
+    [[nodiscard]] const std::filesystem::path& aside() const { return aside_; }
+    void add(const std::string& name) { names_.push_back(name); }
+    /// An earlier run's file of this name goes, unless this one has it too.
+    void remove_earlier(const std::string& name) { earlier_.push_back(name); }
+
+    /// Step 2. Paths of the files in the order in which they were added. Throws InputError where a name
+    /// cannot be taken; the folder is incomplete then and says so.
+    std::vector<std::filesystem::path> finish();
+
+ private:
+    std::filesystem::path folder_, aside_;
+    std::vector<std::string> names_, earlier_;
+};
+
+}  // namespace camopt
