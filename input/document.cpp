@@ -74,7 +74,7 @@ std::string error_prefix(std::string_view source_name, const Place& place, std::
     const std::string where =
         place.override_text.empty()
             ? fmt::format("{}:{}:{}: ", printable(source_name), place.line, place.column)
-            : fmt::format("--set {}: ", printable(place.override_text));
+            : fmt::format("--set {}: ", printable_lines(place.override_text));
     return key.empty() ? where : fmt::format("{}{}: ", where, printable(key));
 }
 

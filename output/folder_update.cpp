@@ -73,6 +73,12 @@ void FolderUpdate::write(const std::string& name, std::string_view text) {
     add(name);
 }
 
+void FolderUpdate::add(const std::string& name) {
+    if (std::ranges::find(names_, name) != names_.end())
+        throw ModelError(fmt::format("two files of a result have the name {}", name));
+    names_.push_back(name);
+}
+
 std::vector<std::filesystem::path> FolderUpdate::finish() {
     std::vector<std::filesystem::path> paths;
     if (names_.empty()) return paths;

@@ -30,9 +30,9 @@ class FolderUpdate {
 
     /// Throws InputError where it cannot be written.
     void write(const std::string& name, std::string_view text);
-    /// Where a file is to be written by others; `add` its name then.
+    /// Where a file is to be written by others; `add` its name then. Throws ModelError for a name twice.
     [[nodiscard]] const std::filesystem::path& aside() const { return aside_; }
-    void add(const std::string& name) { names_.push_back(name); }
+    void add(const std::string& name);
     /// An earlier run's file of this name goes, unless this one has it too.
     void remove_earlier(const std::string& name) { earlier_.push_back(name); }
 

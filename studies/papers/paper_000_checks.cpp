@@ -121,7 +121,7 @@ PaperTable forward_table() {
 }  // namespace
 
 void add_checks(PaperReport& report) {
-    PaperFigure figure{"node_method",
+    PaperFigure figure{"node_method_error",
                        "The approximate method: largest errors against the number of nodes",
                        "nodes",
                        "error",

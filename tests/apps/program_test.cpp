@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace camopt {
@@ -69,10 +70,19 @@ TEST(Program, ReproducesAPaper) {
     EXPECT_EQ(report["paper"], "000");
     EXPECT_EQ(read_text_file(out + "/report.json"), run.output);
     EXPECT_TRUE(std::filesystem::exists(out + "/report.md"));
-    for (const json& table : report["tables"])
-        EXPECT_TRUE(std::filesystem::exists(out + "/" + table["key"].get<std::string>() + ".csv"));
-    for (const json& figure : report["figures"])
-        EXPECT_TRUE(std::filesystem::exists(out + "/" + figure["key"].get<std::string>() + ".svg"));
+    std::set<std::string> names;  // a file of a name that is there already would replace it
+    for (const json& table : report["tables"]) {
+        const std::string name = table["key"].get<std::string>() + ".csv";
+        EXPECT_TRUE(names.insert(name).second) << name;
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name));
+    }
+    for (const json& figure : report["figures"]) {
+        const std::string name = figure["key"].get<std::string>();
+        EXPECT_TRUE(names.insert(name + ".csv").second) << name;
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name + ".svg"));
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name + ".csv"));
+    }
+    EXPECT_FALSE(std::filesystem::exists(out + "/INCOMPLETE.txt"));
     expect_refused("reproduce 007", "007");
     expect_refused("reproduce", "PAPER");
 }
