@@ -4,6 +4,8 @@
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "output/number_text.hpp"
+#include "output/scene_words.hpp"
+#include "output/text_table.hpp"
 #include "studies/scene_check.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +16,8 @@
 namespace camopt::apps {
 
 namespace {
+
+constexpr int line_width = 110;
 
 const char* meaning_of(Curvature curvature) {
     switch (curvature) {
@@ -34,21 +38,57 @@ std::string limits_text(const std::vector<LimitShape>& limits) {
     return text;
 }
 
+/// How it will be solved, and what can come of it.
+std::string plan_text(const Scene& scene, const SceneCheck& check) {
+    const BackendChoice& choice = check.choice;
+    const std::string by = fmt::format("by {} ({}), design vector: {}, at most {} s", choice.solver,
+                                       choice.reason.empty() ? "named in the scene" : "chosen",
+                                       name_of(choice.design), short_text(scene.solver.max_seconds));
+    if (!check.contradictions.empty())
+        return by + "; its conditions contradict each other: the verdict is infeasible, proved";
+    if (check.free_breakpoints)
+        return fmt::format(
+            "{}, first on the given breakpoints, then by {} start{} that move them; the verdict can be "
+            "optimal "
+            "where the limit of any curve is reached, else local or feasible; that nothing is feasible is "
+            "not proved",
+            by, check.starts, check.starts == 1 ? "" : "s");
+    if (check.starts > 1 || !check.convex)
+        return fmt::format(
+            "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "
+            "infeasible "
+            "where the relaxation settles it, else local or feasible with its bound",
+            by, check.starts, check.starts == 1 ? "" : "s");
+    if (choice.reason.empty() && choice.solver != "structured")
+        return fmt::format(
+            "{}; the verdict can be optimal or infeasible, either with its proof; where {} comes less far, "
+            "feasible",
+            by, choice.solver);
+    return by + "; the verdict to be expected is optimal or infeasible, either with its proof";
+}
+
+std::string derivative_line(const DerivativeError& error) {
+    const std::string where = error.where.empty() ? "" : " (worst at " + error.where + ")";
+    if (error.wrong == 0)
+        return fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind,
+                           short_text(error.error, 2), where);
+    return fmt::format(
+        "  {:<9} is wrong in {} of {} entries: off by {}, {} times what differences may err{}\n", error.kind,
+        error.wrong, error.entries, short_text(error.error, 2), short_text(error.beyond, 2), where);
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckRequest& request) {
     const Scene scene = load_scene(request.scene, request.settings);
     const SceneCheck check = check_scene(scene);
     std::string text = fmt::format("{}: the scene is valid\n", request.scene);
+    for (const std::string& line : scene_lines(scene)) text += wrapped_text(line, "  ", line_width);
     text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
                         check.rows, check.convex ? "convex: an optimum is global" : "not convex");
-    text +=
-        fmt::format("  solver: {}, design vector: {}\n", check.choice.solver, name_of(check.choice.design));
+    text += wrapped_text("Solved: " + plan_text(scene, check), "  ", line_width);
     if (scene.cam || scene.mechanism) text += limits_text(check.limits);
-    for (const DerivativeError& error : check.derivatives)
-        text +=
-            fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind, short_text(error.error, 2),
-                        error.where.empty() ? "" : " (worst at " + error.where + ")");
+    for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
     for (const std::string& condition : check.redundant)
         text += fmt::format("  note: {} follows from others\n", condition);
     for (const std::string& condition : check.contradictions)

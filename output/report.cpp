@@ -8,6 +8,7 @@
 #include "output/number_text.hpp"
 #include "output/peak_comparison.hpp"
 #include "output/report_sections.hpp"
+#include "output/scene_words.hpp"
 #include "output/solution_text.hpp"
 #include "output/version.hpp"
 
@@ -21,63 +22,10 @@ std::string optional_text(const std::optional<double>& value) {
     return value ? short_text(*value) : "–";
 }
 
-std::string kind_of_motion(const MotionSpec& motion) {
-    if (motion.type == MotionType::program) {
-        return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
-                           short_text(motion.length() * motion.unit_angle() / units::degree));
-    }
-    return motion.type == MotionType::drd ? "rise between two dwells"
-                                          : "rise and return without a dwell at the top";
-}
-
-std::string asked_motion(const MotionSpec& motion) {
-    const DisplayScale scale = display_scale(motion);
-    std::string text = fmt::format("- Motion: {}, lift {} {}", kind_of_motion(motion),
-                                   short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0]);
-    if (motion.type != MotionType::program)
-        text += fmt::format(", rise {} deg", short_text(motion.rise / units::degree));
-    if (motion.type == MotionType::rr)
-        text += fmt::format(", return {} deg",
-                            short_text(motion.return_angle.value_or(motion.rise) / units::degree));
-    if (motion.speed)
-        text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
-    if (motion.symmetric) text += ", symmetric";
-    if (!motion.via.empty()) text += fmt::format(", through {} given points", motion.via.size());
-    return text + "\n";
-}
-
 std::string asked(const Scene& scene) {
-    const SplineSpec& spline = scene.spline;
-    const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
-                                                            : spline.breakpoints.size() - 1;
-    std::string text = fmt::format("## What was asked\n\n{}", asked_motion(scene.motion));
-    text +=
-        fmt::format("- Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}\n", spline.degree,
-                    segments, spline.breakpoints.empty() ? "uniform " : "",
-                    scene.motion.type == MotionType::program ? " in each spline segment" : "",
-                    spline.smoothness(), spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "");
-    text += asked_cam(scene);
-    std::string terms;
-    const auto term = [&](double weight, const char* name) {
-        if (weight > 0.0)
-            terms += fmt::format("{}{} × {}", terms.empty() ? "" : " + ", short_text(weight), name);
-    };
-    const ObjectiveSpec& objective = scene.objective;
-    term(objective.velocity, "velocity");
-    term(objective.acceleration, "acceleration");
-    term(objective.jerk, "jerk");
-    term(objective.torque, "torque");
-    term(objective.rms_acceleration, "rms acceleration");
-    term(objective.rms_jerk, "rms jerk");
-    const std::size_t of_motion = terms.size();
-    for (int i = 0; i < dimension_count; ++i)
-        term(objective.dimensions[static_cast<std::size_t>(i)],
-             words_of(name_of(static_cast<DimensionIndex>(i))).c_str());
-    return text + fmt::format("- Objective: the least {}, each divided by that of {}{}\n", terms,
-                              objective.reference.numeric
-                                  ? "the reference given as numbers"
-                                  : fmt::format("the law {}", words_of(objective.reference.law)),
-                              terms.size() > of_motion ? "; dimensions are divided by the lift" : "");
+    std::string text = "## What was asked\n\n";
+    for (const std::string& line : scene_lines(scene)) text += fmt::format("- {}\n", line);
+    return text;
 }
 
 std::string verdict_section(const Solution& solution) {

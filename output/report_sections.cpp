@@ -25,35 +25,6 @@ std::string list_of(const std::vector<std::string>& sentences) {
     return text;
 }
 
-std::string range_text(const Dimension& dimension) {
-    const auto shown = [&](double value) { return short_text(value / dimension.unit); };
-    const KeyWords key = key_words(dimension.key);
-    const std::string unit = key.unit.empty() ? "mm" : key.unit;
-    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), unit);
-    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), unit);
-}
-
-}  // namespace
-
-std::string asked_cam(const Scene& scene) {
-    if (scene.mechanism) {
-        Solution asked;
-        asked.scene = scene;
-        return fmt::format("- Cam: {}, {}\n", mechanism_text(*scene.mechanism),
-                           mechanism_dimensions_text(asked));
-    }
-    if (!scene.cam) return {};
-    std::string text = fmt::format("- Cam: {}", follower_text(*scene.cam));
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        if (has_dimension(scene.cam->follower, which))
-            text += fmt::format(", {} {}", words_of(name_of(which)), range_text((*scene.cam)[which]));
-    }
-    return text + "\n";
-}
-
-namespace {
-
 std::string mechanism_section(const Solution& solution) {
     TextTable table;
     table.columns = {{"", true}, {""}, {"at (deg)"}};

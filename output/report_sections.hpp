@@ -8,9 +8,6 @@
 
 namespace camopt {
 
-/// What was asked of the cam: one line of the list; its variable dimensions with their ranges.
-[[nodiscard]] std::string asked_cam(const Scene& scene);
-
 /// "The cam": dimensions, figures, remarks, pictures.
 [[nodiscard]] std::string cam_section(const Solution& solution);
 

@@ -29,8 +29,6 @@ namespace camopt {
 
 namespace {
 
-// Searches where the problem is not convex and the scene does not say how many.
-constexpr int default_starts = 8;
 // Part of the time after which starts that found nothing within the limits end: the rest is for explaining
 // it.
 constexpr double searched_in_vain = 0.6;

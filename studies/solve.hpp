@@ -10,6 +10,10 @@ namespace camopt {
 /// outcome is a verdict in Solution::certificate.
 [[nodiscard]] Solution solve(const Scene& scene, const SolveControl& control = {});
 
+/// Searches where the problem is not convex, or its breakpoints are free, and the scene does not say how
+/// many.
+inline constexpr int default_starts = 8;
+
 /// What solve() would run and why.
 struct BackendChoice {
     std::string solver;

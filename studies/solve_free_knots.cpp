@@ -5,6 +5,7 @@
 #include "solvers/counting_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/free_knot_descent.hpp"
+#include "studies/solve.hpp"
 #include "studies/solve_without_explaining.hpp"
 #include "studies/tie_break.hpp"
 
@@ -17,8 +18,6 @@ namespace camopt {
 
 namespace {
 
-// Searches where the scene does not say how many.
-constexpr int default_starts = 8;
 // Random segments are between this and 1 plus this, before they are brought to the length of the motion.
 constexpr double shortest_random = 0.3;
 // The limit no curve can pass is computed to rounding; this part of it is given away for that.

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace camopt {
 namespace {
@@ -185,6 +186,57 @@ TEST(Program, CheckNeedsNoSolve) {
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NE(run.output.find("the scene is valid"), std::string::npos);
     EXPECT_NE(run.output.find("jacobian  agrees with differences"), std::string::npos);
+}
+
+std::vector<std::string> scenes_of_the_project() {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(CAMOPT_SOURCE_DIR "/scenes"))
+        if (file.path().extension() == ".toml") names.push_back(file.path().stem());
+    std::ranges::sort(names);
+    return names;
+}
+
+class CheckedScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(CheckedScene, IsNotAccused) {
+    const ProgramRun run = run_camopt("check " + scene(GetParam()));
+    EXPECT_EQ(run.exit_code, 0) << run.output << run.errors;
+    EXPECT_EQ(run.output.find("wrong"), std::string::npos) << run.output;
+    for (const char* words : {"the scene is valid", "Motion: ", "Spline: ", "Objective: ", "Solved: by ",
+                              "hessian   agrees with differences"})
+        EXPECT_NE(run.output.find(words), std::string::npos) << words;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheProject, CheckedScene, testing::ValuesIn(scenes_of_the_project()),
+                         [](const auto& named) { return named.param; });
+
+TEST(Program, CheckSaysWhatTheSceneIs) {
+    const auto checked = [](const std::string& arguments) {
+        std::string text = run_camopt("check " + arguments).output;
+        for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos;) text.replace(at, 3, " ");
+        return text;
+    };
+    const auto expect_words = [](const std::string& text, std::initializer_list<const char*> all) {
+        for (const char* words : all) EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    };
+    expect_words(checked(scene("cam_smallest")),
+                 {"translating roller", "base radius free from", "prime radius free from",
+                  "Limits: ", "pressure angle <= "});
+    expect_words(checked(scene("barrel_smallest")),
+                 {"barrel cam", "Limits: ", "not convex", "a convex relaxation first"});
+    expect_words(checked(scene("cam_drdrd")),
+                 {"a program of", "Segments: ", "spline 100 deg to 0 of the lift"});
+    expect_words(checked(scene("cam_forces")), {"Forces: mass ", "contact force"});
+    expect_words(checked(scene("drd_free_knots")), {"its breakpoints free", "that move them"});
+    expect_words(
+        checked(scene("drd_cubic_12") +
+                " --set motion.speed_rpm=300 --set limits.velocity=1.8 "
+                "--set motion.lift_mm=10 --set motion.rise_deg=120 --set solver.max_seconds=5"),
+        {"Motion: rise between two dwells, lift 10 mm, rise 120 deg, at 300 rpm",
+         "Spline: degree 3, 12 uniform segments", "Limits: velocity <= 1.8 (normalised)",
+         "0.4 × velocity + 0.4 × acceleration + 0.2 × jerk", "velocity 1.76, acceleration 5.53, jerk 69",
+         "Solved: by structured (chosen), design vector: states, at most 5 s; the verdict to be expected is "
+         "optimal or infeasible, either with its proof"});
 }
 
 TEST(Program, ListsWhatItKnows) {
