@@ -73,6 +73,7 @@ TEST(ProfileDxf, TheFaceIsAsWideAsTheSceneSays) {
     double begin = 0.0, end = 0.0;  // x: the face stands across it where the motion begins
     std::string layer;
     for (const test::DxfTag& tag : test::dxf_tags(dxf)) {
+        if (tag.code == 0) layer.clear();  // the next entity
         if (tag.code == 8) layer = tag.value;
         if (layer == "FACE" && tag.code == 10) begin = std::stod(tag.value);
         if (layer == "FACE" && tag.code == 11) end = std::stod(tag.value);
