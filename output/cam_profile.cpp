@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "objectives/cam_limits.hpp"
+#include "output/cam_words.hpp"
 #include "output/profile_csv.hpp"
 #include "output/profile_diagrams_svg.hpp"
 #include "output/profile_dxf.hpp"
@@ -62,6 +63,28 @@ std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& 
     return profile_csv(points, displacements, cam.follower);
 }
 
+/// Where the report says that the extremes are: one source, so that both name the same angle where a
+/// maximum is flat or is reached twice.
+ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summary, double unit_angle) {
+    ProfileDiagramMarks marks;
+    const auto add_pressure = [&](const CamExtreme& extreme) {
+        const bool there = std::ranges::any_of(
+            marks.pressure, [&](const ProfileMark& mark) { return mark.theta == unit_angle * extreme.at; });
+        if (there || !(extreme.value > 0.0)) return;
+        const double theta = unit_angle * extreme.at;
+        marks.pressure.push_back({theta, std::copysign(extreme.value, shape.at(theta).pressure_angle)});
+    };
+    add_pressure(summary.pressure_angle);
+    add_pressure(summary.rise_pressure_angle);
+    add_pressure(summary.return_pressure_angle);
+    if (const std::optional<CamExtreme> convex = convex_radius(summary))
+        marks.curvature.push_back({unit_angle * convex->at, 1.0 / convex->value});
+    if (summary.concave_radius)
+        marks.curvature.push_back(
+            {unit_angle * summary.concave_radius->at, -1.0 / summary.concave_radius->value});
+    return marks;
+}
+
 }  // namespace
 
 CamProfileTexts cam_profile(const Solution& solution, const CamProfileOptions& options) {
@@ -69,13 +92,16 @@ CamProfileTexts cam_profile(const Solution& solution, const CamProfileOptions& o
     const DiskCam& cam = solution.cam->cam;
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const ProfileShape shape = profile_shape(cam, motion, scale);
+    ProfileShape shape = profile_shape(cam, motion, scale);
+    shape.face_half_width = solution.scene.cam->face_half_width;
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
     const ProfileDiagramLimits limits{pressure_spans(solution.scene, motion),
                                       value_of(solution.scene.limits.cam_radius_min),
                                       value_of(solution.scene.limits.concave_radius_min)};
-    CamProfileTexts texts{csv_of(cam, motion, scale, options), profile_svg(shape, title),
-                          profile_diagrams_svg(shape, limits, title), std::nullopt};
+    CamProfileTexts texts{
+        csv_of(cam, motion, scale, options), profile_svg(shape, title),
+        profile_diagrams_svg(shape, limits, title, marks_of(shape, solution.cam->summary, scale.unit_angle)),
+        std::nullopt};
     if (options.dxf) texts.dxf = profile_dxf(shape, options.dxf_tolerance).text;
     return texts;
 }

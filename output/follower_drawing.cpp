@@ -30,7 +30,16 @@ FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset,
       pose_(follower_pose(shape.cam, start_)),
       size_(std::max(shape.cam[DimensionIndex::base_radius], roller_of(shape.cam))),
       least_(least_offset - face_margin * size_),
-      largest_(largest_offset + face_margin * size_) {}
+      largest_(largest_offset + face_margin * size_) {
+    if (const std::optional<double> half = pushed_face(); half) least_ = -*half, largest_ = *half;
+}
+
+/// Half the width of a flat face that is pushed straight, where it is given.
+std::optional<double> FollowerDrawing::pushed_face() const {
+    const FollowerType follower = shape_.cam.follower;
+    if (!has_flat_face(follower) || is_oscillating(follower)) return std::nullopt;
+    return shape_.face_half_width;
+}
 
 std::vector<Vector2d> FollowerDrawing::reach() const {
     const DiskCam& cam = shape_.cam;
@@ -38,7 +47,14 @@ std::vector<Vector2d> FollowerDrawing::reach() const {
         const Vector2d around = Vector2d::Constant(2.5 * pivot_radius * size_);
         return {pose_.pivot + around, pose_.pivot - around, start_.pitch};
     }
-    return {start_.pitch + std::max(1.2 * roller_of(cam), (stem_length + plate) * size_) * pose_.lift};
+    std::vector<Vector2d> reach = {
+        start_.pitch + std::max(1.2 * roller_of(cam), (stem_length + plate) * size_) * pose_.lift};
+    if (has_flat_face(cam.follower)) {
+        const Vector2d along = along_face(pose_), foot = start_.contact - start_.contact_offset * along;
+        reach.emplace_back(foot + least_ * along);
+        reach.emplace_back(foot + largest_ * along);
+    }
+    return reach;
 }
 
 /// Direction of growing contact offset, which is that of x (from the pivot) in the fixed frame.
@@ -105,6 +121,11 @@ FollowerDrawing::Ghost FollowerDrawing::ghost_at(double theta) const {
     const FollowerPose pose = follower_pose(shape_.cam, point);
     const double length = ghost_length * size_;
     if (has_flat_face(shape_.cam.follower)) {
+        if (pushed_face()) {
+            const Vector2d direction = along_face(pose),
+                           foot = point.contact - point.contact_offset * direction;
+            return {point.contact, foot + least_ * direction, foot + largest_ * direction};
+        }
         const Vector2d along = length * turned_left(point.normal);
         return {point.contact, point.contact - along, point.contact + along};
     }

@@ -5,6 +5,7 @@
 #include "output/profile_canvas.hpp"
 #include "output/profile_shape.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace camopt {
 /// The parts of the follower as the drawing shows them, m.
 class FollowerDrawing {
  public:
-    /// face_ends: least and largest contact offset over the cam, for a flat face.
+    /// Least and largest contact offset over the cam: a flat face reaches a little beyond, unless the shape
+    /// says how wide it is.
     FollowerDrawing(const ProfileShape& shape, double least_offset, double largest_offset);
 
     /// Points that the whole follower reaches, for the extent of the drawing.
@@ -27,6 +29,7 @@ class FollowerDrawing {
         Eigen::Vector2d center, from, to;
     };
 
+    [[nodiscard]] std::optional<double> pushed_face() const;
     [[nodiscard]] Ghost ghost_at(double theta) const;
     [[nodiscard]] Eigen::Vector2d along_face(const FollowerPose& pose) const;
     void draw_stem(const ProfileCanvas& canvas, const Eigen::Vector2d& foot, double gap) const;

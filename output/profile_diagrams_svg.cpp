@@ -26,6 +26,8 @@ constexpr double headroom = 0.16;  // of the range, above and below: for the lab
 constexpr double limit_in_sight =
     2.5;  // a limit beyond this many times the largest value is left out of sight
 constexpr double most_curvature = 6.0;  // of the largest of base circle's and limits' curvature: then cut off
+constexpr double label_height = 24;     // px: of a mark's label with the mark
+constexpr int angle_digits = 5;         // as in the report
 constexpr double label_room = 130;      // px: nearer to the frame's end a label grows away from it
 
 const char* page_style =
@@ -48,6 +50,11 @@ struct Line {
     std::string words;
 };
 
+struct Mark {
+    double at = 0.0, value = 0.0;  ///< at: deg
+    bool above = true;             ///< where the label stands
+};
+
 struct Panel {
     double top = 0.0;
     double least_range = 0.0;  ///< of the axis
@@ -55,7 +62,8 @@ struct Panel {
     std::function<double(const ProfilePoint&)> value;  ///< in the unit shown
     std::function<std::string(double value)> words;    ///< of an extreme
     std::vector<Line> limits;
-    double bound = 0.0;  ///< values beyond ± this are cut off; 0: none
+    double bound = 0.0;                           ///< values beyond ± this are cut off; 0: none
+    std::optional<std::vector<Mark>> marks = {};  ///< none: the extremes of the curve
 };
 
 using Pieces = std::vector<std::vector<ProfilePoint>>;
@@ -120,19 +128,22 @@ void draw_curve(SvgCanvas& canvas, const PlotFrame& frame, const Pieces& pieces,
     canvas.path(data, "curve");
 }
 
-void draw_limits(SvgCanvas& canvas, const PlotFrame& frame, const Panel& panel) {
+void draw_limits(SvgCanvas& canvas, const PlotFrame& frame, const Panel& panel,
+                 const std::vector<Mark>& marks) {
     for (const Line& limit : panel.limits) {
         if (!frame.vertical.holds(limit.value)) continue;
         const double y = frame.vertical.place(limit.value), from = frame.horizontal.place(limit.begin);
         canvas.line(from, y, frame.horizontal.place(limit.end), y, "limit");
-        canvas.text(from + 6, limit.value > 0.0 ? y - 6 : y + 15, limit.words, "limit-label");
+        const auto covers = [&](const Mark& mark) {
+            return std::abs(frame.vertical.place(mark.value) - y) < label_height &&
+                   frame.horizontal.place(mark.at) < from + 2.0 * label_room;
+        };
+        const bool at_end = std::ranges::any_of(marks, covers);
+        canvas.text(at_end ? frame.horizontal.place(limit.end) - 6 : from + 6,
+                    limit.value > 0.0 ? y - 6 : y + 15, limit.words,
+                    at_end ? "limit-label end" : "limit-label");
     }
 }
-
-struct Mark {
-    double at = 0.0, value = 0.0;  ///< at: deg
-    bool above = true;             ///< where the label stands
-};
 
 void draw_extreme(SvgCanvas& canvas, const PlotFrame& frame, const Panel& panel, const Mark& mark) {
     if (!frame.vertical.holds(mark.value) || mark.value == 0.0) return;
@@ -144,7 +155,8 @@ void draw_extreme(SvgCanvas& canvas, const PlotFrame& frame, const Panel& panel,
                 : at_right ? std::min(x, right - 6)
                            : x,
                 mark.above ? y - 9 : y + 19,
-                fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, 4)), css_class);
+                fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, angle_digits)),
+                css_class);
 }
 
 void draw_panel(SvgCanvas& canvas, const ProfileShape& shape, const Pieces& pieces, const Panel& panel) {
@@ -157,9 +169,10 @@ void draw_panel(SvgCanvas& canvas, const ProfileShape& shape, const Pieces& piec
     }
     canvas.line(left, frame.vertical.place(0.0), right, frame.vertical.place(0.0), "zero");
     draw_curve(canvas, frame, pieces, panel);
-    draw_limits(canvas, frame, panel);
-    draw_extreme(canvas, frame, panel, {extremes.most_at, extremes.most, true});
-    draw_extreme(canvas, frame, panel, {extremes.least_at, extremes.least, false});
+    const std::vector<Mark> marks = panel.marks.value_or(std::vector<Mark>{
+        {extremes.most_at, extremes.most, true}, {extremes.least_at, extremes.least, false}});
+    draw_limits(canvas, frame, panel, marks);
+    for (const Mark& mark : marks) draw_extreme(canvas, frame, panel, mark);
     canvas.text(left, panel.top - 9, panel.caption, "caption");
     if (!frame.vertical.holds(extremes.most) || !frame.vertical.holds(extremes.least))
         canvas.text(right, panel.top - 9, "it leaves the frame", "warning end");
@@ -202,17 +215,30 @@ Panel curvature_panel(const ProfileShape& shape, const ProfileDiagramLimits& lim
     return panel;
 }
 
+/// factor: from SI to the unit shown.
+std::vector<Mark> shown_marks(const std::vector<ProfileMark>& marks, double factor) {
+    std::vector<Mark> shown;
+    for (const ProfileMark& mark : marks)
+        shown.push_back({mark.theta / degree, factor * mark.value, mark.value > 0.0});
+    return shown;
+}
+
 }  // namespace
 
 std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
-                                 std::string_view title) {
+                                 std::string_view title, const std::optional<ProfileDiagramMarks>& marks) {
     const Pieces pieces = profile_pieces(shape, steps);
     SvgCanvas canvas(page_width, page_height, std::string(page_style) + std::string(plot_frame_style()),
                      title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 38, title, "title");
-    draw_panel(canvas, shape, pieces, pressure_panel(limits));
-    draw_panel(canvas, shape, pieces, curvature_panel(shape, limits));
+    Panel pressure = pressure_panel(limits), curvature = curvature_panel(shape, limits);
+    if (marks) {
+        pressure.marks = shown_marks(marks->pressure, 1.0 / degree);
+        curvature.marks = shown_marks(marks->curvature, millimetre);
+    }
+    draw_panel(canvas, shape, pieces, pressure);
+    draw_panel(canvas, shape, pieces, curvature);
     canvas.text(0.5 * (left + right), page_height - 20, "cam angle θ (deg)", "middle");
     return canvas.finish();
 }

@@ -24,7 +24,18 @@ struct ProfileDiagramLimits {
     std::optional<double> convex_radius_min, concave_radius_min;  ///< m; 0 is no line
 };
 
+struct ProfileMark {
+    double theta = 0.0;  ///< rad
+    double value = 0.0;  ///< signed: pressure angle in rad, curvature in 1/m
+};
+struct ProfileDiagramMarks {
+    std::vector<ProfileMark> pressure, curvature;
+};
+
+/// marks: the extremes to name, from where the report has them too; none: those of the drawn points, an
+/// eighth of a degree apart.
 [[nodiscard]] std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
-                                               std::string_view title);
+                                               std::string_view title,
+                                               const std::optional<ProfileDiagramMarks>& marks = {});
 
 }  // namespace camopt

@@ -68,7 +68,8 @@ void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach)
     if (!has_flat_face(cam.follower)) return;
     const Vector2d along(-pose.lift.y(), pose.lift.x());
     const Vector2d middle = point.contact - along * along.dot(point.contact);
-    drawing.line("FACE", middle - 0.5 * reach * along, middle + 0.5 * reach * along);
+    const double half = shape.face_half_width.value_or(0.5 * reach);
+    drawing.line("FACE", middle - half * along, middle + half * along);
 }
 
 }  // namespace

@@ -75,6 +75,12 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, const Pro
     if (has_roller(shape.cam.follower))
         column.value("prime radius",
                      shape.cam[DimensionIndex::base_radius] + shape.cam[DimensionIndex::roller_radius]);
+    if (has_flat_face(shape.cam.follower) && !is_oscillating(shape.cam.follower)) {
+        if (shape.face_half_width)
+            column.value("face half width", *shape.face_half_width);
+        else
+            column.words("face: no width given, drawn as needed");
+    }
     column.words(fmt::format("turns {}", name_of(shape.cam.rotation)));
     if (!shape.closed)
         column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -19,6 +20,8 @@ struct ProfileShape {
     std::function<ProfilePoint(double theta)> at;
     std::vector<double> knots;  ///< θ where the motion changes its formula, begin and end included; ascending
     bool closed = true;         ///< the end of the cam is its beginning; false: a sector
+    /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
+    std::optional<double> face_half_width = {};
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }

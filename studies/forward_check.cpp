@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/forward_check.hpp"
 
+#include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "studies/point_curve.hpp"
 #include "studies/touching_follower.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -220,10 +220,10 @@ void ForwardCheckInput::validate() const {
 }
 
 ForwardCheckResult forward_check(const ForwardCheckInput& input) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     input.validate();
     ForwardCheckResult result = Simulation(input).run();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

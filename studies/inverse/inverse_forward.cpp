@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "studies/inverse/inverse_forward.hpp"
 
+#include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "studies/point_curve.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,7 +39,7 @@ double angle_of(const Vector2d& point) {
 /// Runs over the places; `found` gives psi there from the one before, NaN where there is none.
 template <class Found>
 GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     GuideCheckResult result;
     result.points = static_cast<int>(input.points.size());
     double angle = input.designed(input.begin);
@@ -52,7 +52,7 @@ GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
         result.distance = distance;
         if (std::isnan(deviation)) break;
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

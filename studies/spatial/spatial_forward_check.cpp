@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "studies/spatial/spatial_forward_check.hpp"
 
+#include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "studies/spatial/flank_contact.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 namespace camopt {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 void check_section(const SpatialForwardCheckInput& input, std::size_t index,
                    SpatialForwardCheckResult& result) {
@@ -72,19 +66,19 @@ std::vector<std::vector<Eigen::Vector3d>> sections_of(const FlankGrid& grid) {
 }
 
 SpatialForwardCheckResult spatial_forward_check(const SpatialForwardCheckInput& input) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     input.validate();
     SpatialForwardCheckResult result;
     result.points = static_cast<int>(input.sections.front().size());
     for (std::size_t i = 0; i < input.sections.size(); ++i) check_section(input, i, result);
     if (result.angles == 0) result.deviation = std::numeric_limits<double>::infinity();
-    result.seconds = seconds_since(begin);
+    result.seconds = watch.seconds();
     return result;
 }
 
 SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam, const FollowerMotion& motion,
                                                  int count) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     const FlankGrid grid = flank_grid(cam, motion, FlankSampling{.sections = 2, .angles = count});
     const auto sections = sections_of(grid);
     const std::size_t half = sections.size() / 2;
@@ -103,7 +97,7 @@ SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam, const Fo
         row.points = result.points;
         if (positive) row.travel = result.travel;
     }
-    row.seconds = seconds_since(begin);
+    row.seconds = watch.seconds();
     return row;
 }
 
