@@ -177,17 +177,6 @@ TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
     EXPECT_GT(factor, 1.0);
 }
 
-TEST(Explanation, WithoutTimeSaysThatNothingWasSearched) {
-    Solution solution;
-    solution.scene = paper_objective(MotionType::drd, 3, 12);
-    solution.scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    solution.certificate.verdict = Verdict::infeasible;
-    explain(solution, 0.0, {});
-    EXPECT_TRUE(solution.relaxation.empty());
-    ASSERT_EQ(solution.notes.size(), 1U);
-    EXPECT_NE(solution.notes[0].find("took all of solver.max_seconds"), std::string::npos);
-}
-
 TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
     Solution solution;
     solution.scene = pressure_angle_scene(24);
@@ -195,14 +184,15 @@ TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
     std::vector<std::string> told;
     SolveControl control;
     control.progress = [&](std::string_view message) { told.emplace_back(message); };
-    explain(solution, 1e-9, control);  // no search can end in it
+    control.deadline = Deadline::after(0.0);
+    explain(solution, control);
     ASSERT_TRUE(solution.explanation);
     EXPECT_TRUE(solution.relaxation.empty()) << "what was not searched must not pass for hopeless";
     const std::vector<std::string>& unsettled = solution.explanation->unsettled;
     for (const char* key : {"limits.pressure_angle_deg", "motion.rise_deg", "cam.base_radius_mm"})
         EXPECT_TRUE(std::ranges::find(unsettled, key) != unsettled.end()) << key;
     ASSERT_FALSE(told.empty());
-    EXPECT_NE(told[0].find("searches what would help, for 1e-09 s at most"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("searches what would help, for 0 s at most"), std::string::npos) << told[0];
 }
 
 TEST(Explanation, EveryNumberOfACamAndItsSpringsIsTried) {
