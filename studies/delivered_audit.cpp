@@ -2,6 +2,7 @@
 #include "studies/delivered_audit.hpp"
 
 #include "splines/basis.hpp"
+#include "splines/extrema.hpp"
 #include "studies/delivered_conditions.hpp"
 #include "studies/delivered_objective.hpp"
 
@@ -47,6 +48,9 @@ std::optional<Fault> joint_fault(const Solution& solution) {
 // Control points are sums of products over a whole support, and sums of them give the curve back: each way
 // rounds some hundred times where neighbours differ much in width.
 constexpr double roundings_of_a_coefficient = 4096.0;
+// Joints that jump by largest_joint_jump at both ends of a segment, and of its neighbours: coefficients
+// cannot say so, and miss the curve by as much.
+constexpr double largest_coefficient_miss = 10.0 * largest_joint_jump;
 
 /// Σ_m size_m m! / (m − order)! width^(m − order): the most a derivative can be on a segment whose local
 /// coefficients have these sizes.
@@ -74,7 +78,7 @@ std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& pe
         const Eigen::VectorXd missed = (basis * own - curve.pieces().col(i)).cwiseAbs();
         for (int order = 0; order <= 3; ++order) {
             const double found = most_of_derivative(missed, order, space.width(i));
-            if (found <= largest_joint_jump * size[static_cast<std::size_t>(order)]) continue;
+            if (found <= largest_coefficient_miss * size[static_cast<std::size_t>(order)]) continue;
             const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs();
             if (found <= rounding * most_of_derivative(met, order, space.width(i))) continue;
             return Fault{"coefficients_too_coarse",
@@ -187,6 +191,18 @@ void fail(Certificate& certificate, const char* reason) {
 
 }  // namespace
 
+namespace {
+
+double peak_of(const SplineCurve& curve, int order) {
+    const Peaks peaks = peaks_of(curve);
+    return order == 0   ? curve.pieces().row(0).cwiseAbs().maxCoeff()
+           : order == 1 ? peaks.velocity.value
+           : order == 2 ? peaks.acceleration.value
+                        : peaks.jerk.value;
+}
+
+}  // namespace
+
 JointJump worst_joint_jump(const SplineCurve& curve) {
     const std::vector<double>& breakpoints = curve.space().breakpoints();
     JointJump worst;
@@ -201,6 +217,9 @@ JointJump worst_joint_jump(const SplineCurve& curve) {
             if (!(std::abs(left - right) <= jump.relative))
                 jump = {std::abs(left - right), breakpoints[joint], order};
         }
+        // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
+        // between.
+        if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, peak_of(curve, order));
         jump.relative /= largest > 0.0 ? largest : 1.0;
         if (!(jump.relative <= worst.relative)) worst = jump;
     }

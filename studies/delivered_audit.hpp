@@ -33,7 +33,8 @@ inline constexpr double condition_rounding = 1e-9;
 inline constexpr double figure_rounding = 1e-8;
 
 struct JointJump {
-    double relative = 0.0;  ///< by the largest magnitude of that derivative
+    double relative = 0.0;  ///< by the largest magnitude of that derivative, at the joints or (where it is
+                            ///< small there) anywhere
     double at = 0.0;        ///< x
     int order = 0;
 };

@@ -166,6 +166,36 @@ TEST(DeliveredAudit, ProgramsAreLookedAtToo) {
     EXPECT_GT(missed_conditions(open, 1e-10).at(0).relative, 0.05);
 }
 
+TEST(DeliveredAudit, ADerivativeThatVanishesAtEveryJointDoesNotJump) {
+    // y'' of two mirrored quintics is 0 at 0, 1/2 and 1: what is left there is rounding, and no measure of
+    // itself.
+    for (const DesignKind kind : {DesignKind::states, DesignKind::coefficients, DesignKind::ordinates}) {
+        for (const int continuity : {2, 4}) {
+            if (kind == DesignKind::ordinates && continuity < 4) continue;
+            Scene scene = paper_objective(MotionType::drd, 5, 2);
+            scene.spline.continuity = continuity;
+            scene.spline.design = kind;
+            EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal) << name_of(kind) << continuity;
+            scene.motion.symmetric = true;
+            EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal) << name_of(kind) << continuity;
+        }
+    }
+}
+
+TEST(DeliveredAudit, ARelaxationWithAMarginHasAMotionThoughOnlyOneCurveIsLeft) {
+    Scene scene = paper_objective(MotionType::rr, 5, 2);
+    scene.motion.symmetric = true;
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.5);
+    const Solution without = solve(scene);
+    ASSERT_EQ(without.certificate.verdict, Verdict::infeasible);
+    ASSERT_EQ(without.relaxation.size(), 1u);
+    ASSERT_TRUE(without.relaxation[0].needed);
+    EXPECT_NEAR(*without.relaxation[0].needed, 20.0 / 3.0, 1e-6);
+    scene.limits.acceleration =
+        normalised_limit("limits.acceleration", *without.relaxation[0].needed * (1.0 + 1e-6));
+    EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
+}
+
 /// A flat face on an arm, whose Hertz pressure grows without end where the cam comes to a cusp.
 Scene pressed_flat_arm() {
     Scene scene;

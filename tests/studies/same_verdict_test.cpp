@@ -104,7 +104,9 @@ std::string disagreement(const Solution& one, const Solution& other, double fact
     const Certificate &left = one.certificate, &right = other.certificate;
     const std::string verdicts = std::string(name_of(left.verdict)) + " " + left.reason + ", " +
                                  name_of(right.verdict) + " " + right.reason;
-    if (is_found(left.verdict) != is_found(right.verdict)) return verdicts;
+    if (is_found(left.verdict) != is_found(right.verdict))
+        return verdicts + (one.notes.empty() ? "" : "; " + one.notes.back()) +
+               (other.notes.empty() ? "" : "; " + other.notes.back());
     if (left.verdict != Verdict::optimal || right.verdict != Verdict::optimal) return {};
     const double size = std::max(1.0, std::abs(left.objective));
     const double difference = std::abs(left.objective - right.objective / factor);
