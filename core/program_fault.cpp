@@ -60,6 +60,21 @@ Fault end_fault(const MotionSpec& motion) {
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
 
+/// A program whose every displacement is free or 0 is solved by standing still: nothing was asked.
+Fault idle_fault(const MotionSpec& motion) {
+    const auto moves = [](const ProgramSegment& segment) { return segment.to.value_or(0.0) != 0.0; };
+    if (std::ranges::any_of(motion.segments, moves)) return std::nullopt;
+    const auto first = std::ranges::find_if(
+        motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const auto others = std::count_if(first + 1, motion.segments.end(),
+                                      [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const bool alone = motion.closed && others == 0;  // what rises must come back
+    return SceneFault{fmt::format("motion.segments[{}].to", std::distance(motion.segments.begin(), first)),
+                      "a program in which nothing has to move: every displacement is 0 or free",
+                      alone ? "two segments that move, the first with `to`, or motion.closed = false"
+                            : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
+}
+
 }  // namespace
 
 Fault program_fault(const MotionSpec& motion) {
@@ -75,7 +90,8 @@ Fault program_fault(const MotionSpec& motion) {
                           "at least one with kind = \"spline\", its angle and, where it is wanted, the "
                           "displacement `to` at its end"};
     if (Fault fault = turn_fault(motion)) return fault;
-    return end_fault(motion);
+    if (Fault fault = end_fault(motion)) return fault;
+    return idle_fault(motion);
 }
 
 }  // namespace camopt

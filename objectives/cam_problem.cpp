@@ -127,6 +127,12 @@ std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double s
         if (value / row.scale > -slack)
             found.push_back({rule, {value, model_->design.begin()}, value / row.scale, row.limit});
     }
+    for (int k = 0; k < static_cast<int>(model_->design_rows.size()); ++k) {
+        const DesignRow& row = model_->design_rows[k];
+        const double amount = row.row.value(design_values(x));
+        const int rule = static_cast<int>(model_->rules.size() + model_->parameter_rows.size()) + k;
+        if (amount > -slack) found.push_back({rule, {amount, model_->design.begin()}, amount, true});
+    }
     std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
     return found;
 }

@@ -92,6 +92,14 @@ void GridNlp::add_rows() {
         upper.push_back(source.upper);
         shape_.rows.push_back({true, source.limit, source.scale});
     }
+    for (const DesignRow& source : model.design_rows) {
+        Row row{source.row.columns, source.row.weights, source.row.offset, -1, {}};
+        for (std::size_t k = 0; k < row.columns.size(); ++k) row.weights[k] *= scale[row.columns[k]];
+        rows_.push_back(std::move(row));
+        lower.push_back(-infinity);
+        upper.push_back(0.0);
+        shape_.rows.push_back({true, true, 1.0});
+    }
     first_sample_row_ = static_cast<int>(rows_.size());
     for (int k = 0; k < static_cast<int>(samples_.size()); ++k) {
         add_sample_row(k);
@@ -318,7 +326,9 @@ std::string GridNlp::variable_name(int index) const {
 std::string GridNlp::row_name(int index) const {
     const int equalities = static_cast<int>(model_->design.equalities().size());
     if (index < equalities) return model_->design.equalities()[index].name;
-    if (index < first_sample_row_) return model_->parameter_rows[index - equalities].name;
+    const int conditions = equalities + static_cast<int>(model_->parameter_rows.size());
+    if (index < conditions) return model_->parameter_rows[index - equalities].name;
+    if (index < first_sample_row_) return model_->design_rows[index - conditions].name;
     const RuleSample& place = samples_[index - first_sample_row_];
     return fmt::format("{} at x = {:.9g}{}", model_->rules[place.rule]->name(), place.at,
                        place.side == Side::left ? "-" : "");

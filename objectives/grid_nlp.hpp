@@ -2,9 +2,9 @@
 // The Nlp of a CamModel on finitely many cam angles.
 //
 // Variables: design entries in units of their typical size, then parameters in units of their references.
-// Rows, in this order: equalities of the design vector, rows on the parameters, sampled rules in the order
-// given. A sampled rule's row is g(B x + b; q) <= 0 with the constant map B of its cam angle: Jacobian Bᵀ∂g,
-// Hessian Bᵀ ∂²g B. Rows of linear rules are multiplied out once.
+// Rows, in this order: equalities of the design vector, rows on the parameters, rows on the design, sampled
+// rules in the order given. A sampled rule's row is g(B x + b; q) <= 0 with the constant map B of its cam
+// angle: Jacobian Bᵀ∂g, Hessian Bᵀ ∂²g B. Rows of linear rules are multiplied out once.
 #pragma once
 
 #include "core/nlp.hpp"

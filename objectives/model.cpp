@@ -5,6 +5,11 @@
 
 namespace camopt {
 
+double measured_displacement(double displacement) {
+    const double size = std::abs(displacement);
+    return size < standing_displacement ? 1.0 : size;
+}
+
 std::vector<double> CamModel::mean_square_weights(int order) const {
     std::vector<double> weights;
     for (const StretchScale& scale : stretch_scales) {

@@ -49,10 +49,25 @@ struct PlacedRule {
     const PointRule& operator*() const { return *rule; }
 };
 
+/// In lifts: a segment whose ends are closer than this stands, and is measured by the lift. Far above the
+/// rounding of a displacement, far below what a machine could make.
+inline constexpr double standing_displacement = 1e-9;
+
+/// What a displacement is measured by: |h|; the lift where a segment stands. In lifts.
+[[nodiscard]] double measured_displacement(double displacement);
+
 /// How a stretch is normalised: y^{(r)} of the family is |displacement| / angle^r times the normalised one.
+/// Where the design moves the displacement: the largest it may have, so that peaks come out too small, never
+/// too large.
 struct StretchScale {
     double angle = 1.0;         ///< its length in x
     double displacement = 1.0;  ///< in lifts, > 0
+};
+
+/// row(design) <= 0: a limit on the design itself.
+struct DesignRow {
+    std::string name;
+    AffineRow row;
 };
 
 /// Σ_p weights_p q_p <= upper.
@@ -78,6 +93,7 @@ struct CamModel {
     std::vector<Parameter> parameters;
     std::vector<PlacedRule> rules;
     std::vector<ParameterRow> parameter_rows;
+    std::vector<DesignRow> design_rows;
     /// What dimensions that are numbers add to the cost.
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.

@@ -161,23 +161,45 @@ namespace {
 
 constexpr double overshoot = 0.25;  // of the displacements given: how far a sensible motion goes beyond them
 
-void add_program_scales(CamModel& model, const Scene& scene) {
+/// least <= value <= most.
+void add_range(CamModel& model, const std::string& name, const AffineRow& value, double least, double most) {
+    AffineRow above = value, below = combined({least, {}, {}}, -1.0, value);
+    above.offset -= most;
+    model.design_rows.push_back({name + ", at most", std::move(above)});
+    model.design_rows.push_back({name + ", at least", std::move(below)});
+}
+
+/// Where the free displacements lie, and rows that keep them there.
+void add_free_displacements(CamModel& model, const FreeDisplacements& free,
+                            std::span<const DisplacementBox> boxes) {
+    for (const int joint : free.joints) {
+        add_range(model, fmt::format("motion.segments[{}].to", joint - 1),
+                  model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
+    }
+    for (const DisplacementBox& box : boxes) {
+        const MotionFamily::Stretch& stretch =
+            model.design.stretches()[static_cast<std::size_t>(box.stretch)];
+        model.stretch_scales[static_cast<std::size_t>(box.stretch)].displacement = box.largest_measure();
+        add_range(model, fmt::format("displacement of motion.segments[{}]", box.stretch),
+                  combined(stretch.to, -1.0, stretch.from), box.least, box.most);
+    }
+}
+
+void add_program_scales(CamModel& model, const Scene& scene, std::span<const DisplacementBox> boxes) {
     if (scene.motion.type != MotionType::program) return;
-    double least = 0.0, most = 0.0;
     for (const MotionFamily::Stretch& stretch : model.design.stretches()) {
         const std::optional<double> from = known_displacement(stretch.from);
         const std::optional<double> to = known_displacement(stretch.to);
-        StretchScale scale{stretch.end - stretch.begin, 1.0};
-        if (from && to) {
-            const double displacement = std::abs(*to - *from);
-            if (displacement > 0.0) scale.displacement = displacement;
-            least = std::min(least, *to);
-            most = std::max(most, *to);
-        }
-        model.stretch_scales.push_back(scale);
+        const double displacement = from && to ? measured_displacement(*to - *from) : 1.0;
+        model.stretch_scales.push_back({stretch.end - stretch.begin, displacement});
     }
+    const auto [least, most] = known_range(model.design);
     model.least_displacement = least - overshoot * std::max(1.0, most - least);
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
+    const FreeDisplacements free = free_displacements(scene, model.design);
+    if (free.stretches.empty()) return;
+    const std::vector<DisplacementBox> whole = whole_range(free, model.design);
+    add_free_displacements(model, free, boxes.empty() ? std::span(whole) : boxes);
 }
 
 /// Displacements given by the scene: both ends, the top of RR, joints of a program beside a dwell or a law.
@@ -345,9 +367,10 @@ void add_mechanism(CamModel& model, const Scene& scene) {
 
 }  // namespace
 
-CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference) {
+CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
+                     std::span<const DisplacementBox> boxes) {
     CamModel model(scene_family(scene, kind));
-    add_program_scales(model, scene);
+    add_program_scales(model, scene, boxes);
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
     add_cam(model, scene);

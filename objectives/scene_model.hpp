@@ -5,7 +5,10 @@
 
 #include "core/peaks.hpp"
 #include "core/scene.hpp"
+#include "objectives/free_displacements.hpp"
 #include "objectives/model.hpp"
+
+#include <span>
 
 namespace camopt {
 
@@ -28,8 +31,10 @@ namespace camopt {
 
 /// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there. A
 /// program's peaks are the largest over its spline segments, each by its own angle and displacement (the lift
-/// where that is 0 or free).
-[[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference);
+/// where that is 0). Where displacements are free the model is a relaxation: those peaks are measured by the
+/// largest displacement that `boxes` (none: the whole free range) leaves, and the motions stay within them.
+[[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
+                                   std::span<const DisplacementBox> boxes = {});
 
 /// Which motions a rule must be convex over to be kept.
 enum class ConvexOver {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <vector>
 
 namespace camopt {
@@ -37,6 +38,23 @@ Json proof_json(const DualityProof& proof) {
             {"rows", rows},
             {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
             {"bound", number_json(proof.bound)}};
+}
+
+/// Proofs that several cases share stand in the first; the others name it.
+Json cases_json(const std::vector<CaseProof>& cases) {
+    if (cases.empty()) return nullptr;
+    std::map<const DualityProof*, int> written;
+    Json list = Json::array();
+    for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
+        const CaseProof& part = cases[static_cast<std::size_t>(i)];
+        const auto [known, fresh] = written.try_emplace(part.proof.get(), i);
+        list.push_back({{"region", part.region},
+                        {"infeasible", part.infeasible},
+                        {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
+                        {"proof_of_case", part.proof ? Json(known->second) : Json(nullptr)},
+                        {"proof", part.proof && fresh ? proof_json(*part.proof) : Json(nullptr)}});
+    }
+    return list;
 }
 
 double number_or(const Json& json, double missing) {
@@ -116,7 +134,11 @@ std::string_view how_to_check() {
            "violates some limit by at least the bound, so a bound above 0 proves that the scene is "
            "infeasible. Statement \"conditions\": the rows are conditions that contradict each other; a "
            "bound above 0 proves that no curve of this kind meets them all. null: the side is open "
-           "(infinite).";
+           "(infinite). \"cases\": where displacements are free, the cases together hold all that they may "
+           "be, each has its bound, proved by the problem of the case that \"proof_of_case\" counts (from "
+           "0), and the least of the bounds is that of the whole. A case may rest on the proof of a larger "
+           "one, or, where a segment between dwells moves in it, on that of the single rise in the same "
+           "spline space, whose peaks no such segment can pass below.";
 }
 
 std::string certificate_json(const Certificate& certificate) {
@@ -132,6 +154,7 @@ std::string certificate_json(const Certificate& certificate) {
     json["proof_kind"] = name_of(certificate.proof_kind);
     json["how_to_check"] = how_to_check();
     json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);
+    json["cases"] = cases_json(certificate.cases);
     return json_text(json);
 }
 

@@ -26,6 +26,7 @@ const char* name_of(Verdict value) {
 
 const char* name_of(ProofKind value) {
     if (value == ProofKind::any_curve_limit) return "any_curve_limit";
+    if (value == ProofKind::boxes) return "boxes";
     return value == ProofKind::duality ? "duality" : "none";
 }
 

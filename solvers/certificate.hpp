@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ enum class Verdict { optimal, local, feasible, infeasible, failed };
 
 enum class ProofKind {
     none,
-    duality,         ///< DualityProof
-    any_curve_limit  ///< no curve of any kind is better (motions/any_curve_limit.hpp); free breakpoints
+    duality,          ///< DualityProof
+    any_curve_limit,  ///< no curve of any kind is better (motions/any_curve_limit.hpp); free breakpoints
+    boxes             ///< a DualityProof for each case of a choice: Certificate::cases
 };
 [[nodiscard]] const char* name_of(ProofKind value);
 
@@ -43,6 +45,15 @@ struct DualityProof {
     Eigen::VectorXd multipliers;
     Box box;
     double bound = 0.0;
+};
+
+/// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
+/// keeps the limits there, and the proof's bound is above 0.
+struct CaseProof {
+    std::vector<std::string> region;
+    double bound = 0.0;
+    bool infeasible = false;
+    std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
 };
 
 /// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an
@@ -63,6 +74,7 @@ struct Certificate {
     std::optional<double> stationarity;  ///< ‖∇f + Jᵀλ + z‖∞ at the delivered point with the best multipliers
     ProofKind proof_kind = ProofKind::none;
     std::optional<DualityProof> proof;
+    std::vector<CaseProof> cases;  ///< ProofKind::boxes: lower_bound is the least of their bounds
 };
 
 }  // namespace camopt

@@ -36,14 +36,12 @@ struct FamilyRequest {
     bool end_jerk_zero = false;             ///< y''' = 0 where a run meets a dwell
 };
 
-/// The displacement at a joint where the request gives it: no entry moves it, and it is not the spline's own
-/// affair (NaN).
+/// The displacement at a joint that no entry moves: given, or carried there by dwells and a closed turn.
 [[nodiscard]] std::optional<double> known_displacement(const AffineRow& row);
 
 class MotionFamily {
  public:
-    /// One stretch of x. `from`, `to`: the displacement at its ends, as rows of the entries; for a spline NaN
-    /// where nothing gives it.
+    /// One stretch of x. `from`, `to`: the displacement at its ends, as rows of the entries.
     struct Stretch {
         StretchRequest::Kind kind = StretchRequest::Kind::spline;
         double begin = 0.0, end = 0.0;

@@ -71,7 +71,25 @@ struct MotionFamily::Builder {
         if (ring) close_ring();
         add_stretches(plans);
         family.add_pieces();
+        find_levels_inside_runs();
         return std::move(family);
+    }
+
+    /// What the spline makes of a joint between two splines that nothing gives a displacement.
+    void find_levels_inside_runs() {
+        const auto row_at = [&](double x, Side side) {
+            AffineRow all = family.functional(x, 0, side), row{all.offset, {}, {}};
+            for (std::size_t k = 0; k < all.columns.size(); ++k) {
+                if (all.weights[k] == 0.0) continue;
+                row.columns.push_back(all.columns[k]);
+                row.weights.push_back(all.weights[k]);
+            }
+            return row;
+        };
+        for (Stretch& own : family.stretches_) {
+            if (std::isnan(own.from.offset)) own.from = row_at(own.begin, Side::right);
+            if (std::isnan(own.to.offset)) own.to = row_at(own.end, Side::left);
+        }
     }
 
     /// Displacements at joints: given, carried along dwells, or an entry. Joints inside a run without a given

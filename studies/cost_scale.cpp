@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 
 namespace camopt {
 
@@ -74,6 +76,34 @@ void CostScale::scale_weights(const Peaks& reference) {
     for (double& weight : scaled_.objective.dimensions) weight /= factor_;
 }
 
+namespace {
+
+void scale_proof(DualityProof& proof, double factor) {
+    if (proof.statement != "objective") return;
+    proof.cost *= factor;
+    proof.constant *= factor;
+    proof.multipliers *= factor;
+    proof.bound *= factor;
+}
+
+/// Cases that share a proof share it still.
+void scale_cases(std::vector<CaseProof>& cases, double factor) {
+    std::map<const DualityProof*, std::shared_ptr<const DualityProof>> scaled;
+    for (CaseProof& part : cases) {
+        part.bound *= factor;
+        if (!part.proof) continue;
+        std::shared_ptr<const DualityProof>& known = scaled[part.proof.get()];
+        if (!known) {
+            auto proof = std::make_shared<DualityProof>(*part.proof);
+            scale_proof(*proof, factor);
+            known = std::move(proof);
+        }
+        part.proof = known;
+    }
+}
+
+}  // namespace
+
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
     solution.scene = scene;
     solution.reference_peaks = reference;
@@ -81,17 +111,13 @@ void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& ref
     Certificate& certificate = solution.certificate;
     certificate.objective *= factor_;
     if (certificate.stationarity) *certificate.stationarity *= factor_;
+    scale_cases(certificate.cases, factor_);
     if (!certificate.lower_bound) return;
     *certificate.lower_bound *= factor_;
     if (certificate.gap)
         certificate.gap =
             std::max(*certificate.gap, relative_gap(certificate.objective, *certificate.lower_bound));
-    if (!certificate.proof || certificate.proof->statement != "objective") return;
-    DualityProof& proof = *certificate.proof;
-    proof.cost *= factor_;
-    proof.constant *= factor_;
-    proof.multipliers *= factor_;
-    proof.bound *= factor_;
+    if (certificate.proof) scale_proof(*certificate.proof, factor_);
 }
 
 }  // namespace camopt

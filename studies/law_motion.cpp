@@ -186,6 +186,7 @@ std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model, const 
                       false};
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
         if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
+        if (stroke.from && stroke.to) stroke.scale.displacement = measured_displacement(rise_of(stroke));
         strokes.push_back(std::move(stroke));
     }
     return strokes;

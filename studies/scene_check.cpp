@@ -205,7 +205,8 @@ SceneCheck check_scene(const Scene& given) {
     const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
-    check.convex = shape.convex;
+    // Peaks measured by a displacement that is free: convex for given ones only.
+    check.convex = shape.convex && free_displacements(scene, problem.model().design).stretches.empty();
     check.free_breakpoints = free.has_value();
     if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());

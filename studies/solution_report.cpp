@@ -32,19 +32,6 @@ void report_peak_limit(Solution& solution, const char* name, const std::optional
                                     peak.value >= limit->normalised * (1.0 - active_limit)});
 }
 
-SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
-    std::vector<double> breakpoints;
-    std::vector<int> segments;
-    for (const MotionFamily::Piece& piece : family.pieces()) {
-        if (piece.stretch != stretch) continue;
-        if (breakpoints.empty()) breakpoints.push_back(piece.begin);
-        breakpoints.push_back(piece.end);
-        segments.push_back(piece.segment);
-    }
-    return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
-            run.pieces()(Eigen::all, segments)};
-}
-
 /// The highest derivative that is continuous at x, to rounding.
 int continuity_at(const Motion& motion, double left_x, double right_x) {
     const MotionPoint left = motion.at(left_x, Side::left);
@@ -92,7 +79,8 @@ void report_segments(Solution& solution, const CamProblem& problem, const Eigen:
         if (written.kind == SegmentKind::spline) {
             report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
             const Peaks own = peaks_of(*report.curve);
-            report.peaks = normalised_peaks(own, model.stretch_scale(s));
+            report.peaks = normalised_peaks(
+                own, {stretch.end - stretch.begin, measured_displacement(report.to - report.from)});
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, stretch.end - stretch.begin);
@@ -157,6 +145,19 @@ std::optional<SmallestCamReport> smallest_of(const Scene& scene, const DiskCam& 
 }
 
 }  // namespace
+
+SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
+    std::vector<double> breakpoints;
+    std::vector<int> segments;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (piece.stretch != stretch) continue;
+        if (breakpoints.empty()) breakpoints.push_back(piece.begin);
+        breakpoints.push_back(piece.end);
+        segments.push_back(piece.segment);
+    }
+    return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
+            run.pieces()(Eigen::all, segments)};
+}
 
 ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
     const double slack = sign * (limit.value - worst.value);

@@ -10,6 +10,9 @@ namespace camopt {
 /// Fills motion, curve, segments, peaks, cam, constraints and design of the solution from x.
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
 
+/// The spline of one stretch of a program, over x.
+[[nodiscard]] SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch);
+
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
 

@@ -15,6 +15,7 @@
 #include "studies/relaxation.hpp"
 #include "studies/rest_conflict.hpp"
 #include "studies/solution_report.hpp"
+#include "studies/solve_free_displacements.hpp"
 #include "studies/solve_free_knots.hpp"
 #include "studies/solve_from_starts.hpp"
 #include "studies/solve_without_explaining.hpp"
@@ -52,6 +53,11 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
         return {};
     return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
+}
+
+FreeDisplacements displacements_left_free(const Scene& scene) {
+    if (scene.motion.type != MotionType::program) return {};
+    return free_displacements(scene, scene_family(scene, DesignKind::states));
 }
 
 /// Who solves a problem that is not convex: Ipopt where this build has it.
@@ -109,6 +115,12 @@ BackendChoice choose_backend(const Scene& scene) {
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
     }
+    if (!displacements_left_free(scene).stretches.empty()) {
+        choice.reason =
+            "displacements are free, and peaks are measured by them: relaxations bound them case by "
+            "case, and ordinary solves try them" +
+            (choice.reason.empty() ? std::string() : "; for given ones: " + choice.reason);
+    }
     if (choice.design == DesignKind::automatic) {
         // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
         const bool dense = choice.solver.starts_with("nlopt.");
@@ -149,6 +161,16 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     if (report_rest_conflict(solution, problem.model())) {
         solution.seconds_total = watch.seconds();
         return solution;
+    }
+    if (!free_displacements(scene, design).stretches.empty()) {
+        const auto given = [&](const Scene& fixed) {
+            return solve_scaled(fixed, reference, control, nullptr);
+        };
+        Solution found = solve_free_displacements(scene, reference, given, control);
+        found.solver.choice = choice.reason;
+        found.notes.insert(found.notes.begin(), solution.notes.begin(), solution.notes.end());
+        if (found.certificate.verdict == Verdict::infeasible) report_conflict(found);
+        return found;
     }
     const Stopwatch solve_watch;
     ContinuousResult result = solve_problem(problem, solver, solution, control);
