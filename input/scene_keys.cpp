@@ -64,7 +64,7 @@ Rows motion() {
          "A law of the catalogue; kind `\"law\"` only, and needed there."},
         {"motion.segments", "to", number, displacement, any, {}, "free",
          "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
-         "chooses it; but the last one of a closed program is 0."},
+         "chooses it, and the peaks are measured by what it finds; but the last one of a closed program is 0."},
     };
 }
 

@@ -49,7 +49,7 @@ std::string scene_with(const KeyCase& c) {
                 (c.key != segment + "kind"
                      ? ", kind = \"" + std::string(c.key == segment + "law" ? "law" : "spline") + "\""
                      : "") +
-                " }, { kind = \"spline\", angle_deg = 100 }]\n";
+                " }, { kind = \"spline\", angle_deg = 100, to = 0.25 }]\n";
     else
         toml += c.key + " = " + c.value + "\n";
     if (c.key != "motion.type" && c.rest.find("motion.type") == std::string::npos) toml += drd;
