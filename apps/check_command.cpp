@@ -53,6 +53,13 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
             "where the limit of any curve is reached, else local or feasible; that nothing is feasible is "
             "not proved",
             by, check.starts, check.starts == 1 ? "" : "s");
+    if (check.free_displacements > 0)
+        return fmt::format(
+            "{}: relaxations bound the {} free displacement{} case by case, and solves of the given ones try "
+            "what they like; the verdict is optimal or infeasible where the cases close, else {} with its "
+            "bound",
+            by, check.free_displacements, check.free_displacements == 1 ? "" : "s",
+            check.free_displacements == 1 ? "local or feasible" : "feasible");
     if (check.starts > 1 || !check.convex)
         return fmt::format(
             "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "

@@ -206,7 +206,9 @@ SceneCheck check_scene(const Scene& given) {
     check.variables = shape.variables();
     check.rows = shape.constraints();
     // Peaks measured by a displacement that is free: convex for given ones only.
-    check.convex = shape.convex && free_displacements(scene, problem.model().design).stretches.empty();
+    check.free_displacements =
+        static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
+    check.convex = shape.convex && check.free_displacements == 0;
     check.free_breakpoints = free.has_value();
     if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve_free_displacements.hpp"
 
+#include "core/deadline.hpp"
 #include "objectives/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/continuous_solve.hpp"
@@ -53,9 +54,9 @@ class DisplacementSearch {
 
  private:
     [[nodiscard]] double seconds() const { return watch_.seconds(); }
-    [[nodiscard]] double left(double part) const { return part * scene_.solver.max_seconds - seconds(); }
+    [[nodiscard]] double left(double part) const { return part * allowed_ - seconds(); }
     [[nodiscard]] bool out_of_time(double part) {
-        if (control_.stopped()) return true;
+        if (control_.stopped() || (!best_.motion && control_.in_vain.passed())) return true;
         if (left(part) > 0.0) return false;
         timed_out_ = true;
         return true;
@@ -83,6 +84,7 @@ class DisplacementSearch {
     const SolveGiven& solve_given_;
     const SolveControl& control_;
     Stopwatch watch_;
+    double allowed_ = std::min(scene_.solver.max_seconds, control_.deadline.seconds_left());
     DisplacementCases cases_;
     std::vector<DisplacementCase> parts_;  ///< together they hold everything
     Solution best_;
@@ -287,6 +289,10 @@ void DisplacementSearch::tell(Solution& solution) const {
         "free displacements, sought between {:.6g} and {:.6g} lifts: {} cases bounded, {} sets of "
         "displacements tried",
         cases_.free().least, cases_.free().most, bounded_, tried_.size()));
+    if (timed_out_)
+        solution.notes.emplace_back(
+            "the time ended the search for displacements: how far it came depends on the "
+            "machine");
     if (!solution.motion) return;
     const auto count = static_cast<Eigen::Index>(best_levels_.size());
     std::vector<std::string> names;
@@ -303,7 +309,7 @@ Solution DisplacementSearch::deliver() {
     Solution solution = best_;
     if (best_.motion) {
         Scene scene = given(best_levels_);
-        scene.solver.max_seconds = std::max(left(1.0), scene_.solver.max_seconds * (1.0 - time_for_moves));
+        scene.solver.max_seconds = std::max(left(1.0), allowed_ * (1.0 - time_for_moves));
         Solution last = solve_given_(scene);
         const double allowance = scene_.solver.gap * std::max(1.0, objective());
         if (last.motion && last.certificate.objective <= objective() + allowance) solution = std::move(last);

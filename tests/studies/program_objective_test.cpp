@@ -5,6 +5,7 @@
 #include "cam_scenes.hpp"
 #include "core/errors.hpp"
 #include "solvers/certificate.hpp"
+#include "studies/scene_check.hpp"
 #include "studies/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -214,6 +215,15 @@ TEST(ProgramObjective, OnACamIsMeasuredByTheDisplacementFound) {
     const Solution solution = solve(scene);
     expect_measured(solution);
     EXPECT_LE(solution.cam->summary.pressure_angle.value, 35.0 * units::degree * (1.0 + 1e-7));
+}
+
+TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
+    const SceneCheck one = check_scene(program({spline(60), spline(80, 1.0), dwell(30)}, false));
+    EXPECT_EQ(one.free_displacements, 1);
+    EXPECT_FALSE(one.convex);
+    const SceneCheck none = check_scene(program({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
+    EXPECT_EQ(none.free_displacements, 0);
+    EXPECT_TRUE(none.convex);
 }
 
 std::string message_of(const Scene& scene) {
