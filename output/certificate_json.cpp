@@ -58,23 +58,6 @@ Json cases_json(const std::vector<CaseProof>& cases) {
     return list;
 }
 
-/// Proofs that several cases share stand in the first; the others name it.
-Json cases_json(const std::vector<CaseProof>& cases) {
-    if (cases.empty()) return nullptr;
-    std::map<const DualityProof*, int> written;
-    Json list = Json::array();
-    for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
-        const CaseProof& part = cases[static_cast<std::size_t>(i)];
-        const auto [known, fresh] = written.try_emplace(part.proof.get(), i);
-        list.push_back({{"region", part.region},
-                        {"infeasible", part.infeasible},
-                        {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
-                        {"proof_of_case", part.proof ? Json(known->second) : Json(nullptr)},
-                        {"proof", part.proof && fresh ? proof_json(*part.proof) : Json(nullptr)}});
-    }
-    return list;
-}
-
 double number_or(const Json& json, double missing) {
     return json.is_null() ? missing : json.get<double>();
 }

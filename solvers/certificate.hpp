@@ -59,15 +59,6 @@ struct CaseProof {
     std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
 };
 
-/// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
-/// keeps the limits there, and the proof's bound is above 0.
-struct CaseProof {
-    std::vector<std::string> region;
-    double bound = 0.0;
-    bool infeasible = false;
-    std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
-};
-
 /// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an
 /// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
 [[nodiscard]] double recomputed_bound(const DualityProof& proof);
