@@ -226,9 +226,21 @@ JointJump worst_joint_jump(const SplineCurve& curve) {
     return worst;
 }
 
+void drop_idle_bound(Certificate& certificate) {
+    if (certificate.verdict == Verdict::optimal) return;
+    if (!certificate.lower_bound || *certificate.lower_bound >= 0.0) return;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+}
+
 void audit_delivered(Solution& solution) {
-    if (!solution.motion) return;
     Certificate& certificate = solution.certificate;
+    if (!solution.motion) {
+        certificate.objective = infinity;
+        return;
+    }
     const double believed = certificate.objective;
     certificate.objective = defined_objective(solution);
     if (certificate.lower_bound && certificate.gap)
@@ -242,6 +254,7 @@ void audit_delivered(Solution& solution) {
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
+        drop_idle_bound(certificate);
         return tell_of_rounding(solution);
     }
     fail(certificate, fault->reason);

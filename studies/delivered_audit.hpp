@@ -42,10 +42,14 @@ struct JointJump {
 /// The worst jump of a derivative up to min(continuity, 3) at an interior breakpoint.
 [[nodiscard]] JointJump worst_joint_jump(const SplineCurve& curve);
 
+/// A cost is never negative: a bound below that says nothing, and goes with its proof; but for one that an
+/// optimum rests on.
+void drop_idle_bound(Certificate& certificate);
+
 /// Sets the objective (and with it the gap) to that of the delivered curve. The verdict becomes `failed`
 /// where the audit finds a fault: "breakpoints_too_close", "coefficients_too_coarse",
 /// "objective_not_of_the_curve", "condition_not_met" or "limit_not_kept"; nothing is left of a proof then.
-/// Nothing to do where no motion was delivered.
+/// Where no motion was delivered there is no objective either.
 void audit_delivered(Solution& solution);
 
 }  // namespace camopt

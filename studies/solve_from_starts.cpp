@@ -4,6 +4,7 @@
 #include "objectives/scene_model.hpp"
 #include "solvers/duality.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/delivered_audit.hpp"
 
 #include <fmt/format.h>
 
@@ -125,16 +126,6 @@ struct Relaxed {
     bool settled = false;
 };
 
-/// A cost is never negative: a bound below that says nothing.
-void drop_idle_bound(Certificate& certificate) {
-    if (certificate.lower_bound && *certificate.lower_bound < 0.0) {
-        certificate.lower_bound.reset();
-        certificate.gap.reset();
-        certificate.proof.reset();
-        certificate.proof_kind = ProofKind::none;
-    }
-}
-
 Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOptions& exchange,
                       const JudgeOptions& judge, const SolveControl& control) {
     ExchangeOptions options = exchange;
@@ -142,7 +133,7 @@ Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOpti
     const auto problem = std::make_shared<CamProblem>(std::move(part));
     Relaxed relaxed{solve_continuous(*problem, *make_structured_solver(), options, judge, control), problem};
     Certificate& certificate = relaxed.result.certificate;
-    if (certificate.verdict != Verdict::optimal) drop_idle_bound(certificate);
+    drop_idle_bound(certificate);
     relaxed.settled = certificate.verdict == Verdict::infeasible;
     if (certificate.verdict != Verdict::optimal) return relaxed;
     const Candidate kept = judged(whole, relaxed.result.x);
