@@ -13,6 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double at_rest = 1e-9;  // of the mean velocity: what is slower rests
+
 struct FollowerPoint {
     double s = 0.0, first = 0.0, second = 0.0;  ///< s and its derivatives by the cam angle
 };
@@ -92,8 +94,13 @@ class CamAudit {
         const LimitSpec& limit = scene_.limits;
         const FollowerPoint point = follower(x);
         auto holds = limit.pressure_angle;
-        if (point.first > 0.0 && limit.rise_pressure_angle) holds = limit.rise_pressure_angle;
-        if (point.first < 0.0 && limit.return_pressure_angle) holds = limit.return_pressure_angle;
+        const double still = at_rest * scene_.motion.lift / scene_.motion.unit_angle();
+        if (point.first > still && limit.rise_pressure_angle) holds = limit.rise_pressure_angle;
+        if (point.first < -still && limit.return_pressure_angle) holds = limit.return_pressure_angle;
+        if (std::abs(point.first) <= still) {  // the least of all that are given
+            for (const auto& own : {limit.rise_pressure_angle, limit.return_pressure_angle})
+                if (own && (!holds || own->value < holds->value)) holds = own;
+        }
         return holds ? path(point).pressure_tangent / std::tan(holds->value) - 1.0 : -1.0;
     }
 

@@ -87,6 +87,30 @@ TEST(ComparisonJson, HasNullForInfiniteAndAbsent) {
     EXPECT_TRUE(json["rows"][3]["peaks"].is_null());
 }
 
+/// A law whose cam is undercut: its pressure is no number, in any of the texts.
+TEST(ComparisonTexts, SayOfAnUndercutLawThatThereIsNoContact) {
+    Comparison comparison = sample();
+    ComparisonRow& bad = comparison.rows[2];
+    bad.objective = 0.1;
+    bad.peaks.jerk.value = 30.0;
+    ConstraintReport& hertz = bad.limits[0].reached;
+    hertz.name = "hertz_pressure_max";
+    hertz.unit = "MPa";
+    hertz.worst = infinity;
+    hertz.no_contact = true;
+    bad.limits[0].excess = infinity;
+    const std::string words = "hertz pressure max: undercut, no contact";
+    EXPECT_TRUE(holds(comparison_text(comparison), words)) << comparison_text(comparison);
+    const std::string csv = comparison_csv(comparison), svg = comparison_svg(comparison);
+    EXPECT_TRUE(holds(csv, words)) << csv;
+    EXPECT_FALSE(holds(csv, "inf")) << csv;
+    EXPECT_TRUE(holds(svg, words));
+    const Json json = Json::parse(comparison_json(comparison, {"scene.toml", "camopt compare scene.toml"}));
+    EXPECT_TRUE(json["rows"][2]["limits"][0]["no_contact"]);
+    EXPECT_TRUE(json["rows"][2]["limits"][0]["worst"].is_null());
+    EXPECT_FALSE(json["rows"][1]["limits"][0]["no_contact"]);
+}
+
 TEST(ComparisonCsv, EveryLineHasEveryCell) {
     const std::string csv = comparison_csv(sample());
     EXPECT_TRUE(holds(csv, "limits.pressure_angle_deg"));

@@ -186,6 +186,7 @@ TEST(CamFigures, OfAFlatFaceThatCannotTouchAreNoNumbers) {
 /// At rest 29°: an arm whose pressure angle does not vanish there.
 Scene resting_arm(double general_deg, MotionType type) {
     Scene scene;
+    paper_weights(scene);
     scene.motion.type = type;
     scene.motion.lift_is_angle = true;
     scene.motion.lift = 0.1858;
@@ -244,6 +245,7 @@ TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
 TEST(PressureAtRest, OfAnOffsetFollowerIsLimitedByTheGeneralLimit) {
     for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::translating_knife}) {
         Scene scene;
+        paper_weights(scene);
         scene.motion.lift = 0.02;
         scene.motion.rise = 2.0;
         scene.cam.emplace().follower = follower;

@@ -76,6 +76,43 @@ TEST(Comparison, EveryLawOfTheCatalogueHasARowAndTheyAreSorted) {
     EXPECT_FALSE(comparison.cam);
 }
 
+/// A valve's flat tappet on a base circle so small that most laws undercut: they have smaller objectives than
+/// the optimum, and stand below it all the same.
+TEST(Comparison, LawsThatCannotWorkStandBelowThoseThatCan) {
+    Scene scene = scene_of(MotionType::rr, 24);
+    scene.objective = {};
+    scene.objective.acceleration = scene.objective.jerk = 0.5;
+    scene.motion.lift = 9e-3;
+    scene.motion.rise = 65.0 * units::degree;
+    scene.motion.speed = 314.16;
+    scene.cam.emplace().follower = FollowerType::translating_flat;
+    (*scene.cam)[DimensionIndex::base_radius] = 26.0e-3;
+    ForceSpec& forces = scene.forces.emplace();
+    forces.mass = 0.15;
+    forces.spring_rate = 35e3;
+    forces.preload = 250.0;
+    forces.contact_width = 12e-3;
+    scene.limits.hertz_pressure_max = WrittenLimit{700e6, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
+    const Comparison comparison = compare(scene);
+    bool broken_before = false;
+    int feasible = 0, undercut = 0;
+    for (const ComparisonRow& row : comparison.rows) {
+        if (!row.misfit.empty()) break;
+        EXPECT_FALSE(row.feasible && broken_before) << row.title;
+        broken_before = broken_before || !row.feasible;
+        feasible += row.feasible ? 1 : 0;
+        if (!row.limits[0].reached.no_contact) {
+            EXPECT_LT(row.limits[0].reached.worst, 1e5) << row.title;  // MPa: no figure of an undercut cam
+            continue;
+        }
+        ++undercut;
+        EXPECT_FALSE(row.feasible) << row.title;
+    }
+    EXPECT_TRUE(comparison.rows.front().feasible);
+    EXPECT_GE(feasible, 1);
+    EXPECT_GE(undercut, 1);
+}
+
 TEST(Comparison, TheModifiedSineOverItsOwnPeaksIsTheSumOfTheWeights) {
     const Comparison comparison = compare(scene_of(MotionType::drd, 12));
     const ComparisonRow& row = row_of(comparison, "modified_sine");
