@@ -176,7 +176,8 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
         }
     }
     settle_verdict(result.certificate, result.exchange.termination, judge);
-    if (no_room && result.certificate.verdict == Verdict::local) result.certificate.verdict = Verdict::feasible;
+    if (no_room && result.certificate.verdict == Verdict::local)
+        result.certificate.verdict = Verdict::feasible;
     if (no_room && result.certificate.verdict == Verdict::feasible)
         result.certificate.reason = limits_within_rounding;
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);

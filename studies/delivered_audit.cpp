@@ -65,7 +65,8 @@ double most_of_derivative(const Eigen::VectorXd& sizes, int order, double width)
     return most;
 }
 
-/// The published coefficients give the curve back, as well as doubles of their size can.
+/// The published coefficients give the curve back, as well as doubles of displacements up to the lift can: at
+/// the top they are of its size, and a motion and its mirror image are treated alike.
 std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& peaks) {
     const SplineSpace& space = curve.space();
     const Eigen::VectorXd coefficients = curve.coefficients();
@@ -79,7 +80,7 @@ std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& pe
         for (int order = 0; order <= 3; ++order) {
             const double found = most_of_derivative(missed, order, space.width(i));
             if (found <= largest_coefficient_miss * size[static_cast<std::size_t>(order)]) continue;
-            const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs();
+            const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs().cwiseMax(1.0);
             if (found <= rounding * most_of_derivative(met, order, space.width(i))) continue;
             return Fault{"coefficients_too_coarse",
                          fmt::format("the coefficients do not give back derivative {} of the curve between "

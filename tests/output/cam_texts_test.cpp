@@ -144,10 +144,12 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     EXPECT_TRUE(says(report_markdown(solution), "(bound of the convex relaxation): 1.1259609"));
     solution.certificate.verdict = Verdict::feasible;
     EXPECT_TRUE(says(summary_text(solution, {}), "Feasible, the best of 8 starts"));
-    solution.certificate.verdict = Verdict::failed;
-    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
     solution.certificate.verdict = Verdict::optimal;  // proved is proved
     EXPECT_TRUE(says(summary_text(solution, {}), "Proved optimal"));
+    solution.certificate.verdict = Verdict::failed;
+    solution.certificate.reason = "no_feasible_point";
+    solution.motion.reset();
+    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
 }
 
 TEST(SolutionText, AProgramHasATableOfItsSegments) {

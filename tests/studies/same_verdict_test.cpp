@@ -100,10 +100,16 @@ bool is_found(Verdict verdict) {
 }
 
 /// What two solves of the same thing say of each other; empty where they agree.
+/// Where double precision ends: which of its ways to end shows first is rounding.
+bool is_beyond_doubles(const Certificate& certificate) {
+    return certificate.reason == "numerical_failure" || certificate.reason == "breakpoints_too_close";
+}
+
 std::string disagreement(const Solution& one, const Solution& other, double factor) {
     const Certificate &left = one.certificate, &right = other.certificate;
     const std::string verdicts = std::string(name_of(left.verdict)) + " " + left.reason + ", " +
                                  name_of(right.verdict) + " " + right.reason;
+    if (is_beyond_doubles(left) && is_beyond_doubles(right)) return {};
     if (is_found(left.verdict) != is_found(right.verdict))
         return verdicts + (one.notes.empty() ? "" : "; " + one.notes.back()) +
                (other.notes.empty() ? "" : "; " + other.notes.back());

@@ -111,18 +111,21 @@ TEST(SpatialForwardCheck, FindsUndercut) {
 
 TEST(SpatialForwardCheck, RefusesWhatItCannotCheck) {
     const SpatialForwardCheckInput good = input_of(reference_cams().front(), 101);
-    const auto refused = [&](auto change) {
+    const auto message = [&](auto change) {
         SpatialForwardCheckInput input = good;
         change(input);
-        EXPECT_EQ(refusal([&] { (void)spatial_forward_check(input); }),
-                  "a forward check needs the designed motion");
+        return refusal([&] { (void)spatial_forward_check(input); });
     };
-    refused([](auto& input) { input.designed = nullptr; });
-    refused([](auto& input) { input.sections.clear(); });
-    refused([](auto& input) { input.angles = 1; });
-    refused([](auto& input) { input.end = input.begin; });
-    refused([](auto& input) { input.sections[0][7].x() = std::numeric_limits<double>::quiet_NaN(); });
-    refused([](auto& input) { input.breaks = {100000}; });
+    EXPECT_EQ(message([](auto& input) { input.designed = nullptr; }),
+              "a forward check needs the designed motion");
+    EXPECT_EQ(message([](auto& input) { input.sections.clear(); }),
+              "a forward check needs at least one section of a flank");
+    EXPECT_EQ(message([](auto& input) { input.angles = 1; }), "a forward check of 1 angles: at least 2");
+    EXPECT_EQ(message([](auto& input) { input.end = input.begin; }), "a forward check from 0 to 0 rad");
+    EXPECT_EQ(
+        message([](auto& input) { input.sections[0][7].x() = std::numeric_limits<double>::quiet_NaN(); }),
+        "a forward check takes finite points only, and one is not");
+    EXPECT_EQ(message([](auto& input) { input.breaks = {100000}; }), "break 100000 of a curve of 104 points");
 }
 
 }  // namespace
