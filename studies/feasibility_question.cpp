@@ -30,7 +30,6 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
     for (int round = 0; round < most_rounds && !budget.spent(); ++round) {
         BackendOptions options;
         options.tolerance = tolerance;
-        options.max_seconds = budget.seconds_for_solve();
         const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
         if (result.x.size() == 0 || !result.x.allFinite()) break;
         const double on_grid = result.x[result.x.size() - 1];
@@ -49,7 +48,6 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
 Solution answer(Scene scene, const Budget& budget) {
     scene.solver.name = "auto";
     scene.solver.options.clear();
-    scene.solver.max_seconds = budget.seconds_for_solve();
     scene.objective.tie_break = TieBreak::none;
     return solve_without_explaining(scene, budget.control());
 }

@@ -51,7 +51,6 @@ Scene without_limit(const Scene& scene, const LimitedPeak& one) {
 std::optional<double> least_peak(const Scene& scene, const LimitedPeak& one, const Budget& budget) {
     if (budget.spent()) return {};
     Scene relaxed = without_limit(scene, one);
-    relaxed.solver.max_seconds = budget.seconds_for_solve();
     const Solution least = solve_without_explaining(relaxed, budget.control());
     if (!least.motion) return {};
     return (least.peaks.*one.peak).value * (scene.limits.*one.limit)->unit_per_normalised();
@@ -84,14 +83,15 @@ std::vector<std::string> fighting_keys(const Solution& solution) {
 class Explainer {
  public:
     Explainer(Solution& solution, const Budget& budget)
-        : solution_(solution), scene_(solution.scene), budget_(budget) {}
+        : solution_(solution), scene_(solution.scene), budget_(budget) {
+        found_.allowed = budget.left();
+    }
 
     void run() {
         name_the_impossible();
         if (try_segments()) relax_each();
         relax_together();
-        found_.seconds = budget_.used();
-        found_.allowed = budget_.seconds();
+        found_.seconds = watch_.seconds();
         solution_.explanation = std::move(found_);
     }
 
@@ -99,7 +99,12 @@ class Explainer {
     Solution& solution_;
     const Scene& scene_;
     const Budget& budget_;
+    Stopwatch watch_;
     Explanation found_;
+    bool over_ = false;
+
+    /// Once over, the clock is asked no more.
+    [[nodiscard]] bool is_over() { return over_ = over_ || budget_.spent(); }
 
     [[nodiscard]] bool contradictory() const {
         return solution_.certificate.reason == "conditions_contradict";
@@ -113,7 +118,8 @@ class Explainer {
         if (keys.size() < 2) return;
         budget_.say("what would help: which limits are impossible by themselves");
         for (const std::string& key : keys)
-            if (is_proved_infeasible(only_limit(scene_, key), budget_)) found_.alone.push_back(key);
+            if (!is_over() && is_proved_infeasible(only_limit(scene_, key), budget_))
+                found_.alone.push_back(key);
     }
 
     /// False: the conditions contradict each other, so that no limit has a say.
@@ -132,6 +138,10 @@ class Explainer {
     /// given.
     template <typename Find>
     void add_row(const Adjustment& adjustment, double share, const Find& find) {
+        if (is_over()) {
+            found_.unsettled.push_back(adjustment.key);
+            return;
+        }
         budget_.say(fmt::format("what would help: {}", adjustment.key));
         const Budget part = budget_.part(share);
         const std::optional<double> needed = find(part);
@@ -192,6 +202,7 @@ class Explainer {
             const bool of_limit = std::ranges::find(limits, row.key, &Adjustment::key) != limits.end();
             if (of_limit && row.needed) return;
         }
+        if (is_over()) return;
         budget_.say("what would help: all limits together");
         const Budget part = budget_.part(1.0);
         found_.together = joint_relaxation(scene_, limits, part);
@@ -200,15 +211,9 @@ class Explainer {
 
 }  // namespace
 
-void explain(Solution& solution, double seconds, const SolveControl& control) {
-    const double allowed = std::min(seconds, explanation_part * solution.scene.solver.max_seconds);
-    if (allowed <= 0.0) {
-        solution.notes.emplace_back(
-            "what would have to change was not searched for: the solve took all of solver.max_seconds");
-        return;
-    }
-    const Budget budget(allowed, control);
-    budget.say(fmt::format("no motion: searches what would help, for {:.3g} s at most", allowed));
+void explain(Solution& solution, const SolveControl& control) {
+    const Budget budget(control);
+    budget.say(fmt::format("no motion: searches what would help, for {:.3g} s at most", budget.left()));
     Explainer(solution, budget).run();
 }
 

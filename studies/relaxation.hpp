@@ -7,8 +7,8 @@
 //
 // A cap on a peak of DRD and RR: the peak is minimized under the other limits. Everything else is searched by
 // its value (value_search.hpp). Nothing is told that was not solved: each number, as it is rounded for
-// people, was put into the scene, and a solve with it found a motion. All of it together gets a stated part
-// of solver.max_seconds and ends within it; a change whose search does not end in time is named as such.
+// people, was put into the scene, and a solve with it found a motion. All of it together ends at the
+// control's deadline, each change within its share; one whose search does not end in time is named as such.
 #pragma once
 
 #include "studies/relaxation_budget.hpp"
@@ -16,11 +16,8 @@
 
 namespace camopt {
 
-/// The part of solver.max_seconds that an explanation may take, if the solve has left that much.
-inline constexpr double explanation_part = 0.5;
-
 /// Fills relaxation and explanation of a solution that is infeasible or failed for want of a feasible point.
-/// seconds: what is left of solver.max_seconds.
-void explain(Solution& solution, double seconds, const SolveControl& control);
+/// control.deadline: what the solve has left of solver.max_seconds.
+void explain(Solution& solution, const SolveControl& control);
 
 }  // namespace camopt

@@ -232,9 +232,10 @@ Solution solve(const Scene& scene, const SolveControl& control) {
                             (certificate.verdict == Verdict::failed && certificate.reason == "time_limit");
     if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
         timed.in_vain = {};
-        explain(solution, timed.deadline.seconds_left(), timed);
+        explain(solution, timed);
     }
-    if (to_explain && timed.deadline.passed())
+    const bool unsettled = solution.explanation && !solution.explanation->unsettled.empty();
+    if (to_explain && (unsettled || timed.deadline.passed()))
         solution.notes.push_back(fmt::format(
             "the time (solver.max_seconds = {:g}) ran out before every remedy was looked for: what is "
             "not named may help too",
