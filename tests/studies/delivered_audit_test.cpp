@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -188,11 +189,13 @@ TEST(DeliveredAudit, ARelaxationWithAMarginHasAMotionThoughOnlyOneCurveIsLeft) {
     scene.limits.acceleration = normalised_limit("limits.acceleration", 5.5);
     const Solution without = solve(scene);
     ASSERT_EQ(without.certificate.verdict, Verdict::infeasible);
-    ASSERT_EQ(without.relaxation.size(), 1u);
-    ASSERT_TRUE(without.relaxation[0].needed);
-    EXPECT_NEAR(*without.relaxation[0].needed, 20.0 / 3.0, 1e-6);
-    scene.limits.acceleration =
-        normalised_limit("limits.acceleration", *without.relaxation[0].needed * (1.0 + 1e-6));
+    // Beside the cap stands only how many segments would do.
+    const auto row = std::ranges::find(without.relaxation, "limits.acceleration", &Relaxation::key);
+    ASSERT_TRUE(row != without.relaxation.end() && row->needed);
+    for (const Relaxation& other : without.relaxation)
+        EXPECT_TRUE(other.key == row->key || other.key == "spline.segments") << other.key;
+    EXPECT_NEAR(*row->needed, 20.0 / 3.0, 1e-6);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", *row->needed * (1.0 + 1e-6));
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
 }
 
