@@ -114,8 +114,10 @@ void add_height(Rules& rules, const Shared& cam, const std::string& key) {
 
 void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std::string& key) {
     const LimitSpec& limits = scene.limits;
-    if (!limits.cam_radius_min && !limits.undercut_margin)
-        add_regularity(rules, cam, key + " (undercut)", least_contact);
+    // A limit of 0 leaves a cusp, on which nothing can press.
+    const bool regular = (limits.cam_radius_min && limits.cam_radius_min->value > 0.0) ||
+                         (limits.undercut_margin && limits.undercut_margin->value >= least_contact);
+    if (!regular) add_regularity(rules, cam, key + " (undercut)", least_contact);
     // |N| cos φm <= D sin φm to both sides holds the height up too.
     const PressureLimits pressure = pressure_limits(limits);
     if (!pressure.rise || !pressure.back) add_height(rules, cam, key + " (contact below the cam's centre)");

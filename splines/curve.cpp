@@ -11,7 +11,7 @@ namespace camopt {
 
 namespace {
 // Widths within this of each other are alike.
-constexpr double much_narrower = 2.0;
+constexpr double much_wider = 2.0;
 }  // namespace
 
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
@@ -66,13 +66,12 @@ Eigen::VectorXd SplineCurve::coefficients() const {
     Eigen::VectorXd result(space_.dimension());
     for (int j = 0; j < result.size(); ++j) {
         // Any segment of the support gives the same number. The middle one rounds least, unless another is
-        // much narrower: that one asks most of it, for its derivatives divide by powers of its width whatever
-        // rounds.
+        // much wider: from a narrow one the knots of the others lie far away.
         const int last = std::min(j / step, space_.segments() - 1);
         const int first = j <= p ? 0 : (j - p + step - 1) / step;
         int segment = (first + last) / 2;
         for (int i = first; i <= last; ++i)
-            if (much_narrower * space_.width(i) < space_.width(segment)) segment = i;
+            if (space_.width(i) > much_wider * space_.width(segment)) segment = i;
         result[j] = blossom_weights(space_, j, segment) * pieces_.col(segment);
     }
     return result;

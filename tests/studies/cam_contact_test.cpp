@@ -145,6 +145,19 @@ TEST(TorqueLimit, ImpliesThatTheFollowerTouchesTheCam) {
     EXPECT_FALSE(solution.cam->summary.no_contact);
 }
 
+/// A least radius of 0 allows a cusp, and rounding a little less; beside a torque it does not.
+TEST(TorqueLimit, HoldsTheCamOffTheCuspThatALeastRadiusOf0Allows) {
+    Scene scene = roller_under_pressure(2400.0);
+    scene.limits.hertz_pressure_max.reset();
+    scene.limits.cam_radius_min = millimetres(0.0, "limits.cam_radius_min_mm");
+    scene.limits.torque_max = WrittenLimit{88.86, "limits.torque_max_nm", 1.0, "N m"};
+    const Solution solution = solve_without_explaining(scene, {});
+    ASSERT_TRUE(solution.cam);
+    EXPECT_GT(solution.cam->summary.regularity.value, 0.0);
+    EXPECT_FALSE(solution.cam->summary.no_contact);
+    for (const ConstraintReport& row : solution.constraints) EXPECT_FALSE(row.no_contact) << row.name;
+}
+
 TEST(UndercutMargin, KeepsAFaceOnAnArmFromTurningBack) {
     Scene scene = flat_arm_under_pressure(0.0607);
     scene.limits.hertz_pressure_max.reset();

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -188,11 +189,13 @@ TEST(DeliveredAudit, ARelaxationWithAMarginHasAMotionThoughOnlyOneCurveIsLeft) {
     scene.limits.acceleration = normalised_limit("limits.acceleration", 5.5);
     const Solution without = solve(scene);
     ASSERT_EQ(without.certificate.verdict, Verdict::infeasible);
-    const auto cap = std::ranges::find(without.relaxation, "limits.acceleration", &Relaxation::key);
-    ASSERT_NE(cap, without.relaxation.end());
-    ASSERT_TRUE(cap->needed);
-    EXPECT_NEAR(*cap->needed, 20.0 / 3.0, 1e-6);
-    scene.limits.acceleration = normalised_limit("limits.acceleration", *cap->needed * (1.0 + 1e-6));
+    // Beside the cap stands only how many segments would do.
+    const auto row = std::ranges::find(without.relaxation, "limits.acceleration", &Relaxation::key);
+    ASSERT_TRUE(row != without.relaxation.end() && row->needed);
+    for (const Relaxation& other : without.relaxation)
+        EXPECT_TRUE(other.key == row->key || other.key == "spline.segments") << other.key;
+    EXPECT_NEAR(*row->needed, 20.0 / 3.0, 1e-6);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", *row->needed * (1.0 + 1e-6));
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
 }
 
@@ -233,32 +236,6 @@ TEST(DeliveredAudit, NoLimitIsPassedUnderAVerdict) {
     if (!stands) return;
     ASSERT_EQ(solution.constraints.size(), 1u);
     EXPECT_LE(solution.constraints[0].worst, solution.constraints[0].limit * (1.0 + 1e-8));
-}
-
-/// A cost is never negative. Numerically hard scenes have dual bounds far below: none is shown.
-TEST(DeliveredAudit, ABoundBelowZeroIsNotShown) {
-    for (unsigned seed = 1; seed <= 6; ++seed) {
-        const Certificate certificate = solve(random_rms_scene(seed)).certificate;
-        if (certificate.verdict == Verdict::optimal || !certificate.lower_bound) continue;
-        EXPECT_GE(*certificate.lower_bound, 0.0) << seed;
-    }
-    Certificate certificate;
-    certificate.verdict = Verdict::feasible;
-    certificate.lower_bound = -3.0;
-    certificate.gap = 4.0;
-    certificate.proof_kind = ProofKind::duality;
-    drop_idle_bound(certificate);
-    EXPECT_FALSE(certificate.lower_bound || certificate.gap || certificate.proof);
-    EXPECT_EQ(certificate.proof_kind, ProofKind::none);
-}
-
-/// The cost of a point that nobody gets is no objective.
-TEST(DeliveredAudit, WhatIsNotDeliveredHasNoObjective) {
-    Scene scene = paper_objective(MotionType::drd, 3, 12);
-    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
-    const Solution solution = solve(scene);
-    ASSERT_FALSE(solution.motion);
-    EXPECT_FALSE(std::isfinite(solution.certificate.objective));
 }
 
 }  // namespace
