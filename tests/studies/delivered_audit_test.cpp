@@ -238,5 +238,31 @@ TEST(DeliveredAudit, NoLimitIsPassedUnderAVerdict) {
     EXPECT_LE(solution.constraints[0].worst, solution.constraints[0].limit * (1.0 + 1e-8));
 }
 
+/// A cost is never negative. Numerically hard scenes have dual bounds far below: none is shown.
+TEST(DeliveredAudit, ABoundBelowZeroIsNotShown) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        const Certificate certificate = solve(random_rms_scene(seed)).certificate;
+        if (certificate.verdict == Verdict::optimal || !certificate.lower_bound) continue;
+        EXPECT_GE(*certificate.lower_bound, 0.0) << seed;
+    }
+    Certificate certificate;
+    certificate.verdict = Verdict::feasible;
+    certificate.lower_bound = -3.0;
+    certificate.gap = 4.0;
+    certificate.proof_kind = ProofKind::duality;
+    drop_idle_bound(certificate);
+    EXPECT_FALSE(certificate.lower_bound || certificate.gap || certificate.proof);
+    EXPECT_EQ(certificate.proof_kind, ProofKind::none);
+}
+
+/// The cost of a point that nobody gets is no objective.
+TEST(DeliveredAudit, WhatIsNotDeliveredHasNoObjective) {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    const Solution solution = solve(scene);
+    ASSERT_FALSE(solution.motion);
+    EXPECT_FALSE(std::isfinite(solution.certificate.objective));
+}
+
 }  // namespace
 }  // namespace camopt
