@@ -199,7 +199,8 @@ void DisplacementSearch::bound_cases() {
             if (!is_closed(piece) && !out_of_time(time_for_cases)) {
                 cases_.bound(piece, left(time_for_cases));
                 ++bounded_;
-                if (!is_closed(piece)) try_levels(piece.levels, time_for_cases);
+                // A relaxation that ended early has no displacements to try.
+                if (!is_closed(piece) && !piece.levels.empty()) try_levels(piece.levels, time_for_cases);
             }
             parts_.push_back(std::move(piece));
         }

@@ -198,6 +198,23 @@ TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByThem) {
     expect_proved(solution);
 }
 
+/// A piece of the search whose relaxation ends without a motion has no displacements to try; it crashed.
+TEST(ProgramObjective, OfAPieceWithoutDisplacementsIsNotTried) {
+    Scene scene =
+        program({spline(86), dwell(28), spline(105), spline(93, 0.5), law(48, "modified_sine", 0.0)});
+    scene.spline.degree = 5;
+    scene.spline.segments = 6;
+    scene.objective.velocity = 0.0;
+    scene.objective.acceleration = 0.66883312234853065;
+    scene.objective.jerk = 0.94712595616666306;
+    scene.solver.max_seconds = 8.0;
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion) << solution.certificate.reason;
+    expect_measured(solution);
+    if (const auto bound = solution.certificate.lower_bound)
+        EXPECT_LE(*bound, solution.certificate.objective * (1.0 + 1e-9));
+}
+
 TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheDisplacementFound) {
     const Solution solution =
         solve(program({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));

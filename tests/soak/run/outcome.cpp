@@ -96,6 +96,13 @@ void read_limits(const json& result, Outcome& outcome) {
     }
 }
 
+/// Whatever stands under "seconds", at any depth.
+void erase_seconds(json& value) {
+    if (value.is_object()) value.erase("seconds");
+    for (json& member : value)
+        if (member.is_structured()) erase_seconds(member);
+}
+
 void read_result(const std::string& text, Outcome& outcome) {
     json result = json::parse(text);
     outcome.verdict = text_of(result.at("verdict"));
@@ -118,7 +125,7 @@ void read_result(const std::string& text, Outcome& outcome) {
     read_segments(result.at("segments"), outcome);
     read_limits(result, outcome);
     for (const json& note : result.at("notes")) outcome.notes.push_back(text_of(note));
-    result.erase("seconds");
+    erase_seconds(result);
     if (result["cam"].is_object()) result["cam"].erase("forward_check");
     outcome.repeatable += result.dump();
 }
