@@ -80,7 +80,9 @@ void read_segments(const json& list, Outcome& outcome) {
 void read_limits(const json& result, Outcome& outcome) {
     for (const json& row : result.at("constraints")) {
         const auto limit = number_of(row.at("limit"));
-        if (outcome.has_motion() && row.at("worst").is_null())
+        // A cam that is nowhere hollow, or nowhere convex, has no least radius there.
+        const bool of_radius = text_of(row.at("key")).find("_radius_min") != std::string::npos;
+        if (outcome.has_motion() && row.at("worst").is_null() && !of_radius)
             outcome.limits_without_worst.push_back(text_of(row.at("key")));
         const auto worst = number_of(row.at("worst"));
         if (limit && worst)
