@@ -63,7 +63,8 @@ Contact swing_face(const Cam& cam, const std::array<double, 3>& state, CamPoint&
     point.regularity = (1.0 + cam.sense * state[1]) * point.cam_radius / cam.base;
     const double lever = p1 / a1 + cam.center * std::cos(psi);  // from the pivot's foot to the contact
     point.contact_offset = std::abs(lever);
-    point.pressure_angle = std::abs(std::atan2(std::abs(cam.face), lever));
+    // A contact behind the pivot is irregular; the angle is the one between the lines.
+    point.pressure_angle = std::atan2(std::abs(cam.face), std::abs(lever));
     return {lever, point.cam_radius};
 }
 

@@ -36,7 +36,7 @@ void add_law(const Piece& piece, MotionFigures& figures) {
 }
 
 void add_rounding(const Piece& piece, MotionFigures& figures) {
-    constexpr long double digits = 64 * 0x1.0p-53L;  // a few roundings of control points of about one lift
+    constexpr long double digits = 256 * 0x1.0p-53L;  // roundings of control points of a few lifts
     const auto degree = static_cast<long double>(piece.y.size() - 1);
     long double worth = digits;
     for (long double& rounding : figures.rounding) {

@@ -119,7 +119,8 @@ void draw_limits(Draw& draw, SceneText& scene) {
     if (draw.chance(0.3)) limits.set("torque_max_nm", about(torque));
     const double pressure =
         survey.largest([](const CamPoint& p) { return std::isinf(p.hertz) ? 0.0 : p.hertz; });
-    if (pressure > 0.0 && numbers.follower != "translating_knife" && draw.chance(0.5))
+    const bool sharp_edge = survey.least([](const CamPoint& p) { return p.regularity; }) < 0.05;
+    if (pressure > 0.0 && !sharp_edge && numbers.follower != "translating_knife" && draw.chance(0.5))
         limits.set("hertz_pressure_max_pa", about(pressure));
 }
 
