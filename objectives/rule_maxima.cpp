@@ -80,8 +80,9 @@ std::vector<Extremum> maxima_among(const std::vector<Extremum>& candidates) {
     }
     std::vector<Extremum> maxima;
     for (std::size_t k = 0; k < single.size(); ++k) {
-        const bool above_left = k == 0 || single[k].value >= single[k - 1].value;
-        const bool above_right = k + 1 == single.size() || single[k].value >= single[k + 1].value;
+        // What has no value is kept: it is as broken as can be, and so are its neighbours.
+        const bool above_left = k == 0 || !(single[k].value < single[k - 1].value);
+        const bool above_right = k + 1 == single.size() || !(single[k].value < single[k + 1].value);
         if (above_left && above_right) maxima.push_back(single[k]);
     }
     return maxima;

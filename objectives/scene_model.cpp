@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "motions/law_catalogue.hpp"
 #include "objectives/cam_limits.hpp"
+#include "objectives/cam_reach.hpp"
 #include "objectives/peak_rule.hpp"
 #include "objectives/program_family.hpp"
 #include "objectives/torque_rule.hpp"
@@ -317,6 +318,7 @@ void add_cam(CamModel& model, const Scene& scene) {
         if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
     }
     model.cam = cam;
+    add_reach_rows(model, *scene.cam);
     for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
 }
 

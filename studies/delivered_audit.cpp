@@ -5,6 +5,7 @@
 #include "splines/extrema.hpp"
 #include "studies/delivered_conditions.hpp"
 #include "studies/delivered_objective.hpp"
+#include "studies/extremes_along.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ std::vector<const SplineCurve*> curves_of(const Solution& solution) {
 std::optional<Fault> joint_fault(const Solution& solution) {
     JointJump worst;
     for (const SplineCurve* curve : curves_of(solution)) {
-        const JointJump jump = worst_joint_jump(*curve);
+        const JointJump jump = worst_joint_jump(*curve, solution.motion_peaks);
         if (!(jump.relative <= worst.relative)) worst = jump;
     }
     if (worst.relative <= largest_joint_jump) return {};
@@ -99,6 +100,26 @@ std::optional<Fault> condition_fault(const Solution& solution) {
     return Fault{"condition_not_met", "the delivered motion misses a condition: " + missed.front().condition};
 }
 
+/// A cam whose figures would have no value: the follower does not reach all of its motion.
+std::optional<Fault> cam_fault(const Solution& solution) {
+    if (!solution.cam && !solution.mechanism) return {};
+    const FigureAlong displacement = [&](double x, Side side) {
+        return solution.scene.motion.lift * solution.motion->at(x, side).derivative[0];
+    };
+    const std::vector<double> breakpoints = solution.motion->breakpoints();
+    const double least = least_along(breakpoints, displacement).value;
+    const double most = largest_along(breakpoints, displacement).value;
+    std::string fault;
+    if (solution.cam) {
+        fault = geometry_fault(solution.cam->cam, least, most);
+    } else {
+        const DrivenMechanism& mechanism = solution.mechanism->mechanism;
+        fault = mechanism.formulas->fault(mechanism.dimensions, least, most);
+    }
+    if (fault.empty()) return {};
+    return Fault{"cam_cannot_be_built", "the cam of this motion cannot be built: " + fault};
+}
+
 /// What a limit is measured by: itself, and where it may be 0 the cam's own size, in the unit of the report.
 double size_of_limit(const Solution& solution, const ConstraintReport& report) {
     const LimitSpec& limits = solution.scene.limits;
@@ -125,7 +146,8 @@ std::optional<Fault> limit_fault(const Solution& solution) {
         const bool least = report.name.ends_with("_min") || report.name == "undercut_margin";
         const double excess = least ? report.limit - report.worst : report.worst - report.limit;
         const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
-        if (excess <= tolerance * size_of_limit(solution, report)) continue;
+        const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);
+        if (has_value && excess <= tolerance * size_of_limit(solution, report)) continue;
         const std::string unit = report.unit.empty() ? "" : " " + report.unit;
         return Fault{"limit_not_kept",
                      fmt::format("{} = {:.9g}{} is not kept: {} reaches {:.9g}{} at x = {:.6g}", report.key,
@@ -194,6 +216,10 @@ void fail(Certificate& certificate, const char* reason) {
 
 namespace {
 
+// Of the motion's peaks: a curve that moves less than this is measured by the motion, not by its own
+// rounding.
+constexpr double standstill = 1e-3;
+
 double peak_of(const SplineCurve& curve, int order) {
     const Peaks peaks = peaks_of(curve);
     return order == 0   ? curve.pieces().row(0).cwiseAbs().maxCoeff()
@@ -204,8 +230,10 @@ double peak_of(const SplineCurve& curve, int order) {
 
 }  // namespace
 
-JointJump worst_joint_jump(const SplineCurve& curve) {
+JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     const std::vector<double>& breakpoints = curve.space().breakpoints();
+    const std::array<double, 4> whole = {1.0, motion.velocity.value, motion.acceleration.value,
+                                         motion.jerk.value};
     JointJump worst;
     for (int order = 0; order <= std::min(curve.continuity(), 3); ++order) {
         double largest = 0.0;
@@ -221,6 +249,7 @@ JointJump worst_joint_jump(const SplineCurve& curve) {
         // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
         // between.
         if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, peak_of(curve, order));
+        largest = std::max(largest, standstill * whole[static_cast<std::size_t>(order)]);
         jump.relative /= largest > 0.0 ? largest : 1.0;
         if (!(jump.relative <= worst.relative)) worst = jump;
     }
@@ -251,6 +280,7 @@ void audit_delivered(Solution& solution) {
     for (const SplineCurve* curve : curves_of(solution))
         if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
     if (!fault) fault = condition_fault(solution);
+    if (!fault) fault = cam_fault(solution);
     if (!fault) fault = limit_fault(solution);
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {

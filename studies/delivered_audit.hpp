@@ -40,7 +40,7 @@ struct JointJump {
 };
 
 /// The worst jump of a derivative up to min(continuity, 3) at an interior breakpoint.
-[[nodiscard]] JointJump worst_joint_jump(const SplineCurve& curve);
+[[nodiscard]] JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion = {});
 
 /// A cost is never negative: a bound below that says nothing, and goes with its proof; but for one that an
 /// optimum rests on.

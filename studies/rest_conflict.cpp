@@ -37,11 +37,35 @@ std::optional<RestConflict> rest_conflict(const CamModel& model, double toleranc
     return worst;
 }
 
+namespace {
+
+/// The common violation t is at least that at the place of rest: a problem of one row.
+DualityProof proof_of(const RestConflict& conflict) {
+    DualityProof proof;
+    proof.statement = "least_common_violation";
+    proof.variables = {"common violation"};
+    proof.cost = Eigen::VectorXd::Ones(1);
+    proof.rows = {fmt::format("{} at rest, x = {:.17g}, y = {:.17g}", conflict.key, conflict.where.x,
+                              conflict.where.y)};
+    proof.matrix.resize(1, 1);
+    proof.matrix.insert(0, 0) = 1.0;
+    proof.lower = Eigen::VectorXd::Constant(1, conflict.violation);
+    proof.upper = Eigen::VectorXd::Constant(1, infinity);
+    proof.multipliers = Eigen::VectorXd::Constant(1, -1.0);
+    proof.box = {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 1.0 + conflict.violation)};
+    proof.bound = recomputed_bound(proof);
+    return proof;
+}
+
+}  // namespace
+
 bool report_rest_conflict(Solution& solution, const CamModel& model) {
     const auto worst = rest_conflict(model, solution.scene.solver.tolerance);
     if (!worst) return false;
     solution.certificate.verdict = Verdict::infeasible;
     solution.certificate.reason = "limit_broken_at_rest";
+    solution.certificate.proof = proof_of(*worst);
+    solution.certificate.proof_kind = ProofKind::duality;
     solution.conflict = {{worst->key, worst->where.x, 1.0}};
     solution.notes.push_back(fmt::format(
         "every motion of this scene rests at {:.6g} deg at displacement {:.6g} (in lifts), and {} is "

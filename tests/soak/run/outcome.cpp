@@ -98,9 +98,12 @@ void read_limits(const json& result, Outcome& outcome) {
     }
 }
 
-/// Whatever stands under "seconds", at any depth.
+/// Whatever stands under "seconds" and "allowed_seconds" (what was left of the time), at any depth.
 void erase_seconds(json& value) {
-    if (value.is_object()) value.erase("seconds");
+    if (value.is_object()) {
+        value.erase("seconds");
+        value.erase("allowed_seconds");
+    }
     for (json& member : value)
         if (member.is_structured()) erase_seconds(member);
 }

@@ -132,6 +132,9 @@ TEST(TappetScenes, NoMotionKeepsWhatTheDwellItselfBreaks) {
     ASSERT_EQ(solution.conflict.size(), 1u);
     EXPECT_EQ(solution.conflict.front().key, "limits.pressure_angle_deg");
     EXPECT_NEAR(solution.conflict.front().at * scene.motion.unit_angle(), pi, 1e-12);
+    ASSERT_TRUE(solution.certificate.proof);
+    EXPECT_GT(recomputed_bound(*solution.certificate.proof), 0.0);
+    EXPECT_EQ(solution.certificate.proof->statement, "least_common_violation");
 }
 
 TEST(TappetScenes, AVariableDimensionIsUsed) {
