@@ -3,10 +3,10 @@
 #include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "output/number_text.hpp"
-#include "output/scene_words.hpp"
-#include "output/text_table.hpp"
-#include "studies/scene_check.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/scene_words.hpp"
+#include "output/words/text_table.hpp"
+#include "studies/check/scene_check.hpp"
 
 #include <fmt/format.h>
 

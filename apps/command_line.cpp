@@ -6,9 +6,9 @@
 #include "apps/pareto_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/version.hpp"
+#include "output/json/version.hpp"
 #include "studies/papers/paper_catalogue.hpp"
-#include "studies/sweep_run.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -5,13 +5,13 @@
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "output/comparison_csv.hpp"
-#include "output/comparison_json.hpp"
-#include "output/comparison_svg.hpp"
-#include "output/comparison_text.hpp"
-#include "output/folder_update.hpp"
-#include "output/result_folder.hpp"
-#include "studies/comparison.hpp"
+#include "output/chart/comparison_svg.hpp"
+#include "output/csv/comparison_csv.hpp"
+#include "output/json/comparison_json.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/words/comparison_text.hpp"
+#include "studies/compare/comparison.hpp"
 
 #include <filesystem>
 #include <string>

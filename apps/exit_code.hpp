@@ -2,7 +2,7 @@
 // The exit codes of camopt, the same for every command. 130 is what a shell says of Ctrl-C.
 #pragma once
 
-#include "solvers/certificate.hpp"
+#include "solvers/certificate/certificate.hpp"
 
 namespace camopt::apps {
 

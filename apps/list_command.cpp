@@ -3,9 +3,9 @@
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
 #include "input/follower_kinds.hpp"
-#include "motions/law_catalogue.hpp"
-#include "output/json_text.hpp"
-#include "output/number_text.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/json/json_text.hpp"
+#include "output/words/number_text.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>

@@ -7,10 +7,10 @@
 #include "apps/sweep_request.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/folder_update.hpp"
-#include "output/pareto_csv.hpp"
-#include "output/pareto_svg.hpp"
-#include "output/result_folder.hpp"
+#include "output/chart/pareto_svg.hpp"
+#include "output/csv/pareto_csv.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
 
 #include <fmt/format.h>
 

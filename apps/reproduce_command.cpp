@@ -4,12 +4,12 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
-#include "output/folder_update.hpp"
-#include "output/paper_figure_svg.hpp"
-#include "output/paper_report_csv.hpp"
-#include "output/paper_report_json.hpp"
-#include "output/paper_report_text.hpp"
-#include "output/result_folder.hpp"
+#include "output/chart/paper_figure_svg.hpp"
+#include "output/csv/paper_report_csv.hpp"
+#include "output/json/paper_report_json.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/words/paper_report_text.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <filesystem>

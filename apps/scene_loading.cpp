@@ -2,8 +2,8 @@
 #include "apps/scene_loading.hpp"
 
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
-#include "output/text_file.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/report/text_file.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "solvers/registry.hpp"
 

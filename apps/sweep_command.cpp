@@ -9,8 +9,8 @@
 #include "apps/sweep_solve.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/version.hpp"
-#include "studies/sweep_check.hpp"
+#include "output/json/version.hpp"
+#include "studies/sweep/sweep_check.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "apps/sweep_pictures.hpp"
 #include "apps/terminal.hpp"
-#include "output/sweep_text.hpp"
+#include "output/words/sweep_text.hpp"
 
 #include <fmt/format.h>
 

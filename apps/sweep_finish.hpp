@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/exit_code.hpp"
-#include "output/sweep_folder.hpp"
+#include "output/report/sweep_folder.hpp"
 
 namespace camopt::apps {
 

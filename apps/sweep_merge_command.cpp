@@ -3,7 +3,7 @@
 #include "apps/commands.hpp"
 #include "apps/sweep_finish.hpp"
 #include "core/errors.hpp"
-#include "output/sweep_folder.hpp"
+#include "output/report/sweep_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
-#include "output/folder_update.hpp"
-#include "output/sweep_html.hpp"
-#include "output/sweep_svg.hpp"
+#include "output/chart/sweep/sweep_html.hpp"
+#include "output/chart/sweep/sweep_svg.hpp"
+#include "output/report/folder_update.hpp"
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 // The pictures of a finished sweep: sweep.svg and sweep.html beside sweep.csv.
 #pragma once
 
-#include "output/sweep_folder.hpp"
+#include "output/report/sweep_folder.hpp"
 
 namespace camopt::apps {
 

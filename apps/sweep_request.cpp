@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/number_parsing.hpp"
-#include "output/text_file.hpp"
+#include "output/report/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "apps/commands.hpp"
-#include "output/sweep_json.hpp"
-#include "studies/sweep_plan.hpp"
+#include "output/json/sweep_json.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "apps/worker_pool.hpp"
-#include "output/sweep_folder.hpp"
-#include "studies/sweep_plan.hpp"
+#include "output/report/sweep_folder.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <functional>
 

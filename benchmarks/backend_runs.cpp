@@ -3,9 +3,9 @@
 
 #include "benchmarks/measurement.hpp"
 #include "objectives/scene_model.hpp"
-#include "solvers/exchange.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <chrono>
 

@@ -2,7 +2,7 @@
 #include "benchmarks/cam_case.hpp"
 
 #include "core/units.hpp"
-#include "studies/paper_tables.hpp"
+#include "studies/papers/paper_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The scenes with a cam that are measured, and the backends that measure themselves on them.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <map>
 #include <string>

@@ -11,9 +11,9 @@
 #include "benchmarks/machine.hpp"
 #include "benchmarks/solver_variants.hpp"
 #include "core/number_parsing.hpp"
-#include "output/result_folder.hpp"
-#include "output/text_file.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/report/text_file.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

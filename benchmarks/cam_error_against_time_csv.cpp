@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/cam_error_against_time_csv.hpp"
 
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 
 namespace camopt::benchmarks {
 

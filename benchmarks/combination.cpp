@@ -2,8 +2,8 @@
 #include "benchmarks/combination.hpp"
 
 #include "solvers/registry.hpp"
-#include "studies/paper_tables.hpp"
-#include "studies/reference_table.hpp"
+#include "studies/compare/reference_table.hpp"
+#include "studies/papers/paper_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // backend.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 #include <string>

@@ -10,9 +10,9 @@
 #include "benchmarks/measurement.hpp"
 #include "benchmarks/solver_variants.hpp"
 #include "core/number_parsing.hpp"
-#include "output/result_folder.hpp"
-#include "output/text_file.hpp"
-#include "studies/solve.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/report/text_file.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 // of a profile, or could not be solved at all.
 #include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include "benchmarks/combination.hpp"
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
-#include "solvers/exchange.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
 
 #include <fmt/format.h>

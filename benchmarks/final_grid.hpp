@@ -3,8 +3,8 @@
 // What other solvers of linear programs are compared on.
 #pragma once
 
-#include "core/scene.hpp"
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::benchmarks {
 

@@ -14,8 +14,8 @@
 #include "benchmarks/measurement.hpp"
 #include "core/errors.hpp"
 #include "core/number_parsing.hpp"
-#include "output/csv_line.hpp"
-#include "output/text_file.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/report/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -9,10 +9,10 @@
 // mm).
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
-#include "output/csv_line.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/csv/csv_line.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/forward_check_input.hpp"
+#include "studies/check/forward_check_input.hpp"
 
 #include <array>
 #include <cmath>

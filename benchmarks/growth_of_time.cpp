@@ -6,7 +6,7 @@
 // computed independently (an LP solver with exchange, ten digits), its relative difference, seconds, rounds,
 // iterations. `status` of a whole solve is its verdict.
 #include "benchmarks/backend_runs.hpp"
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "solvers/registry.hpp"
 
 namespace camopt {

@@ -5,7 +5,7 @@
 // option `factorization` allows. CSV on the standard output; the error is against the exchange at 1e-10.
 // Ways slower than some seconds are timed once. Progress goes to stderr.
 #include "benchmarks/backend_runs.hpp"
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 
 #include <cstdio>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/measurement.hpp"
 
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "solvers/exchange.hpp"
+#include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <algorithm>
 #include <chrono>

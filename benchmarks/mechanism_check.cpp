@@ -9,11 +9,11 @@
 #include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
+#include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"
-#include "studies/mechanism_report.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
 
 #include <chrono>

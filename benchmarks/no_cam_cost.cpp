@@ -9,8 +9,8 @@
 #include "benchmarks/combination.hpp"
 #include "benchmarks/measurement.hpp"
 #include "core/units.hpp"
-#include "output/csv_line.hpp"
-#include "studies/solve.hpp"
+#include "output/csv/csv_line.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

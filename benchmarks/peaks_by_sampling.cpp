@@ -7,12 +7,12 @@
 
 #include "benchmarks/combination.hpp"
 #include "benchmarks/measurement.hpp"
-#include "motions/law_catalogue.hpp"
-#include "output/csv_line.hpp"
-#include "output/result_folder.hpp"
-#include "output/text_file.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/report/text_file.hpp"
 #include "splines/extrema.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 // (against_commit.sh builds it there).
 #include "input/scene_reader.hpp"
 #include "solvers/registry.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <algorithm>
 #include <cstdio>

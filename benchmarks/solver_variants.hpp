@@ -2,7 +2,7 @@
 // The structured solver and Ipopt as they compete on linear programs: each with the options worth trying.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability_report.hpp"
 
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability_report.hpp"
 #include "core/number_parsing.hpp"
-#include "output/plot_frame.hpp"
-#include "output/svg_canvas.hpp"
+#include "output/chart/plot_frame.hpp"
+#include "output/chart/svg_canvas.hpp"
 
 #include <fmt/format.h>
 

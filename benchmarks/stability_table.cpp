@@ -5,8 +5,8 @@
 #include "benchmarks/machine.hpp"
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability_report.hpp"
-#include "output/result_folder.hpp"
-#include "output/text_file.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/report/text_file.hpp"
 
 #include <cstdio>
 #include <exception>

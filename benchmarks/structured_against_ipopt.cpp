@@ -7,7 +7,7 @@
 // on the final grid, the exchange, the whole library solve (up to 256 segments). CSV on the standard output.
 // `ratio`: seconds by those of the structured solver; `eligible`: error within 1e-8. Progress goes to stderr.
 #include "benchmarks/backend_runs.hpp"
-#include "output/csv_line.hpp"
+#include "output/csv/csv_line.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sweep_seconds FOLDER: 1,000 weights of a DRD cubic of 32 segments in one process: warm-started along the
-// sweep (studies/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with Ipopt.
+// sweep (studies/solve/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with
+// Ipopt.
 //
 // Writes FOLDER/sweep_seconds.csv, a line a way: passes over all rows, their median seconds, rows that are
 // not proved optimal, the largest difference of a row's objective from its cold solve (relative), ratio of
@@ -10,12 +11,12 @@
 #include "benchmarks/final_grid.hpp"
 #include "benchmarks/measurement.hpp"
 #include "benchmarks/solver_variants.hpp"
-#include "output/csv_line.hpp"
-#include "output/text_file.hpp"
-#include "studies/solve_sequence.hpp"
-#include "studies/solve_without_explaining.hpp"
-#include "studies/sweep_axis.hpp"
-#include "studies/sweep_run.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/report/text_file.hpp"
+#include "studies/solve/solve_sequence.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/sweep/sweep_axis.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -60,6 +60,9 @@ function(camopt_add_module name)
   endforeach()
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${private}
     $<BUILD_INTERFACE:camopt_warnings> $<BUILD_INTERFACE:camopt_instrumentation>)
+  if("fmt::fmt" IN_LIST arg_PRIVATE)
+    camopt_use_precompiled(${target} camopt_precompiled)
+  endif()
   set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
 endfunction()
 
@@ -70,6 +73,9 @@ function(camopt_add_test name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main camopt_warnings
     camopt_instrumentation)
   target_compile_definitions(${name} PRIVATE CAMOPT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # What is tested is optimised; the tests themselves are compiled more often than they run.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
+  camopt_use_precompiled(${name} camopt_precompiled_tests)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 600)
   endif()

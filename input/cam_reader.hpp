@@ -4,8 +4,8 @@
 // input/.
 #pragma once
 
-#include "core/scene.hpp"
 #include "input/scene_source.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::input {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "input/follower_kinds.hpp"
 
-#include "core/inverse_spec.hpp"
-#include "core/remote_spec.hpp"
-#include "core/spatial_spec.hpp"
 #include "input/scene_keys.hpp"
 #include "input/spatial_reader.hpp"
+#include "scene/inverse_spec.hpp"
+#include "scene/remote_spec.hpp"
+#include "scene/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/inverse_reader.hpp"
 
-#include "core/inverse_spec.hpp"
+#include "scene/inverse_spec.hpp"
 
 #include <fmt/format.h>
 

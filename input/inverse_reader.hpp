@@ -2,8 +2,8 @@
 // The mechanism of a scene with an inverse cam. Internal to input/.
 #pragma once
 
-#include "core/scene.hpp"
 #include "input/scene_source.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::input {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "input/mechanism_reader.hpp"
 
-#include "core/remote_spec.hpp"
 #include "core/units.hpp"
 #include "input/inverse_reader.hpp"
 #include "input/spatial_reader.hpp"
+#include "scene/remote_spec.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // Cams that are not of type "disk": their numbers and choices. Internal to input/.
 #pragma once
 
-#include "core/scene.hpp"
 #include "input/scene_source.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::input {
 

@@ -4,8 +4,8 @@
 // unit does not fit the lift. Internal to input/.
 #pragma once
 
-#include "core/scene.hpp"
 #include "input/scene_source.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::input {
 

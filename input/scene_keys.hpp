@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/range.hpp"
-#include "core/spellings.hpp"
+#include "scene/spellings.hpp"
 
 #include <span>
 #include <string>

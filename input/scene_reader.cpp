@@ -22,7 +22,7 @@ namespace {
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{1} << 28U;
 
 /// Turns a file whose keys have been checked into a Scene; what is absent keeps the default of
-/// core/scene.hpp.
+/// scene/scene.hpp.
 class SceneReader {
  public:
     SceneReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}

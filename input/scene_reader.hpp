@@ -5,7 +5,7 @@
 // docs/scene_file.md.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <filesystem>
 #include <span>

@@ -3,9 +3,9 @@
 // place. Internal to input/.
 #pragma once
 
-#include "core/cam_spec.hpp"
 #include "input/document.hpp"
 #include "input/scene_keys.hpp"
+#include "scene/cam_spec.hpp"
 
 #include <initializer_list>
 #include <optional>

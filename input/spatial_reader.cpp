@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/spatial_reader.hpp"
 
-#include "core/spatial_spec.hpp"
 #include "core/units.hpp"
+#include "scene/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

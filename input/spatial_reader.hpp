@@ -2,9 +2,9 @@
 // The mechanism of a scene with a barrel or cylindrical cam. Internal to input/.
 #pragma once
 
-#include "core/scene.hpp"
-#include "core/spatial_spec.hpp"
 #include "input/scene_source.hpp"
+#include "scene/scene.hpp"
+#include "scene/spatial_spec.hpp"
 
 namespace camopt::input {
 

@@ -8,7 +8,7 @@
 // largest. Displacements in lifts.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 #include "splines/motion_family.hpp"
 
 #include <array>

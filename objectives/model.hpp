@@ -8,9 +8,9 @@
 #pragma once
 
 #include "core/nlp.hpp"
-#include "objectives/cam_rule.hpp"
-#include "objectives/mechanism_rule.hpp"
-#include "objectives/point_rule.hpp"
+#include "objectives/rules/cam_rule.hpp"
+#include "objectives/rules/mechanism_rule.hpp"
+#include "objectives/rules/point_rule.hpp"
 #include "splines/motion_family.hpp"
 
 #include <Eigen/Core>

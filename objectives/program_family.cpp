@@ -2,7 +2,7 @@
 #include "objectives/program_family.hpp"
 
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 
 #include <fmt/format.h>
 

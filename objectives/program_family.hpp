@@ -3,7 +3,7 @@
 // lifts.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 #include "splines/motion_family.hpp"
 
 namespace camopt {

@@ -2,12 +2,12 @@
 #include "objectives/scene_model.hpp"
 
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
-#include "objectives/cam_limits.hpp"
-#include "objectives/cam_reach.hpp"
-#include "objectives/peak_rule.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "objectives/program_family.hpp"
-#include "objectives/torque_rule.hpp"
+#include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/cam_reach.hpp"
+#include "objectives/rules/peak_rule.hpp"
+#include "objectives/rules/torque_rule.hpp"
 
 #include <fmt/format.h>
 

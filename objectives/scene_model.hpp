@@ -4,9 +4,9 @@
 #pragma once
 
 #include "core/peaks.hpp"
-#include "core/scene.hpp"
 #include "objectives/free_displacements.hpp"
 #include "objectives/model.hpp"
+#include "scene/scene.hpp"
 
 #include <span>
 

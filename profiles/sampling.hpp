@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "profiles/disk_cam.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <optional>
 #include <vector>

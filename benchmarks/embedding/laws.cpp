@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The smallest embedding: the peaks of a classical law. Links camopt::motions and nothing else.
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 
 #include <cstdio>
 

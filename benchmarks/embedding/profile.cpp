@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A cam profile from a law, without a solver. Links camopt::profiles and camopt::motions.
-#include "motions/law_catalogue.hpp"
-#include "profiles/disk_cam.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <cstdio>
 

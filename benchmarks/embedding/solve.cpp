@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene made in code and solved. Links camopt::studies; no reader, no output, no program around it.
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <cstdio>
 

@@ -7,7 +7,7 @@
 // curvature κ = −σ Im(conj(T) p'') / |T|³, pressure angle between iT and c_s.
 #pragma once
 
-#include "studies/solution.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <string>
 #include <vector>

@@ -6,10 +6,10 @@
 #include "core/errors.hpp"
 #include "core/number_parsing.hpp"
 #include "core/units.hpp"
-#include "motions/smallest_cam.hpp"
-#include "output/number_text.hpp"
-#include "studies/comparison.hpp"
-#include "studies/solve.hpp"
+#include "motions/bounds/smallest_cam.hpp"
+#include "output/words/number_text.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

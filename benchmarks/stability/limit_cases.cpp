@@ -3,7 +3,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

@@ -2,16 +2,16 @@
 #include "benchmarks/stability/mechanism_claims.hpp"
 
 #include "benchmarks/stability/stability_scenes.hpp"
-#include "core/spatial_spec.hpp"
 #include "core/units.hpp"
-#include "output/mechanism_dxf.hpp"
-#include "output/profile_dxf.hpp"
-#include "output/profile_shape.hpp"
+#include "output/drawing/mechanism_dxf.hpp"
+#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/profile_shape.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/check_cam.hpp"
+#include "scene/spatial_spec.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"
-#include "studies/mechanism_report.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
 
 #include <cmath>

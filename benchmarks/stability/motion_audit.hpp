@@ -9,7 +9,7 @@
 // of rollers and knife edges, convex radius of rollers and of sliding flat faces, least contact force.
 #pragma once
 
-#include "studies/solution.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <string>
 
@@ -21,7 +21,7 @@ struct MotionAudit {
     long double violation = 0;  ///< the worst, relative to the limit (jumps, ends: to the peak); >= 0
     /// The worst jump of y''' where it should be continuous (C3, C4 splines), by its peak: rounding divided
     /// by the cube of the segments' width. Judged apart: largest_joint_jump in
-    /// studies/delivered_audit.hpp.
+    /// studies/delivered/delivered_audit.hpp.
     long double jerk_jump = 0;
     std::string worst;  ///< what it is: "joint 3, order 2", "pressure angle", …
 };

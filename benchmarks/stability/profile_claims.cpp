@@ -4,11 +4,11 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/number_parsing.hpp"
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
-#include "output/cam_profile.hpp"
-#include "output/profile_shape.hpp"
-#include "studies/forward_check_input.hpp"
-#include "studies/solve.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "output/drawing/cam_profile.hpp"
+#include "output/drawing/profile_shape.hpp"
+#include "studies/check/forward_check_input.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

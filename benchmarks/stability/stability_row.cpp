@@ -4,8 +4,8 @@
 #include "benchmarks/stability/motion_audit.hpp"
 #include "core/errors.hpp"
 #include "solvers/registry.hpp"
-#include "studies/delivered_audit.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // on the verdict.
 #pragma once
 
-#include "core/scene.hpp"
-#include "solvers/certificate.hpp"
+#include "scene/scene.hpp"
+#include "solvers/certificate/certificate.hpp"
 
 #include <functional>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

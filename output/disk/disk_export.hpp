@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Plane cams for machine and CAD: the checked program of an end mill around them, and their solid.
 //
-// Frame of profiles/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. m.
+// Frame of profiles/disk/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. m.
 #pragma once
 
+#include "output/drawing/profile_shape.hpp"
 #include "output/nc/checked_program.hpp"
-#include "output/profile_shape.hpp"
 #include "output/surface/triangle_mesh.hpp"
 
 #include <string>

@@ -3,7 +3,7 @@
 // kind does without it and sets Scene::mechanism->formulas himself.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt {
 

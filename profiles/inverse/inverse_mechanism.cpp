@@ -2,9 +2,9 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
-#include "core/inverse_spec.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
+#include "scene/inverse_spec.hpp"
 
 #include <fmt/format.h>
 #include <unsupported/Eigen/AutoDiff>

@@ -14,10 +14,10 @@
 // Exact partials by automatic differentiation, by all numbers. Out of reach: NaN.
 #pragma once
 
-#include "core/cam_mechanism.hpp"
-#include "core/mechanism_spec.hpp"
 #include "profiles/inverse/feeder_linkage.hpp"
 #include "profiles/inverse/roller_law.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/mechanism_spec.hpp"
 
 #include <memory>
 #include <span>

@@ -11,13 +11,13 @@
 //   |V|² = (C·u − σ l ψ')² + (C·t)²              speed of the roller's centre against the cam.
 // φ turns from t, the way of the roller while the lever turns counterclockwise.
 // Numerator and denominator are given the sign that makes the denominator positive in this mechanism.
-// Frames and signs otherwise as in profiles/disk_cam.hpp; coordinates are those of the scene.
-// Linkages, dimensions and branches: core/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has the words.
-// Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
+// Frames and signs otherwise as in profiles/disk/disk_cam.hpp; coordinates are those of the scene.
+// Linkages, dimensions and branches: scene/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has the
+// words. Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
 #pragma once
 
-#include "core/cam_mechanism.hpp"
-#include "core/remote_spec.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/remote_spec.hpp"
 
 #include <span>
 #include <string>

@@ -27,9 +27,9 @@
 // Sources: seeds 001 (OCRF) and 002 (barrel cam) with their formulas corrected (docs/papers).
 #pragma once
 
-#include "core/cam_spec.hpp"
 #include "core/follower_state.hpp"
-#include "core/spatial_spec.hpp"
+#include "scene/cam_spec.hpp"
+#include "scene/spatial_spec.hpp"
 
 #include <Eigen/Core>
 

@@ -5,12 +5,12 @@
 // 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
 // cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere where it holds at both ends:
 // it binds at two stations only. g binds at every station.
-// Dimensions in the order of SpatialNumber (core/spatial_spec.hpp); m, rad.
+// Dimensions in the order of SpatialNumber (scene/spatial_spec.hpp); m, rad.
 #pragma once
 
-#include "core/cam_mechanism.hpp"
-#include "core/mechanism_spec.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/mechanism_spec.hpp"
 
 #include <memory>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "studies/point_curve.hpp"
+#include "studies/check/point_curve.hpp"
 
 #include <fmt/format.h>
 

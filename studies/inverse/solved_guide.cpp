@@ -2,14 +2,14 @@
 #include "studies/inverse/solved_guide.hpp"
 
 #include "core/errors.hpp"
-#include "core/inverse_spec.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/sampling.hpp"
-#include "studies/check_cam.hpp"
+#include "scene/inverse_spec.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/mechanism_summary.hpp"
 #include "studies/inverse/inverse_forward.hpp"
-#include "studies/mechanism_report.hpp"
-#include "studies/mechanism_summary.hpp"
 
 #include <algorithm>
 #include <cmath>

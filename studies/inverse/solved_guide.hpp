@@ -2,7 +2,7 @@
 // The guide of a solved scene with an inverse cam, pushed by its roller.
 #pragma once
 
-#include "studies/solution.hpp"
+#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/barrel_optima.hpp"
 
-#include "core/spatial_spec.hpp"
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_extremes.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "studies/check_cam.hpp"
-#include "studies/solve.hpp"
+#include "scene/spatial_spec.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "studies/inverse/inverse_guide.hpp"
 #include "studies/papers/paper_000_parts.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

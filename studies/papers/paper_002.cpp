@@ -2,7 +2,7 @@
 #include "studies/papers/paper_002.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "studies/papers/barrel_optima.hpp"
 #include "studies/papers/spatial_tables.hpp"
 #include "studies/spatial/flank_contact.hpp"

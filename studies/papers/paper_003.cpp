@@ -2,9 +2,9 @@
 #include "studies/papers/paper_003.hpp"
 
 #include "core/units.hpp"
-#include "studies/mechanism_check.hpp"
+#include "studies/check/mechanism_check.hpp"
 #include "studies/papers/tappet_shedding.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 

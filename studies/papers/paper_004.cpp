@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/paper_004.hpp"
 
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // T.-Y. Shon and M.-Y. Yang, "Synthesis of Optimum CAM Curve by Cubic Spline", 1994: Tables 1 to 4 and Figs.
-// 1 to 8 beside the proved optima. The numbers are those of studies/reference_table.hpp.
+// 1 to 8 beside the proved optima. The numbers are those of studies/compare/reference_table.hpp.
 #pragma once
 
+#include "studies/compare/reference_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
-#include "studies/reference_table.hpp"
 
 namespace camopt {
 

@@ -2,8 +2,8 @@
 // The papers that camopt computes again.
 #pragma once
 
+#include "studies/delivered/solution.hpp"
 #include "studies/papers/paper_report.hpp"
-#include "studies/solution.hpp"
 
 #include <functional>
 #include <span>

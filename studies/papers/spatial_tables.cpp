@@ -2,7 +2,7 @@
 #include "studies/papers/spatial_tables.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/contact.hpp"
 #include "profiles/spatial/interference.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"

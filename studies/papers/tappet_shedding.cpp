@@ -2,7 +2,7 @@
 #include "studies/papers/tappet_shedding.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 
 #include <initializer_list>
 #include <utility>

@@ -4,10 +4,10 @@
 // none.
 #pragma once
 
-#include "core/scene.hpp"
 #include "profiles/remote/remote_cam.hpp"
+#include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/mechanism_summary.hpp"
+#include "studies/delivered/mechanism_summary.hpp"
 
 #include <string>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "profiles/spatial/spatial_cam.hpp"
-#include "studies/point_curve.hpp"
+#include "studies/check/point_curve.hpp"
 
 #include <Eigen/Core>
 

@@ -2,9 +2,9 @@
 #include "studies/spatial/solved_cam.hpp"
 
 #include "core/errors.hpp"
-#include "core/spatial_spec.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "studies/check_cam.hpp"
+#include "scene/spatial_spec.hpp"
+#include "studies/check/check_cam.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "profiles/sampling.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "studies/solution.hpp"
+#include "studies/delivered/solution.hpp"
 
 namespace camopt {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt export: what is written, what is refused.
+#include "output/report/text_file.hpp"
 #include "output/surface/step/step_file.hpp"
-#include "output/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

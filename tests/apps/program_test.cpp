@@ -2,8 +2,8 @@
 // The camopt program from outside: exit codes, what goes to which stream, what is written.
 #include "program.hpp"
 
-#include "output/certificate_json.hpp"
-#include "output/text_file.hpp"
+#include "output/json/certificate_json.hpp"
+#include "output/report/text_file.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

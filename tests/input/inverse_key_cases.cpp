@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/inverse_spec.hpp"
+#include "scene/inverse_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <algorithm>

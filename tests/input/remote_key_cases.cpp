@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/remote_spec.hpp"
+#include "scene/remote_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <algorithm>

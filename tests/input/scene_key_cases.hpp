@@ -2,7 +2,7 @@
 // Every key of a scene file in every unit, with the value that must arrive in the Scene.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <functional>
 #include <string>

@@ -3,9 +3,9 @@
 #include "input/scene_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/written_limits.hpp"
 #include "input/follower_kinds.hpp"
 #include "input/scene_keys.hpp"
+#include "scene/written_limits.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/spatial_spec.hpp"
+#include "scene/spatial_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <numbers>

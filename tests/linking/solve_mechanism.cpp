@@ -5,7 +5,7 @@
 // Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
 #include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <cstdio>
 #include <exception>

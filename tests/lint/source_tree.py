@@ -7,27 +7,28 @@ import sys
 # Which folder may include which (docs/architecture.md).
 MAY_INCLUDE = {
     "core": set(),
+    "scene": {"core"},
     "linear": {"core"},
     "motions": {"core"},
     "splines": {"core", "linear"},
-    "profiles": {"core"},
-    "objectives": {"core", "motions", "splines", "profiles"},
+    "profiles": {"core", "scene"},
+    "objectives": {"core", "scene", "motions", "splines", "profiles"},
     "solvers": {"core", "linear"},
-    "input": {"core"},
-    "studies": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
-    "output": {"core", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
+    "input": {"core", "scene"},
+    "studies": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
+    "output": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
 # Mechanisms beside the disk cams: leaves, none of which knows another, so that each can be linked alone.
 LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
 for user in ("objectives", "studies", "output"):
     MAY_INCLUDE[user] |= LEAVES
-MAY_INCLUDE |= {leaf: {"core"} for leaf in LEAVES}
+MAY_INCLUDE |= {leaf: {"core", "scene"} for leaf in LEAVES}
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
-MAY_INCLUDE["profiles/factory"] = {"core"} | LEAVES
+MAY_INCLUDE["profiles/factory"] = {"core", "scene"} | LEAVES
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/spatial"] = {"core", "output/nc", "output/surface", "profiles/spatial"}
-MAY_INCLUDE["output/disk"] = {"core", "output", "output/nc", "output/surface", "profiles"}
+MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface", "profiles/spatial"}
+MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("apps", "benchmarks", "notebooks_cpp", "tests")

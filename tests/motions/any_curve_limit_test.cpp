@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The any-curve limit against golden values, integrated double-S curves and the quickest motions of random
 // peaks.
-#include "motions/any_curve_limit.hpp"
+#include "motions/bounds/any_curve_limit.hpp"
 
 #include "core/errors.hpp"
 #include "tests/support/refusal.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Laws with unequal parts against the symmetric law they come from: peaks, joint, continuity, refusals.
 #include "core/errors.hpp"
-#include "motions/asymmetric_law.hpp"
-#include "motions/law_catalogue.hpp"
-#include "motions/polynomial_law.hpp"
+#include "motions/laws/asymmetric_law.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/polynomial_law.hpp"
 
 #include <gtest/gtest.h>
 

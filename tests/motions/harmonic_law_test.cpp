@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pieces that laws are put together from, away from x = 0 too.
-#include "motions/harmonic_law.hpp"
+#include "motions/laws/harmonic_law.hpp"
 
 #include "core/errors.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The laws of the catalogue against the table of golden peaks, dense samples and central differences.
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

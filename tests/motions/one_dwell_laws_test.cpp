@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The one-dwell laws against closed forms of their peaks, their conditions at the top, and their limits.
-#include "motions/one_dwell_laws.hpp"
+#include "motions/laws/one_dwell_laws.hpp"
 
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

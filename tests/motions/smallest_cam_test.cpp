@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The smallest cam against the printed figure, its inverses, a numerical integration and real motions.
-#include "motions/smallest_cam.hpp"
+#include "motions/bounds/smallest_cam.hpp"
 
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
 
-#include "objectives/curve_bounds.hpp"
+#include "objectives/grid/curve_bounds.hpp"
 #include "objectives/scene_model.hpp"
 #include "splines/extrema.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One generic test for every limit of a cam: partials, and the shape (linear, convex) it claims.
 #include "core/units.hpp"
-#include "objectives/cam_limits.hpp"
+#include "objectives/rules/cam_limits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which limits of a mechanism are linear or convex, held against the formulas themselves: chords, and where
 // the rule is continued.
-#include "core/spatial_spec.hpp"
 #include "core/units.hpp"
-#include "objectives/mechanism_rule.hpp"
+#include "objectives/rules/mechanism_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
+#include "scene/spatial_spec.hpp"
 
 #include <gtest/gtest.h>
 

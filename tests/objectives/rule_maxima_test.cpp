@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Maxima of the rules of cams between samples: peaks far narrower than a spline's piece, and enclosures that
 // hold what the formulas give.
-#include "objectives/rule_maxima.hpp"
+#include "objectives/rules/rule_maxima.hpp"
 
 #include "core/range_along.hpp"
 #include "core/units.hpp"
-#include "objectives/cam_limits.hpp"
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/quantity_along.hpp"
+#include "profiles/disk/quantity_along.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/torque_rule.hpp"
+#include "objectives/rules/torque_rule.hpp"
 
 #include "core/derivative_check.hpp"
-#include "objectives/cam_problem.hpp"
-#include "objectives/rule_maxima.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <gtest/gtest.h>

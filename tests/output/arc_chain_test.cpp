@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/arc_chain.hpp"
+#include "output/drawing/arc_chain.hpp"
 
 #include "core/errors.hpp"
-#include "output/biarc.hpp"
+#include "output/drawing/biarc.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What terminal summary and report say about cams, programs and scenes that have no motion.
-#include "output/cam_remarks.hpp"
-#include "output/cam_words.hpp"
-#include "output/infeasible_words.hpp"
-#include "output/key_words.hpp"
-#include "output/report.hpp"
-#include "output/segment_table.hpp"
-#include "output/solution_text.hpp"
+#include "output/report/report.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/solution_text.hpp"
 #include "sample_solution.hpp"
-#include "studies/check_cam.hpp"
+#include "studies/check/check_cam.hpp"
 
 #include <gtest/gtest.h>
 

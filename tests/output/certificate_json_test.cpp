@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 
 #include "core/errors.hpp"
-#include "output/text_file.hpp"
+#include "output/report/text_file.hpp"
 #include "sample_solution.hpp"
 #include "temporary_folder.hpp"
 

@@ -2,8 +2,8 @@
 // The proof recomputed from certificate.json alone, by code that knows the file's recipe and nothing of the
 // library.
 #include "../studies/scenes_for_tests.hpp"
-#include "output/certificate_json.hpp"
-#include "studies/solve.hpp"
+#include "output/json/certificate_json.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

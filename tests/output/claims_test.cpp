@@ -2,12 +2,12 @@
 // What is said of scenes without a motion, and of limits of any curve, held against solves: every sentence is
 // a claim.
 #include "core/units.hpp"
-#include "output/cam_remarks.hpp"
-#include "output/infeasible_words.hpp"
-#include "output/report.hpp"
-#include "output/solution_text.hpp"
-#include "studies/adjustment.hpp"
-#include "studies/solve.hpp"
+#include "output/report/report.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/solution_text.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

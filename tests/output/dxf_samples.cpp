@@ -2,9 +2,9 @@
 // dxf_samples FOLDER: NAME.dxf for every follower and direction of rotation, and beside it NAME.csv, true
 // points of the cam between and on the knots (x_mm, y_mm), for dxf_read_back.py.
 #include "core/units.hpp"
-#include "output/csv_line.hpp"
-#include "output/profile_dxf.hpp"
-#include "output/text_file.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/drawing/profile_dxf.hpp"
+#include "output/report/text_file.hpp"
 #include "studies/cam_samples.hpp"
 
 #include <cstdio>

@@ -3,16 +3,16 @@
 // solves and writes is the same to the last byte.
 #include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
-#include "core/scene.hpp"
 #include "input/scene_reader.hpp"
-#include "output/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
+#include "output/json/paper_report_json.hpp"
 #include "output/nc/post_processor.hpp"
-#include "output/paper_report_json.hpp"
-#include "output/result_folder.hpp"
-#include "output/text_file.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/report/text_file.hpp"
+#include "scene/scene.hpp"
 #include "studies/papers/paper_000.hpp"
-#include "studies/solve_without_explaining.hpp"
-#include "studies/sweep_axis.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/sweep/sweep_axis.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <fmt/format.h>

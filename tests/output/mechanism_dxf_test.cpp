@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
-#include "output/mechanism_dxf.hpp"
+#include "output/drawing/mechanism_dxf.hpp"
 
 #include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "dxf_text.hpp"
 #include "input/scene_reader.hpp"
-#include "output/result_folder.hpp"
+#include "output/report/result_folder.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/check_cam.hpp"
-#include "studies/solve.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

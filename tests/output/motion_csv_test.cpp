@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/motion_csv.hpp"
+#include "output/csv/motion_csv.hpp"
 
 #include "sample_solution.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "output/motion_svg.hpp"
+#include "output/chart/motion_svg.hpp"
 
 #include "core/errors.hpp"
-#include "output/axis_ticks.hpp"
-#include "output/number_text.hpp"
-#include "output/reference_motion.hpp"
-#include "output/report.hpp"
-#include "output/solution_text.hpp"
+#include "output/chart/axis_ticks.hpp"
+#include "output/chart/reference_motion.hpp"
+#include "output/report/report.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/solution_text.hpp"
 #include "sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 

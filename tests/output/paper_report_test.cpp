@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A paper's report as text, Markdown, JSON, CSV and picture, against a small one made by hand.
-#include "output/paper_figure_svg.hpp"
-#include "output/paper_report_csv.hpp"
-#include "output/paper_report_json.hpp"
-#include "output/paper_report_text.hpp"
+#include "output/chart/paper_figure_svg.hpp"
+#include "output/csv/paper_report_csv.hpp"
+#include "output/json/paper_report_json.hpp"
+#include "output/words/paper_report_text.hpp"
 #include "tests/output/well_formed.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/profile_csv.hpp"
+#include "output/csv/profile_csv.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/profile_dxf.hpp"
+#include "output/drawing/profile_dxf.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"

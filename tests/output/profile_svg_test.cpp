@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/profile_svg.hpp"
+#include "output/drawing/profile_svg.hpp"
 
 #include "core/units.hpp"
-#include "output/profile_diagrams_svg.hpp"
+#include "output/chart/profile_diagrams_svg.hpp"
 #include "studies/cam_samples.hpp"
 
 #include <gtest/gtest.h>

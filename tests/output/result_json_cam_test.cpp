@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // result.json of scenes with a cam, of programs, and of scenes that have no motion.
-#include "output/result_json.hpp"
-#include "output/text_file.hpp"
+#include "output/json/result_json.hpp"
+#include "output/report/text_file.hpp"
 #include "sample_solution.hpp"
 
 #include <gtest/gtest.h>

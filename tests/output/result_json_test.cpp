@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/result_json.hpp"
+#include "output/json/result_json.hpp"
 
-#include "output/version.hpp"
+#include "output/json/version.hpp"
 #include "sample_solution.hpp"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 // heap of another shape and with other leftovers in it, gives every digit again.
 #include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/result_json.hpp"
+#include "output/json/result_json.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

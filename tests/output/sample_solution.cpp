@@ -2,8 +2,8 @@
 #include "sample_solution.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
-#include "studies/solution_report.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "studies/delivered/solution_report.hpp"
 
 #include <memory>
 #include <numbers>

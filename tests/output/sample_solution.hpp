@@ -3,7 +3,7 @@
 //   y''' = 32, −32, −32, 32:  V = 2 at x = 1/2, A = 8 at x = 1/4, J = 32.
 #pragma once
 
-#include "studies/solution.hpp"
+#include "studies/delivered/solution.hpp"
 
 namespace camopt::test {
 

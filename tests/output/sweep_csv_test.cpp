@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // sweep.csv is written and read back to the last bit; what is damaged is refused.
-#include "output/sweep_csv.hpp"
+#include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
-#include "output/csv_reader.hpp"
+#include "output/csv/csv_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The folder of a sweep: what it refuses, what it finds again, what it tells.
-#include "output/sweep_folder.hpp"
+#include "output/report/sweep_folder.hpp"
 
 #include "core/errors.hpp"
-#include "output/sweep_csv.hpp"
-#include "output/sweep_text.hpp"
-#include "output/text_file.hpp"
+#include "output/csv/sweep_csv.hpp"
+#include "output/report/text_file.hpp"
+#include "output/words/sweep_text.hpp"
 #include "temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pictures of sweeps and fronts, against tables made by hand.
-#include "output/sweep_svg.hpp"
+#include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/pareto_csv.hpp"
-#include "output/pareto_svg.hpp"
-#include "output/sweep_html.hpp"
+#include "output/chart/pareto_svg.hpp"
+#include "output/chart/sweep/sweep_html.hpp"
+#include "output/csv/pareto_csv.hpp"
 #include "tests/output/well_formed.hpp"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
-#include "profiles/disk_cam.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 
 #include <cmath>

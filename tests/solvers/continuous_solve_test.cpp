@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Exchange, repair, proof and verdict on a problem whose answer is known in closed form.
-#include "solvers/continuous_solve.hpp"
+#include "solvers/exchange/continuous_solve.hpp"
 
 #include "disc_problem.hpp"
-#include "solvers/duality.hpp"
-#include "solvers/elastic.hpp"
+#include "solvers/certificate/duality.hpp"
+#include "solvers/exchange/elastic.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <gtest/gtest.h>

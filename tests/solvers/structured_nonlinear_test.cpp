@@ -3,7 +3,7 @@
 // proofs, and every way to stop.
 #include "core/derivative_check.hpp"
 #include "core/errors.hpp"
-#include "solvers/duality.hpp"
+#include "solvers/certificate/duality.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "tests/solvers/structured_curved_problems.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // No spline solve ever goes below the limit that no curve can pass.
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 // rests.
 #include "cam_scenes.hpp"
 #include "independent_cam.hpp"
-#include "studies/adjustment.hpp"
-#include "studies/scene_limits.hpp"
-#include "studies/solution_report.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_report.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Extreme scenes end in a true verdict: never a crash, a NaN or a false success.
 #include "cam_scenes.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Three beats for every limit of a cam: broken without it, kept with it on a dense grid, rows added for it.
 #include "cam_scenes.hpp"
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The cam in the loop: proved optima of MATH.md §5, the smallest cams of §8, flat faces, what is left out.
 #include "cam_scenes.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Random roller cams whose undercut limit is not convex: what is delivered keeps every limit, and more starts
 // do not find anything better.
 #include "cam_scenes.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

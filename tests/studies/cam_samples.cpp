@@ -2,7 +2,7 @@
 #include "cam_samples.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 
 #include <cmath>
 #include <memory>

@@ -3,7 +3,7 @@
 // 360°.
 #pragma once
 
-#include "profiles/disk_cam.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "splines/motion_chain.hpp"
 

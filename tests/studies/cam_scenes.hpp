@@ -2,8 +2,8 @@
 // Scenes with a cam that the tests of studies/ share.
 #pragma once
 
-#include "core/scene.hpp"
 #include "core/units.hpp"
+#include "scene/scene.hpp"
 
 namespace camopt::testing_support {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Laws beside the optimum: figures known in closed form, or computed here a second way.
-#include "studies/comparison.hpp"
+#include "studies/compare/comparison.hpp"
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/law_motion.hpp"
+#include "studies/compare/law_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is delivered is what is said of it: the objective by its definition from knots and coefficients, every
 // condition, every limit, whatever way the motion was found.
-#include "studies/delivered_audit.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 
 #include "independent_spline.hpp"
 #include "scenes_for_tests.hpp"
 #include "splines/extrema.hpp"
-#include "studies/delivered_conditions.hpp"
-#include "studies/solve.hpp"
+#include "studies/delivered/delivered_conditions.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // the motion without them reaches, so that many of them bite, among them where the cam would undercut.
 #include "cam_scenes.hpp"
 #include "independent_cam.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <gtest/gtest.h>
 

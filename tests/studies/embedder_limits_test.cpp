@@ -3,8 +3,8 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/comparison.hpp"
-#include "studies/solve.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

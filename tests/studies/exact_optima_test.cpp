@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference optima: linear programs solved independently (HiGHS with exchange), to nine digits.
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

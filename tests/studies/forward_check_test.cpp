@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "studies/forward_check.hpp"
+#include "studies/check/forward_check.hpp"
 
 #include "cam_samples.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "studies/forward_check_input.hpp"
-#include "studies/point_curve.hpp"
+#include "studies/check/forward_check_input.hpp"
+#include "studies/check/point_curve.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

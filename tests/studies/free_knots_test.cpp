@@ -3,8 +3,8 @@
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/free_knot_descent.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/free_knot_descent.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

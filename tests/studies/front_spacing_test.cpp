@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/front_spacing.hpp"
+#include "studies/pareto/front_spacing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "core/scene.hpp"
-#include "profiles/disk_cam.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

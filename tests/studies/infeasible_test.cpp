@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes built to be infeasible: proved so through every backend, and explained by what would help.
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

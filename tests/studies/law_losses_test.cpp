@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/law_losses.hpp"
+#include "studies/compare/law_losses.hpp"
 
-#include "studies/matrix_game.hpp"
-#include "studies/solve.hpp"
+#include "studies/compare/matrix_game.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The smallest base radius for a given motion, against closed forms of the follower on the cam's axis.
-#include "studies/needed_base.hpp"
+#include "studies/compare/needed_base.hpp"
 
-#include "motions/law_catalogue.hpp"
-#include "profiles/disk_cam.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_cam.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/pareto_front.hpp"
+#include "studies/pareto/pareto_front.hpp"
 
 #include "core/errors.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 // the lift where h = 0. Everything is recomputed from the published knots and control points alone.
 #include "cam_scenes.hpp"
 #include "core/errors.hpp"
-#include "solvers/certificate.hpp"
-#include "studies/scene_check.hpp"
-#include "studies/solve.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "studies/check/scene_check.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -211,8 +211,9 @@ TEST(ProgramObjective, OfAPieceWithoutDisplacementsIsNotTried) {
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << solution.certificate.reason;
     expect_measured(solution);
-    if (const auto bound = solution.certificate.lower_bound)
+    if (const auto bound = solution.certificate.lower_bound) {
         EXPECT_LE(*bound, solution.certificate.objective * (1.0 + 1e-9));
+    }
 }
 
 TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheDisplacementFound) {

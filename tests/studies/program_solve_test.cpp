@@ -2,8 +2,8 @@
 // Whole turns: several spline segments optimized together, dwells and laws kept, joints as smooth as
 // promised.
 #include "cam_scenes.hpp"
-#include "motions/law_catalogue.hpp"
-#include "studies/solve.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // coefficients by code that shares nothing with the library.
 #include "independent_spline.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
-#include "studies/relaxation.hpp"
+#include "studies/explain/relaxation.hpp"
 
 #include "cam_scenes.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/adjustment.hpp"
-#include "studies/finer_spline.hpp"
-#include "studies/joint_relaxation.hpp"
-#include "studies/smallest_of_any_motion.hpp"
-#include "studies/solve.hpp"
-#include "studies/value_search.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/explain/finer_spline.hpp"
+#include "studies/explain/joint_relaxation.hpp"
+#include "studies/explain/smallest_of_any_motion.hpp"
+#include "studies/explain/value_search.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

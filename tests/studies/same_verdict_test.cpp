@@ -2,7 +2,7 @@
 // The same scene said in another way has the same answer: another design vector, all weights times a factor,
 // time reversed. Random scenes, many of them with limits that leave no room.
 #include "scenes_for_tests.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What check says of derivatives: no scene of the project is accused, and a partial that is wrong by 1e-4 of
 // itself is found.
-#include "studies/scene_check.hpp"
+#include "studies/check/scene_check.hpp"
 
 #include "benchmarks/known_names.hpp"
-#include "objectives/cam_problem.hpp"
+#include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 

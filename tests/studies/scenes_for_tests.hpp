@@ -2,7 +2,7 @@
 // Scenes the tests of studies/ share.
 #pragma once
 
-#include "core/scene.hpp"
+#include "scene/scene.hpp"
 #include "solvers/registry.hpp"
 
 namespace camopt::testing_support {

@@ -7,9 +7,9 @@
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
-#include "studies/cost_scale.hpp"
-#include "studies/delivered_audit.hpp"
-#include "studies/solve.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/solve/cost_scale.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

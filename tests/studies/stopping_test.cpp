@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Time limits, iteration limits and Ctrl-C: the best feasible point so far is kept and labelled.
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What varies in a sweep: lattice weights, weight files, --vary.
-#include "studies/sweep_axis.hpp"
+#include "studies/sweep/sweep_axis.hpp"
 
 #include "core/errors.hpp"
 

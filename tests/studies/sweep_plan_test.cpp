@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The rows of a sweep: the grid, the scene of every row, the check before anything is solved.
-#include "studies/sweep_plan.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
-#include "studies/sweep_check.hpp"
+#include "studies/sweep/sweep_check.hpp"
 
 #include <gtest/gtest.h>
 

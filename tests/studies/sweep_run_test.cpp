@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Chunks of rows solved, and the Pareto front over them.
-#include "studies/sweep_run.hpp"
+#include "studies/sweep/sweep_run.hpp"
 
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
-#include "studies/sweep_front.hpp"
+#include "studies/pareto/sweep_front.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

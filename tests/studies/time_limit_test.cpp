@@ -6,7 +6,7 @@
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "scenes_for_tests.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes with the torque peak max |y' y''| in their objective.
 #include "objectives/scene_model.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

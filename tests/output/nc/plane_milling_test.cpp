@@ -2,7 +2,7 @@
 // A disk cam milled on three axes, a cylindrical cam on four.
 #include "output/nc/nc_samples.hpp"
 #include "output/nc/plane_cutter_path.hpp"
-#include "profiles/disk_cam.hpp"
+#include "profiles/disk/disk_cam.hpp"
 
 #include <gtest/gtest.h>
 

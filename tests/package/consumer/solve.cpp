@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <iostream>
 

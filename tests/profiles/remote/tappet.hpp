@@ -5,7 +5,7 @@
 
 #include "core/motion.hpp"
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/remote/remote_cam.hpp"
 
 #include <memory>

@@ -3,8 +3,8 @@
 // every station, their partials by every number are those of differences, and the stations that do not bind
 // the pressure angle never have the largest one.
 #include "core/errors.hpp"
-#include "core/spatial_spec.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
+#include "scene/spatial_spec.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 
 #include <cmath>

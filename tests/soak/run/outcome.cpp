@@ -2,9 +2,9 @@
 #include "tests/soak/run/outcome.hpp"
 
 #include "benchmarks/known_names.hpp"
-#include "output/certificate_json.hpp"
-#include "output/result_json.hpp"
-#include "studies/solve.hpp"
+#include "output/json/certificate_json.hpp"
+#include "output/json/result_json.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "core/units.hpp"
 #include "profiles/inverse/guide_points.hpp"
 #include "studies/inverse/inverse_guide.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

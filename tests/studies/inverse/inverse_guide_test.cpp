@@ -4,7 +4,7 @@
 #include "studies/inverse/inverse_guide.hpp"
 
 #include "core/errors.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/inverse/reference_machine.hpp"
 #include "tests/support/refusal.hpp"
 

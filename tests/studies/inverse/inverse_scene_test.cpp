@@ -4,10 +4,10 @@
 #include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
-#include "motions/law_catalogue.hpp"
+#include "motions/laws/law_catalogue.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/inverse/solved_guide.hpp"
-#include "studies/solve.hpp"
+#include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // forward checks.
 #include "studies/papers/paper_003.hpp"
 
-#include "studies/mechanism_check.hpp"
+#include "studies/check/mechanism_check.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 
 #include <gtest/gtest.h>

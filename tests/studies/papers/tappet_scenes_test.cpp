@@ -7,10 +7,10 @@
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/mechanism_report.hpp"
+#include "studies/delivered/mechanism_report.hpp"
 #include "studies/papers/tappet_shedding.hpp"
-#include "studies/solve.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/interference.hpp"
-#include "studies/check_cam.hpp"
-#include "studies/solve.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"
 

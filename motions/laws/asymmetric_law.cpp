@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "motions/laws/asymmetric_law.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+/// How far a sum of symmetric derivatives, or a jump of one, may differ from 0 by rounding, as a part of the
+/// law's largest derivative of that order: closed forms give some 1e-14.
+constexpr double kRounding = 1e-10;
+/// Places in a half where the symmetry is looked at; the fastest wave of the catalogue has 10 half waves.
+constexpr int kPlaces = 128;
+
+/// Greatest magnitude of each derivative of the law, seen from both sides of many places.
+LawDerivatives scales(const Law& law) {
+    LawDerivatives scale{};
+    for (int i = 0; i <= 2 * kPlaces; ++i) {
+        for (const Side side : {Side::left, Side::right}) {
+            const LawDerivatives y = law.derivatives(0.5 * i / kPlaces, side);
+            for (std::size_t r = 0; r < scale.size(); ++r) scale[r] = std::max(scale[r], std::abs(y[r]));
+        }
+    }
+    return scale;
+}
+
+bool is_antisymmetric(const Law& law, const LawDerivatives& scale) {
+    for (int i = 0; i <= kPlaces; ++i) {
+        const double x = 0.5 * i / kPlaces;
+        const LawDerivatives low = law.derivatives(x, Side::left);
+        const LawDerivatives high = law.derivatives(1.0 - x, Side::right);
+        if (std::abs(low[0] + high[0] - 1.0) > kRounding) return false;
+        for (std::size_t r = 1; r < 3; ++r) {
+            const double mirrored = r == 1 ? low[r] - high[r] : low[r] + high[r];
+            if (std::abs(mirrored) > kRounding * scale[r]) return false;
+        }
+        if (low[2] < -kRounding * scale[2]) return false;
+    }
+    return true;
+}
+
+void require_suitable(const std::unique_ptr<Law>& law, double split) {
+    if (!law) throw InputError("asymmetric law: no law found, allowed an antisymmetric law");
+    if (law->info().top != TopEnd::dwell || !is_antisymmetric(*law, scales(*law))) {
+        throw InputError(fmt::format(
+            "asymmetric law: {} found, allowed a rise between dwells with y(x) + y(1 - x) = 1 and y'' >= 0 "
+            "on its first half",
+            law->key()));
+    }
+    if (!(split >= kNarrowestPart && split <= 1.0 - kNarrowestPart)) {
+        throw InputError(fmt::format("asymmetric_{}: split = {} found, allowed {} <= split <= {}", law->key(),
+                                     split, kNarrowestPart, 1.0 - kNarrowestPart));
+    }
+}
+
+/// y, y', … of a part whose x and y are `stretch` times those of f, but for the constant of y.
+LawDerivatives stretched(LawDerivatives y, double stretch) {
+    double factor = stretch;
+    for (double& value : y) {
+        value *= factor;
+        factor /= stretch;
+    }
+    return y;
+}
+
+/// The highest derivative that is continuous where the parts meet, at most that of the law itself.
+int continuity_of(const Law& law, double split) {
+    const LawDerivatives before = stretched(law.derivatives(0.5, Side::left), 2.0 * split);
+    const LawDerivatives after = stretched(law.derivatives(0.5, Side::right), 2.0 * (1.0 - split));
+    const LawDerivatives scale = scales(law);
+    for (int r = 2; r <= law.continuity(); ++r) {
+        const auto i = static_cast<std::size_t>(r);
+        if (std::abs(after[i] - before[i]) > kRounding * scale[i]) return r - 1;
+    }
+    return law.continuity();
+}
+
+LawInfo asymmetric_info(const std::unique_ptr<Law>& law, double split) {
+    require_suitable(law, split);
+    LawInfo info = law->info();
+    info.key = "asymmetric_" + info.key;
+    // The law's own parameters, in brackets in its title, stand among the parameters.
+    info.title = fmt::format("{}, split {:.4g}/{:.4g}", info.title.substr(0, info.title.find(" (")), split,
+                             1.0 - split);
+    info.source = fmt::format("standard construction from the law of {}", info.source);
+    info.continuity = continuity_of(*law, split);
+    info.parameters.push_back({"split", split});
+    return info;
+}
+
+}  // namespace
+
+AsymmetricLaw::AsymmetricLaw(std::unique_ptr<Law> base, double split)
+    : Law(asymmetric_info(base, split)), base_(std::move(base)), split_(split) {
+    std::vector<double> places = base_->breakpoints();
+    const auto middle = std::lower_bound(places.begin(), places.end(), 0.5);
+    if (*middle != 0.5) places.insert(middle, 0.5);
+    const auto place_of = [split](double u) {
+        return u <= 0.5 ? 2.0 * split * u : 1.0 - 2.0 * (1.0 - split) * (1.0 - u);
+    };
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const double begin = pieces_.empty() ? 0.0 : pieces_.back().end;
+        pieces_.push_back({begin, place_of(places[i + 1]), places[i], places[i + 1]});
+    }
+}
+
+std::vector<double> AsymmetricLaw::breakpoints() const {
+    std::vector<double> result{0.0};
+    for (const Piece& piece : pieces_) result.push_back(piece.end);
+    return result;
+}
+
+LawDerivatives AsymmetricLaw::evaluate(double x, Side side) const {
+    const auto holds = [x, side](const Piece& piece) {
+        return side == Side::right ? x < piece.end : x <= piece.end;
+    };
+    const auto found = std::find_if(pieces_.begin(), pieces_.end(), holds);
+    const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
+    const bool accelerates = piece.base_end <= 0.5;
+    const double stretch = 2.0 * (accelerates ? split_ : 1.0 - split_);
+    const double u =
+        std::clamp(accelerates ? x / stretch : 1.0 - (1.0 - x) / stretch, piece.base_begin, piece.base_end);
+    // Rounding of u must not lead into the neighbouring piece of the base law.
+    LawDerivatives y = base_->derivatives(u, u == piece.base_end ? Side::left : Side::right);
+    if (accelerates) return stretched(y, stretch);
+    y[0] -= 1.0;
+    y = stretched(y, stretch);
+    y[0] += 1.0;
+    return y;
+}
+
+std::unique_ptr<Law> make_asymmetric(std::unique_ptr<Law> law, double split) {
+    return std::make_unique<AsymmetricLaw>(std::move(law), split);
+}
+
+}  // namespace camopt

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "motions/laws/harmonic_law.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Velocity left over at x = 1, as a part of the mean velocity, that is rounding and no fault of the shape.
+constexpr double kRestTolerance = 1e-12;
+
+void require_cover(const LawInfo& info, const std::vector<AccelerationPiece>& shape) {
+    double reached = 0.0;
+    for (const AccelerationPiece& piece : shape) {
+        if (piece.begin != reached || !(piece.end > piece.begin)) {
+            throw ModelError(fmt::format("{}: a piece [{}, {}] follows x = {}", info.key, piece.begin,
+                                         piece.end, reached));
+        }
+        reached = piece.end;
+    }
+    if (reached != 1.0)
+        throw ModelError(fmt::format("{}: the pieces end at x = {}, not 1", info.key, reached));
+}
+
+}  // namespace
+
+AccelerationPiece zero_piece(double begin, double end) {
+    return {begin, end, 0.0, {}};
+}
+
+AccelerationPiece constant_piece(double begin, double end, double height) {
+    return {begin, end, height, {}};
+}
+
+AccelerationPiece quarter_sine_up(double begin, double end, double height) {
+    return {begin, end, 0.0, {{0.5 * pi / (end - begin), height, 0.0}}};
+}
+
+AccelerationPiece quarter_cosine_down(double begin, double end, double height) {
+    return {begin, end, 0.0, {{0.5 * pi / (end - begin), 0.0, height}}};
+}
+
+AccelerationPiece half_cosine(double begin, double end, double height) {
+    return {begin, end, 0.0, {{pi / (end - begin), 0.0, height}}};
+}
+
+AccelerationPiece half_sine(double begin, double end, double height) {
+    return {begin, end, 0.0, {{pi / (end - begin), height, 0.0}}};
+}
+
+HarmonicLaw::HarmonicLaw(LawInfo info, std::vector<AccelerationPiece> shape) : Law(std::move(info)) {
+    require_cover(this->info(), shape);
+    double velocity = 0.0, displacement = 0.0;
+    for (AccelerationPiece& part : shape) {
+        Piece piece{std::move(part), velocity, displacement};
+        for (const HarmonicTerm& term : piece.acceleration.terms) {
+            piece.velocity += term.sine / term.frequency;
+            piece.displacement += term.cosine / (term.frequency * term.frequency);
+        }
+        const LawDerivatives last = evaluate(piece, piece.acceleration.end);
+        displacement = last[0];
+        velocity = last[1];
+        pieces_.push_back(std::move(piece));
+    }
+    if (!(displacement > 0.0) || !(std::abs(velocity) <= kRestTolerance * displacement)) {
+        throw ModelError(fmt::format("{}: the shape ends at y = {}, y' = {}, not at rest above 0", key(),
+                                     displacement, velocity));
+    }
+    for (Piece& piece : pieces_) {
+        piece.velocity /= displacement;
+        piece.displacement /= displacement;
+        piece.acceleration.constant /= displacement;
+        for (HarmonicTerm& term : piece.acceleration.terms) {
+            term.sine /= displacement;
+            term.cosine /= displacement;
+        }
+    }
+}
+
+std::vector<double> HarmonicLaw::breakpoints() const {
+    std::vector<double> result{0.0};
+    for (const Piece& piece : pieces_) result.push_back(piece.acceleration.end);
+    return result;
+}
+
+LawDerivatives HarmonicLaw::evaluate(double x, Side side) const {
+    const auto holds = [x, side](const Piece& piece) {
+        return side == Side::right ? x < piece.acceleration.end : x <= piece.acceleration.end;
+    };
+    const auto found = std::find_if(pieces_.begin(), pieces_.end(), holds);
+    return evaluate(found == pieces_.end() ? pieces_.back() : *found, x);
+}
+
+LawDerivatives HarmonicLaw::evaluate(const Piece& piece, double x) {
+    const double t = x - piece.acceleration.begin;
+    const double constant = piece.acceleration.constant;
+    LawDerivatives y{piece.displacement + t * (piece.velocity + 0.5 * constant * t),
+                     piece.velocity + constant * t, constant, 0.0, 0.0};
+    for (const HarmonicTerm& term : piece.acceleration.terms) {
+        const double w = term.frequency;
+        const double sine = std::sin(w * t), cosine = std::cos(w * t);
+        const double wave = term.sine * sine + term.cosine * cosine;
+        const double shifted = term.sine * cosine - term.cosine * sine;
+        y[0] -= wave / (w * w);
+        y[1] -= shifted / w;
+        y[2] += wave;
+        y[3] += w * shifted;
+        y[4] -= w * w * wave;
+    }
+    return y;
+}
+
+}  // namespace camopt

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Laws given by the shape of their acceleration: pieces made of a constant, sines and cosines.
+//
+//   on [begin, end], with t = x - begin:   y''(x) ∝ constant + Σ sine · sin(frequency t) + cosine ·
+//   cos(frequency t)
+//
+// The pieces cover [0, 1] without gaps. They are integrated in closed form from y(0) = y'(0) = 0 and scaled
+// so that y(1) = 1. Shapes need not be normalised; their sign is that of the acceleration. No units. Errors:
+// pieces that do not cover [0, 1] in order, or whose motion does not rise and come to rest at x = 1, throw
+// ModelError.
+#pragma once
+
+#include "motions/laws/law.hpp"
+
+#include <vector>
+
+namespace camopt {
+
+struct HarmonicTerm {
+    double frequency = 0.0;  ///< rad per unit of x, > 0
+    double sine = 0.0;
+    double cosine = 0.0;
+};
+
+struct AccelerationPiece {
+    double begin = 0.0;
+    double end = 0.0;
+    double constant = 0.0;
+    std::vector<HarmonicTerm> terms;
+};
+
+/// Shapes the classical laws are put together from, of height `height` (signed).
+[[nodiscard]] AccelerationPiece zero_piece(double begin, double end);
+[[nodiscard]] AccelerationPiece constant_piece(double begin, double end, double height);
+/// From 0 up to the height.
+[[nodiscard]] AccelerationPiece quarter_sine_up(double begin, double end, double height);
+/// From the height down to 0.
+[[nodiscard]] AccelerationPiece quarter_cosine_down(double begin, double end, double height);
+/// From the height through 0 at the middle to minus the height.
+[[nodiscard]] AccelerationPiece half_cosine(double begin, double end, double height);
+/// From 0 over the height back to 0.
+[[nodiscard]] AccelerationPiece half_sine(double begin, double end, double height);
+
+class HarmonicLaw : public Law {
+ public:
+    HarmonicLaw(LawInfo info, std::vector<AccelerationPiece> shape);
+
+    [[nodiscard]] std::vector<double> breakpoints() const override;
+
+ private:
+    struct Piece {
+        AccelerationPiece acceleration;
+        double velocity = 0.0;      ///< of the straight part of y at the piece's begin
+        double displacement = 0.0;  ///< the same
+    };
+
+    [[nodiscard]] LawDerivatives evaluate(double x, Side side) const override;
+    [[nodiscard]] static LawDerivatives evaluate(const Piece& piece, double x);
+
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace camopt

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "motions/laws/law_catalogue.hpp"
+
+#include "core/errors.hpp"
+#include "motions/laws/asymmetric_law.hpp"
+#include "motions/laws/harmonic_law.hpp"
+#include "motions/laws/one_dwell_laws.hpp"
+#include "motions/laws/polynomial_law.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr const char* kHandbook = "Norton, Cam Design and Manufacturing Handbook";
+constexpr const char* kFreudenstein = "Freudenstein, Int. J. Mech. Sci. 1 (1960)";
+
+LawInfo make_info(const char* key, std::string title, const char* source, int continuity) {
+    LawInfo info;
+    info.key = key;
+    info.title = std::move(title);
+    info.source = source;
+    info.continuity = continuity;
+    return info;
+}
+
+void require(const char* law, const char* name, double found, std::pair<double, double> allowed) {
+    if (found >= allowed.first && found <= allowed.second) return;
+    throw InputError(fmt::format("{}: {} = {} found, allowed {} <= {} <= {}", law, name, found, allowed.first,
+                                 name, allowed.second));
+}
+
+/// The pieces of [0, 1/2] given, those of [1/2, 1] by antisymmetry: y''(1 - x) = -y''(x).
+std::vector<AccelerationPiece> antisymmetric(std::vector<AccelerationPiece> pieces) {
+    for (std::size_t i = pieces.size(); i-- > 0;) {
+        const AccelerationPiece& from = pieces[i];
+        AccelerationPiece mirrored{1.0 - from.end, 1.0 - from.begin, -from.constant, {}};
+        for (const HarmonicTerm& term : from.terms) {
+            // sin w(length - t) and cos w(length - t) by the addition theorems; the shapes used here end
+            // where w·length is a quarter or a half turn, whose sine and cosine are exact integers.
+            const double quarters = std::round(term.frequency * (from.end - from.begin) / (0.5 * pi));
+            const double sine = quarters == 1.0 ? 1.0 : 0.0, cosine = quarters == 1.0 ? 0.0 : -1.0;
+            const double frequency = quarters * 0.5 * pi / (mirrored.end - mirrored.begin);
+            mirrored.terms.push_back({frequency, term.sine * cosine - term.cosine * sine,
+                                      -term.sine * sine - term.cosine * cosine});
+        }
+        pieces.push_back(std::move(mirrored));
+    }
+    return pieces;
+}
+
+std::unique_ptr<Law> polynomial(LawInfo info, const std::vector<double>& coefficients) {
+    return std::make_unique<PolynomialLaw>(std::move(info), coefficients);
+}
+
+std::unique_ptr<Law> harmonic(LawInfo info, std::vector<AccelerationPiece> pieces) {
+    return std::make_unique<HarmonicLaw>(std::move(info), std::move(pieces));
+}
+
+/// y = x - Σ amplitude[k] sin(2π (2k + 1) x), so y'' = Σ amplitude (2π (2k + 1))² sin.
+std::unique_ptr<Law> odd_harmonics(LawInfo info, const std::vector<double>& amplitudes) {
+    AccelerationPiece piece{0.0, 1.0, 0.0, {}};
+    double frequency = 2.0 * pi;
+    for (const double amplitude : amplitudes) {
+        piece.terms.push_back({frequency, amplitude * frequency * frequency, 0.0});
+        frequency += 4.0 * pi;
+    }
+    return harmonic(std::move(info), {piece});
+}
+
+std::unique_ptr<Law> parabolic() {
+    return harmonic(make_info("parabolic", "Parabolic (constant acceleration)", kHandbook, 1),
+                    {constant_piece(0.0, 0.5, 1.0), constant_piece(0.5, 1.0, -1.0)});
+}
+
+std::unique_ptr<Law> simple_harmonic() {
+    return harmonic(make_info("simple_harmonic", "Simple harmonic", kHandbook, 1),
+                    {half_cosine(0.0, 1.0, 1.0)});
+}
+
+std::unique_ptr<Law> cycloidal() {
+    return odd_harmonics(make_info("cycloidal", "Cycloidal", kHandbook, 2), {1.0 / (2.0 * pi)});
+}
+
+std::unique_ptr<Law> polynomial_345() {
+    return polynomial(make_info("polynomial_345", "3-4-5 polynomial", kHandbook, 2), {0, 0, 0, 10, -15, 6});
+}
+
+std::unique_ptr<Law> polynomial_4567() {
+    return polynomial(make_info("polynomial_4567", "4-5-6-7 polynomial", kHandbook, 3),
+                      {0, 0, 0, 0, 35, -84, 70, -20});
+}
+
+std::unique_ptr<Law> polynomial_56789() {
+    return polynomial(make_info("polynomial_56789", "5-6-7-8-9 polynomial", kHandbook, 4),
+                      {0, 0, 0, 0, 0, 126, -420, 540, -315, 70});
+}
+
+std::unique_ptr<Law> mcv(LawInfo info, double a, double b) {
+    info.parameters = {{"a", a}, {"b", b}};
+    return harmonic(std::move(info), antisymmetric({quarter_sine_up(0.0, a, 1.0),
+                                                    quarter_cosine_down(a, b, 1.0), zero_piece(b, 0.5)}));
+}
+
+std::unique_ptr<Law> mcv_50() {
+    return mcv(make_info("mcv_50", "Modified constant velocity, 50 %", kHandbook, 2), 1.0 / 16.0, 0.25);
+}
+
+std::unique_ptr<Law> mcv_33() {
+    return mcv(make_info("mcv_33", "Modified constant velocity, 33 %", kHandbook, 2), 1.0 / 12.0, 1.0 / 3.0);
+}
+
+std::unique_ptr<Law> mcv_20() {
+    return mcv(make_info("mcv_20", "Modified constant velocity, 20 %", kHandbook, 2), 0.1, 0.4);
+}
+
+std::unique_ptr<Law> cycloidal_cv50() {
+    return harmonic(make_info("cycloidal_cv50", "Cycloidal with 50 % constant velocity", kHandbook, 2),
+                    antisymmetric({half_sine(0.0, 0.25, 1.0), zero_piece(0.25, 0.5)}));
+}
+
+std::unique_ptr<Law> gutman_13() {
+    return odd_harmonics(make_info("gutman_13", "Gutman 1-3", "Gutman, Product Engineering 32 (1961)", 2),
+                         {15.0 / (32.0 * pi), 1.0 / (96.0 * pi)});
+}
+
+std::unique_ptr<Law> freudenstein_13() {
+    return odd_harmonics(make_info("freudenstein_13", "Freudenstein 1-3", kFreudenstein, 2),
+                         {27.0 / (56.0 * pi), 1.0 / (168.0 * pi)});
+}
+
+std::unique_ptr<Law> freudenstein_135() {
+    const double first = 1125.0 / (2384.0 * pi);
+    return odd_harmonics(make_info("freudenstein_135", "Freudenstein 1-3-5", kFreudenstein, 2),
+                         {first, first / 54.0, first / 1250.0});
+}
+
+/// y = (1 - cos πx) / 2 - (1 - cos 2πx) / 8: a dwell at x = 0, a turning point with y'' = -π² at x = 1.
+std::unique_ptr<Law> double_harmonic() {
+    LawInfo info = make_info("double_harmonic", "Double harmonic (one dwell)", "Rothbart, Cams (1956)", 3);
+    info.top = TopEnd::turning_point;
+    return harmonic(std::move(info), {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}});
+}
+
+std::unique_ptr<Law> modified_sine() {
+    return make_modified_sine(0.125);
+}
+
+std::unique_ptr<Law> modified_trapezoid() {
+    return make_modified_trapezoid(0.125);
+}
+
+std::unique_ptr<Law> one_dwell_modified_sine() {
+    return make_one_dwell_modified_sine(0.125);
+}
+
+std::unique_ptr<Law> one_dwell_modified_trapezoid() {
+    return make_one_dwell_modified_trapezoid(0.125);
+}
+
+template <auto Maker>
+std::unique_ptr<Law> asymmetric() {
+    return make_asymmetric(Maker(), kCatalogueSplit);
+}
+
+constexpr std::array kMakers{&parabolic,
+                             &simple_harmonic,
+                             &cycloidal,
+                             &polynomial_345,
+                             &polynomial_4567,
+                             &polynomial_56789,
+                             &modified_sine,
+                             &modified_trapezoid,
+                             &mcv_50,
+                             &mcv_33,
+                             &mcv_20,
+                             &cycloidal_cv50,
+                             &gutman_13,
+                             &freudenstein_13,
+                             &freudenstein_135,
+                             &double_harmonic,
+                             &asymmetric<&parabolic>,
+                             &asymmetric<&cycloidal>,
+                             &asymmetric<&polynomial_345>,
+                             &asymmetric<&modified_sine>,
+                             &asymmetric<&modified_trapezoid>,
+                             &one_dwell_modified_sine,
+                             &one_dwell_modified_trapezoid,
+                             &make_one_dwell_cycloidal,
+                             &make_one_dwell_polynomial_345,
+                             &make_one_dwell_polynomial_3456};
+
+std::vector<LawInfo> collect() {
+    std::vector<LawInfo> infos;
+    infos.reserve(kMakers.size());
+    for (const auto maker : kMakers) infos.push_back(maker()->info());
+    return infos;
+}
+
+}  // namespace
+
+std::span<const LawInfo> law_catalogue() {
+    static const std::vector<LawInfo> catalogue = collect();
+    return catalogue;
+}
+
+std::unique_ptr<Law> make_law(std::string_view key) {
+    const std::span<const LawInfo> catalogue = law_catalogue();
+    std::string allowed;
+    for (std::size_t i = 0; i < catalogue.size(); ++i) {
+        if (catalogue[i].key == key) return kMakers[i]();
+        allowed += (i == 0 ? "" : ", ") + catalogue[i].key;
+    }
+    throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key, allowed));
+}
+
+std::unique_ptr<Law> make_modified_sine(double ta) {
+    require("modified_sine", "Ta", ta, {kNarrowestPiece, 0.25});
+    LawInfo info = make_info("modified_sine", fmt::format("Modified sine (Ta = {})", ta),
+                             "Schmidt; Norton, Cam Design and Manufacturing Handbook", 2);
+    info.parameters = {{"Ta", ta}};
+    AccelerationPiece last = quarter_cosine_down(1.0 - ta, 1.0, -1.0);
+    return harmonic(std::move(info), {quarter_sine_up(0.0, ta, 1.0), half_cosine(ta, 1.0 - ta, 1.0), last});
+}
+
+std::unique_ptr<Law> make_modified_trapezoid(double ta) {
+    require("modified_trapezoid", "Ta", ta, {kNarrowestPiece, 0.25});
+    LawInfo info = make_info("modified_trapezoid", fmt::format("Modified trapezoid (Ta = {})", ta),
+                             "Neklutin; Norton, Cam Design and Manufacturing Handbook", 2);
+    info.parameters = {{"Ta", ta}};
+    std::vector<AccelerationPiece> half{quarter_sine_up(0.0, ta, 1.0)};
+    if (ta < 0.5 - ta) half.push_back(constant_piece(ta, 0.5 - ta, 1.0));
+    half.push_back(quarter_cosine_down(0.5 - ta, 0.5, 1.0));
+    return harmonic(std::move(info), antisymmetric(std::move(half)));
+}
+
+std::unique_ptr<Law> make_modified_constant_velocity(double a, double b) {
+    require("modified_constant_velocity", "b", b, {2.0 * kNarrowestPiece, 0.5 - kNarrowestPiece});
+    require("modified_constant_velocity", "a", a, {kNarrowestPiece, b - kNarrowestPiece});
+    return mcv(make_info("modified_constant_velocity",
+                         fmt::format("Modified constant velocity ({}, {})", a, b), kHandbook, 2),
+               a, b);
+}
+
+}  // namespace camopt

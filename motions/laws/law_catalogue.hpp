@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The catalogue of the classical laws and the factories of those with a free shape parameter.
+//
+// Those with unequal parts are made by motions/laws/asymmetric_law.hpp, the one-dwell laws by
+// motions/laws/one_dwell_laws.hpp. Parameters are in units of the rise (x). Errors: InputError naming what
+// was found and what is allowed. Sources: H. A. Rothbart, Cams (1956); R. L. Norton, Cam Design and
+// Manufacturing Handbook; VDI 2143; the single laws name theirs in LawInfo::source. Definitions are in
+// law_catalogue.cpp, one function a law.
+#pragma once
+
+#include "motions/laws/law.hpp"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace camopt {
+
+/// Narrower pieces than this cannot be told from jumps in double precision; parameters keep this distance.
+inline constexpr double kNarrowestPiece = 1e-9;
+/// The share of the acceleration part in the asymmetric laws of the catalogue: a softer, longer
+/// deceleration, as the return spring has to supply it. A choice of this catalogue; other splits by
+/// make_asymmetric.
+inline constexpr double kCatalogueSplit = 0.4;
+
+/// Every law that make_law knows, with the parameters it gives them.
+[[nodiscard]] std::span<const LawInfo> law_catalogue();
+
+/// The law with its customary parameters.
+[[nodiscard]] std::unique_ptr<Law> make_law(std::string_view key);
+
+/// y'': quarter sine over [0, Ta], half cosine over [Ta, 1 - Ta], quarter sine over [1 - Ta, 1].
+/// kNarrowestPiece
+/// <= Ta <= 1/4: towards 0 it becomes simple harmonic, at 1/4 it is cycloidal. Customary: 1/8.
+[[nodiscard]] std::unique_ptr<Law> make_modified_sine(double ta);
+
+/// y'': quarter sine over [0, Ta], constant to 1/2 - Ta, quarter cosine to 0 at 1/2, then antisymmetric.
+/// kNarrowestPiece <= Ta <= 1/4: towards 0 it becomes parabolic, at 1/4 it is cycloidal. Customary: 1/8.
+[[nodiscard]] std::unique_ptr<Law> make_modified_trapezoid(double ta);
+
+/// y'': quarter sine over [0, a], quarter cosine down to 0 at b, zero to 1 - b, then antisymmetric. 0 < a < b
+/// < 1/2, each piece at least kNarrowestPiece wide. The velocity is constant over the part 1 - 2b.
+[[nodiscard]] std::unique_ptr<Law> make_modified_constant_velocity(double a, double b);
+
+}  // namespace camopt

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "motions/laws/law_peaks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+/// The fastest wave in the catalogue is the torque of Freudenstein 1-3-5: 20 half waves in its one piece.
+constexpr int kCells = 256;
+/// Two peaks of one height differ by roundings only; the first of them is the one reported.
+constexpr double kSameHeight = 1e-13;
+/// A jump of y'' below this part of its peak is rounding, not an impulse.
+constexpr double kSmallestJump = 1e-9;
+
+enum class Quantity { velocity, acceleration, jerk, torque };
+
+struct ValueAndSlope {
+    double value, slope;
+};
+
+ValueAndSlope pick(const LawDerivatives& d, Quantity quantity) {
+    switch (quantity) {
+        case Quantity::velocity:
+            return {d[1], d[2]};
+        case Quantity::acceleration:
+            return {d[2], d[3]};
+        case Quantity::jerk:
+            return {d[3], d[4]};
+        case Quantity::torque:
+            break;
+    }
+    return {d[1] * d[2], d[2] * d[2] + d[1] * d[3]};
+}
+
+/// Largest and least value so far; the first place wins among equals.
+struct Range {
+    Extremum highest{-std::numeric_limits<double>::infinity(), 0.0, Side::right};
+    Extremum lowest{std::numeric_limits<double>::infinity(), 0.0, Side::right};
+
+    void take(const Extremum& found) {
+        const double same = kSameHeight * std::abs(found.value);
+        const bool first = std::isinf(highest.value);
+        if (first || found.value > highest.value + same) highest = found;
+        if (first || found.value < lowest.value - same) lowest = found;
+    }
+};
+
+/// The cells of one piece with the law's derivatives at their ends, taken from inside the piece.
+class Piece {
+ public:
+    Piece(const Law& law, double begin, double end) : law_(law), begin_(begin), end_(end) {
+        for (int i = 0; i <= kCells; ++i) nodes_[i] = law.derivatives(place(i), side(i));
+    }
+
+    void extend(Range& range, Quantity quantity) const {
+        for (int i = 0; i <= kCells; ++i) {
+            const ValueAndSlope left = pick(nodes_[i], quantity);
+            const bool at_end = i == 0 || i == kCells;
+            if (at_end || left.slope == 0.0) range.take({left.value, place(i), side(i)});
+            if (i == kCells) break;
+            const double right_slope = pick(nodes_[i + 1], quantity).slope;
+            if ((left.slope < 0.0 && right_slope > 0.0) || (left.slope > 0.0 && right_slope < 0.0)) {
+                range.take(bisect(i, quantity, left.slope > 0.0));
+            }
+        }
+    }
+
+    /// ∫ of the squares of y', y'', y''' over the piece.
+    [[nodiscard]] std::array<double, 3> squares() const {
+        static const double inner = std::sqrt(5.0 - 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
+        static const double outer = std::sqrt(5.0 + 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
+        static const double inner_weight = (322.0 + 13.0 * std::sqrt(70.0)) / 900.0;
+        static const double outer_weight = (322.0 - 13.0 * std::sqrt(70.0)) / 900.0;
+        const std::array<double, 5> place_in_cell{-outer, -inner, 0.0, inner, outer};
+        const std::array<double, 5> weight{outer_weight, inner_weight, 128.0 / 225.0, inner_weight,
+                                           outer_weight};
+        std::array<double, 3> sum{};
+        for (int i = 0; i < kCells; ++i) {
+            const double half = 0.5 * (place(i + 1) - place(i));
+            const double middle = place(i) + half;
+            for (std::size_t k = 0; k < weight.size(); ++k) {
+                const LawDerivatives d = law_.derivatives(middle + half * place_in_cell[k]);
+                for (std::size_t r = 0; r < 3; ++r) sum[r] += weight[k] * half * d[r + 1] * d[r + 1];
+            }
+        }
+        return sum;
+    }
+
+ private:
+    [[nodiscard]] double place(int i) const {
+        return i == kCells ? end_ : begin_ + (end_ - begin_) * i / kCells;
+    }
+    [[nodiscard]] static Side side(int i) { return i == kCells ? Side::left : Side::right; }
+
+    [[nodiscard]] Extremum bisect(int cell, Quantity quantity, bool rising) const {
+        double low = place(cell), high = place(cell + 1);
+        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
+            ((pick(law_.derivatives(middle), quantity).slope > 0.0) == rising ? low : high) = middle;
+        }
+        return {pick(law_.derivatives(high, Side::left), quantity).value, high, Side::left};
+    }
+
+    const Law& law_;
+    double begin_, end_;
+    std::array<LawDerivatives, kCells + 1> nodes_{};
+};
+
+std::vector<Piece> pieces_of(const Law& law) {
+    const std::vector<double> breakpoints = law.breakpoints();
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+        pieces.emplace_back(law, breakpoints[i], breakpoints[i + 1]);
+    }
+    return pieces;
+}
+
+Range range_of(const std::vector<Piece>& pieces, Quantity quantity) {
+    Range range;
+    for (const Piece& piece : pieces) piece.extend(range, quantity);
+    return range;
+}
+
+Extremum magnitude(const Range& range) {
+    const double up = std::abs(range.highest.value), down = std::abs(range.lowest.value);
+    const bool same = up == down || std::abs(up - down) <= kSameHeight * std::max(up, down);
+    const bool take_up = same ? range.highest.at <= range.lowest.at : up > down;
+    Extremum peak = take_up ? range.highest : range.lowest;
+    peak.value = std::abs(peak.value);
+    return peak;
+}
+
+/// Replaces the extremes of the jerk by the first impulses where y'' jumps, the joints at the ends included.
+void add_impulses(Range& jerk, const Law& law, double acceleration_peak) {
+    const std::vector<double> breakpoints = law.breakpoints();
+    for (const double x : breakpoints) {
+        double before = x > 0.0 ? law.derivatives(x, Side::left)[2] : 0.0;
+        double after = x < 1.0 ? law.derivatives(x, Side::right)[2] : 0.0;
+        if (x == 1.0 && law.info().top == TopEnd::turning_point) after = before;
+        const double jump = after - before;
+        if (std::abs(jump) <= kSmallestJump * acceleration_peak) continue;
+        Extremum& extreme = jump > 0.0 ? jerk.highest : jerk.lowest;
+        if (std::isinf(extreme.value)) continue;
+        extreme = {std::copysign(std::numeric_limits<double>::infinity(), jump), x,
+                   x < 1.0 ? Side::right : Side::left};
+    }
+}
+
+Range jerk_range(const std::vector<Piece>& pieces, const Law& law) {
+    Range jerk = range_of(pieces, Quantity::jerk);
+    add_impulses(jerk, law, magnitude(range_of(pieces, Quantity::acceleration)).value);
+    return jerk;
+}
+
+}  // namespace
+
+Peaks find_peaks_without_impulses(const Law& law) {
+    const std::vector<Piece> pieces = pieces_of(law);
+    Peaks peaks;
+    peaks.velocity = magnitude(range_of(pieces, Quantity::velocity));
+    peaks.acceleration = magnitude(range_of(pieces, Quantity::acceleration));
+    peaks.jerk = magnitude(range_of(pieces, Quantity::jerk));
+    peaks.torque = magnitude(range_of(pieces, Quantity::torque));
+    std::array<double, 3> sum{};
+    for (const Piece& piece : pieces) {
+        const std::array<double, 3> part = piece.squares();
+        for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += part[r];
+    }
+    peaks.rms_velocity = std::sqrt(sum[0]);
+    peaks.rms_acceleration = std::sqrt(sum[1]);
+    peaks.rms_jerk = std::sqrt(sum[2]);
+    return peaks;
+}
+
+Peaks find_peaks(const Law& law) {
+    Peaks peaks = find_peaks_without_impulses(law);
+    peaks.jerk = magnitude(jerk_range(pieces_of(law), law));
+    if (std::isinf(peaks.jerk.value)) peaks.rms_jerk = peaks.jerk.value;
+    return peaks;
+}
+
+JerkExtrema find_jerk_extrema(const Law& law) {
+    const Range jerk = jerk_range(pieces_of(law), law);
+    return {jerk.highest, jerk.lowest};
+}
+
+}  // namespace camopt

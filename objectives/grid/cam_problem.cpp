@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/grid/cam_problem.hpp"
+
+#include "objectives/rules/rule_maxima.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Samples of one rule closer than this part of their segment are one sample.
+constexpr double same_sample = 1e-9;
+// A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
+constexpr double bracket = 0.25;
+
+/// Degree of a rule along a spline piece, as far as the first grid cares: curved ones like a high one.
+int degree_along(const PointRule& rule, int spline_degree) {
+    return rule.linear() ? spline_degree - rule.highest_order() : spline_degree;
+}
+
+}  // namespace
+
+CamProblem::CamProblem(CamModel model) : CamProblem(std::move(model), {}) {}
+
+CamProblem::CamProblem(CamModel model, const std::vector<RuleSample>& samples)
+    : model_(std::make_shared<const CamModel>(std::move(model))), places_(model_->rules.size()) {
+    projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
+    start_grid();
+    for (const RuleSample& sample : samples) add_sample(sample.rule, sample.at, sample.side);
+    rebuild();
+}
+
+void CamProblem::start_grid() {
+    for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) start_rule(r);
+}
+
+void CamProblem::start_rule(int index) {
+    const PlacedRule& rule = model_->rules[index];
+    const MotionFamily& family = model_->design;
+    const int order = rule->highest_order();
+    for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
+    if (!rule->places().empty()) return;
+    int last_stretch = -1;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
+        const bool first = piece.stretch != last_stretch;
+        last_stretch = piece.stretch;
+        const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
+        if (stretch.kind == StretchRequest::Kind::spline) {
+            const SplineSpace& space = family.run_space(stretch.run);
+            const int degree = degree_along(*rule, space.degree());
+            const bool jumps = order > space.continuity();
+            if (degree >= 1 || jumps) {
+                if (first || jumps) add_sample(index, piece.begin, Side::right);
+                if (degree >= 1) add_sample(index, piece.end, Side::left);
+            }
+            if (degree >= 2) add_sample(index, 0.5 * (piece.begin + piece.end), Side::right);
+            continue;
+        }
+        // Where the motion is fixed, only the cam's dimensions can still move the rule.
+        if (rule->parameters().empty() && stretch.from.columns.empty() && stretch.to.columns.empty())
+            continue;
+        const bool dwell = stretch.kind == StretchRequest::Kind::dwell;
+        const int parts = dwell ? 1 : 4;
+        for (int k = 0; k < parts; ++k) {
+            add_sample(index, piece.begin + (k + 0.5) / parts * (piece.end - piece.begin), Side::right);
+        }
+    }
+}
+
+bool CamProblem::add_sample(int rule, double at, Side side) {
+    const int index = model_->design.piece_of(at, side);
+    const MotionFamily::Piece& piece = model_->design.pieces()[index];
+    const double tolerance = same_sample * (piece.end - piece.begin);
+    auto& places = places_[rule];
+    const auto next = places.lower_bound({index, at - tolerance});
+    if (next != places.end() && next->first.first == index && next->first.second <= at + tolerance) {
+        return false;
+    }
+    places.emplace(std::pair{index, at}, static_cast<int>(samples_.size()));
+    samples_.push_back({rule, at, side});
+    return true;
+}
+
+void CamProblem::rebuild() {
+    grid_ = std::make_unique<GridNlp>(model_, samples_);
+}
+
+Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {
+    return design_scales(*model_).cwiseProduct(x.head(model_->design.size()));
+}
+
+SplineCurve CamProblem::curve(const Eigen::VectorXd& x) const {
+    return model_->design.run_curve(0, design_values(x));
+}
+
+MotionChain CamProblem::motion(const Eigen::VectorXd& x) const {
+    return model_->design.motion(design_values(x));
+}
+
+Eigen::VectorXd CamProblem::own_parameters(int rule, const Eigen::VectorXd& x) const {
+    return x.tail(static_cast<Eigen::Index>(model_->parameters.size()))(model_->rules[rule]->parameters());
+}
+
+double CamProblem::objective(const Eigen::VectorXd& x) const {
+    return grid_->cost(completed(x));
+}
+
+std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double slack) const {
+    std::vector<Violation> found;
+    const MotionChain chain = motion(x);
+    const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
+    for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
+        const PlacedRule& rule = model_->rules[r];
+        for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
+            // What has no value (an arm that cannot reach) is as broken as can be.
+            const double amount = std::isfinite(maximum.value) ? maximum.value / rule->scale() : infinity;
+            if (amount > -slack) found.push_back({r, maximum, amount, rule->limit()});
+        }
+    }
+    for (int k = 0; k < static_cast<int>(model_->parameter_rows.size()); ++k) {
+        const ParameterRow& row = model_->parameter_rows[k];
+        double value = -row.upper;
+        for (std::size_t i = 0; i < row.parameters.size(); ++i)
+            value += row.weights[i] * q[row.parameters[i]];
+        const int rule = static_cast<int>(model_->rules.size()) + k;
+        if (value / row.scale > -slack)
+            found.push_back({rule, {value, model_->design.begin()}, value / row.scale, row.limit});
+    }
+    for (int k = 0; k < static_cast<int>(model_->design_rows.size()); ++k) {
+        const DesignRow& row = model_->design_rows[k];
+        const double amount = row.row.value(design_values(x));
+        const int rule = static_cast<int>(model_->rules.size() + model_->parameter_rows.size()) + k;
+        if (amount > -slack) found.push_back({rule, {amount, model_->design.begin()}, amount, true});
+    }
+    std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
+    return found;
+}
+
+int CamProblem::refine(std::span<const Violation> worst) {
+    const std::size_t before = samples_.size();
+    const MotionFamily& family = model_->design;
+    for (const Violation& violation : worst) {
+        if (violation.rule >= static_cast<int>(places_.size()))
+            continue;  // rows on parameters are always there
+        const double at = violation.where.at;
+        const int piece = family.piece_of(at, violation.where.side);
+        const auto& places = places_[violation.rule];
+        double left = family.pieces()[piece].begin;
+        double right = family.pieces()[piece].end;
+        const auto after = places.lower_bound({piece, at});
+        if (after != places.end() && after->first.first == piece) right = after->first.second;
+        if (after != places.begin() && std::prev(after)->first.first == piece) {
+            left = std::prev(after)->first.second;
+        }
+        if (!add_sample(violation.rule, at, violation.where.side)) continue;
+        if (at - left > 0.0) add_sample(violation.rule, at - bracket * (at - left), Side::right);
+        if (right - at > 0.0) add_sample(violation.rule, at + bracket * (right - at), Side::right);
+    }
+    const int added = static_cast<int>(samples_.size() - before);
+    if (added > 0) rebuild();
+    return added;
+}
+
+}  // namespace camopt

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// What can be said of every motion as good as one at hand: bounds for proofs.
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/grid/curve_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// In lifts: no cam follows a motion that strays farther, so proofs need not look there.
+constexpr double farthest_displacement = 1e3;
+// Limits of the motions that a proof speaks of may be relaxed by the tolerance of the solve: what is said of
+// their shape is said of limits relaxed by this, more than any tolerance in use.
+constexpr double relaxed_limits = 1e-6;
+// Steps with which the range of displacements is bounded.
+constexpr int range_samples = 200;
+
+/// y^{(r)} of the family over the normalised one: the largest and the smallest over the stretches.
+double largest_stretch_factor(const CamModel& model, int order) {
+    double largest = model.stretch_scales.empty() ? 1.0 : 0.0;
+    for (const StretchScale& scale : model.stretch_scales) {
+        largest = std::max(largest, scale.displacement / std::pow(scale.angle, order));
+    }
+    return largest;
+}
+double smallest_stretch_factor(const CamModel& model, int order) {
+    double smallest = model.stretch_scales.empty() ? 1.0 : infinity;
+    for (const StretchScale& scale : model.stretch_scales) {
+        smallest = std::min(smallest, scale.displacement / std::pow(scale.angle, order));
+    }
+    return smallest;
+}
+
+}  // namespace
+
+/// What a curve of at most the incumbent's cost cannot exceed: parameters, and with them derivatives.
+struct CamProblem::SupportedBounds {
+    Eigen::VectorXd parameters;      ///< upper bounds, in units of their references
+    std::array<double, 4> sup, rms;  ///< of |y^{(r)}| and of its root mean square, anywhere
+};
+
+CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, double relaxation) const {
+    const CamModel& model = *model_;
+    const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
+    SupportedBounds known{Eigen::VectorXd::Constant(parameters, infinity), {}, {}};
+    known.sup.fill(infinity);
+    known.rms.fill(infinity);
+    known.sup[0] = farthest_displacement * std::max(1.0, model.most_displacement - model.least_displacement);
+    for (Eigen::Index p = 0; p < parameters; ++p) {
+        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        known.parameters[p] = parameter.upper;
+        if (parameter.weight > 0.0) {  // every term of the cost is at least 0, dimensions at their lower ends
+            known.parameters[p] = std::min(known.parameters[p], incumbent / parameter.weight);
+        }
+    }
+    for (const ParameterRow& row : model.parameter_rows) {
+        if (std::ranges::any_of(row.weights, [](double weight) { return weight < 0.0; })) continue;
+        for (std::size_t k = 0; k < row.parameters.size(); ++k) {
+            if (row.weights[k] <= 0.0) continue;
+            const double slack = row.limit ? relaxation * row.scale : 0.0;
+            double& bound = known.parameters[row.parameters[k]];
+            bound = std::min(bound, (row.upper + slack) / row.weights[k]);
+        }
+    }
+    for (Eigen::Index p = 0; p < parameters; ++p) {
+        const Parameter& parameter = model.parameters[static_cast<std::size_t>(p)];
+        const bool peak = parameter.kind == Parameter::Kind::peak;
+        if (!peak && parameter.kind != Parameter::Kind::rms) continue;
+        double& bound = (peak ? known.sup : known.rms)[parameter.order];
+        const double normalised = known.parameters[p] * parameter.reference;
+        bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
+    }
+    return known;
+}
+
+Box CamProblem::box(double incumbent, double relaxation) const {
+    const CamModel& model = *model_;
+    const MotionFamily& family = model.design;
+    const SupportedBounds known = supported_bounds(incumbent, relaxation);
+    Box box;
+    box.upper = Eigen::VectorXd::Constant(grid_->shape().variables(), infinity);
+    // Displacements at joints lie within what the velocity allows from the known beginning.
+    const double reach = known.sup[1] * (family.end() - family.begin());
+    const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
+    for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
+        box.upper[entry] = joint_bound[family.order(entry)];
+    }
+    std::array<double, 4> own{};  // bounds on |y^{(r)}| over all runs
+    for (int r = 0; r < family.runs(); ++r) {
+        const DesignVector& run = family.run(r);
+        KnownBounds bounds{known.sup, known.rms, run.begin_state(), run.end_state()};
+        if (family.first_joint_entry() < family.size()) {
+            bounds.rms.fill(infinity);
+            bounds.begin_state = bounds.end_state = joint_bound;
+        }
+        const Eigen::MatrixXd derivatives = derivative_bounds(run.space(), bounds);
+        box.upper.segment(family.first_entry(r), run.size()) = run.entry_bounds(derivatives);
+        for (int order = 0; order < 4; ++order) {
+            own[order] = std::max(own[order], derivatives.row(order).maxCoeff());
+        }
+    }
+    box.upper.head(family.size()) = box.upper.head(family.size()).cwiseQuotient(design_scales(model));
+    box.lower = -box.upper;
+    for (std::size_t p = 0; p < model.parameters.size(); ++p) {
+        const Parameter& parameter = model.parameters[p];
+        const Eigen::Index variable = family.size() + static_cast<Eigen::Index>(p);
+        box.upper[variable] = known.parameters[static_cast<Eigen::Index>(p)];
+        box.lower[variable] = parameter.kind == Parameter::Kind::dimension ? parameter.lower : 0.0;
+        if (parameter.kind == Parameter::Kind::magnitude) {
+            const Parameter& of = model.parameters[static_cast<std::size_t>(parameter.order)];
+            box.upper[variable] =
+                std::min(box.upper[variable], std::max(std::abs(of.lower), std::abs(of.upper)));
+        }
+        if (parameter.kind != Parameter::Kind::peak && parameter.kind != Parameter::Kind::rms) continue;
+        // A peak nothing else bounds may be taken as the curve's own.
+        const double largest = own[parameter.order] / smallest_stretch_factor(model, parameter.order);
+        box.upper[variable] = std::min(box.upper[variable], largest / parameter.reference);
+    }
+    return box;
+}
+
+/// From the nearest known points on either side, with the bounds on velocity and, from a standstill, on
+/// acceleration: how far y can go.
+std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
+    const std::vector<KnownPoint>& points = model_->known_points;
+    if (points.size() < 2) return {-infinity, infinity};
+    const SupportedBounds known = supported_bounds(incumbent, relaxed_limits);
+    SlopeRange slope{-known.sup[1], known.sup[1]};
+    for (const PlacedRule& rule : model_->rules) {
+        // Without an incumbent nothing is known to keep the limits.
+        if (!std::isfinite(incumbent) || rule.stretch >= 0) continue;
+        const SlopeRange own = rule->slope_range();
+        slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));
+        slope.most = std::min(slope.most, own.most + relaxed_limits * std::abs(own.most));
+    }
+    /// How far y can move away with a slope of at most `steepest`.
+    const auto reach = [&](const KnownPoint& from, double distance, double steepest) {
+        const double by_velocity = std::max(0.0, steepest) * distance;
+        return from.at_rest ? std::min(by_velocity, 0.5 * known.sup[2] * distance * distance) : by_velocity;
+    };
+    std::array<double, 2> range = {infinity, -infinity};
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const KnownPoint& from = points[i];
+        const KnownPoint& to = points[i + 1];
+        for (int k = 0; k < range_samples; ++k) {
+            // Over each small step both reaches are largest at its far ends.
+            const double step = (to.x - from.x) / range_samples;
+            const double near = step * (k + 1), far = step * (range_samples - k);
+            const double floor =
+                std::max(from.y - reach(from, near, -slope.least), to.y - reach(to, far, slope.most));
+            const double ceiling =
+                std::min(from.y + reach(from, near, slope.most), to.y + reach(to, far, -slope.least));
+            range[0] = std::min(range[0], floor);
+            range[1] = std::max(range[1], ceiling);
+        }
+    }
+    return range;
+}
+
+bool CamProblem::convex(double incumbent) const {
+    if (!grid_->shape().convex) return false;
+    if (std::ranges::all_of(model_->rules, [](const PlacedRule& rule) { return rule->linear(); }))
+        return true;
+    const std::array<double, 2> range = displacement_range(incumbent);
+    return std::ranges::all_of(model_->rules, [&](const PlacedRule& rule) {
+        return rule->curvature(range[0], range[1]) != Curvature::general;
+    });
+}
+
+}  // namespace camopt

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// From any x to one whose equalities hold and whose peaks are those of its motion.
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/rules/rule_maxima.hpp"
+#include "splines/extrema.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+/// The peaks of DRD and RR, whose normalised motion is the spline itself.
+void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {
+    const Peaks peaks = peaks_of(curve);
+    const std::array<double, 4> peak = {0.0, peaks.velocity.value, peaks.acceleration.value,
+                                        peaks.jerk.value};
+    const std::array<double, 4> rms = {0.0, peaks.rms_velocity, peaks.rms_acceleration, peaks.rms_jerk};
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        double& value = x[model_->design.size() + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::peak) value = peak[parameter.order] / parameter.reference;
+        if (parameter.kind == Parameter::Kind::torque) value = peaks.torque.value / parameter.reference;
+        if (parameter.kind == Parameter::Kind::rms) value = rms[parameter.order] / parameter.reference;
+    }
+}
+
+/// The normalised peaks of a program: each the largest over its stretches, by the rules that define it.
+void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorXd& x) const {
+    const Eigen::Index size = model_->design.size();
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        double& value = x[size + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::peak || parameter.kind == Parameter::Kind::torque) value = 0.0;
+        if (parameter.kind != Parameter::Kind::rms) continue;
+        const QuadraticForm form =
+            model_->design.mean_square(parameter.order, model_->mean_square_weights(parameter.order));
+        value = std::sqrt(std::max(0.0, form.value(design_values(x)))) / parameter.reference;
+    }
+    for (const PlacedRule& rule : model_->rules) {
+        if (rule->limit() || rule->parameters().empty()) continue;
+        double& peak = x[size + rule->parameters().front()];
+        peak = std::max(peak,
+                        largest_of(rule_maxima(rule, model_->design, chain, Eigen::VectorXd::Zero(1))).value);
+    }
+}
+
+/// Peaks and root mean squares become those of the motion behind x; dimensions keep their range.
+void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
+    if (model_->stretch_scales.empty()) {
+        complete_peaks(curve(x), x);
+    } else {
+        complete_program_peaks(motion(x), x);
+    }
+    const Eigen::Index size = model_->design.size();
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        double& value = x[size + static_cast<Eigen::Index>(p)];
+        if (parameter.kind == Parameter::Kind::dimension)
+            value = std::clamp(value, parameter.lower, parameter.upper);
+        if (parameter.kind == Parameter::Kind::magnitude) value = std::abs(x[size + parameter.order]);
+    }
+}
+
+Eigen::VectorXd CamProblem::completed(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd full = x;
+    const Eigen::Index size = model_->design.size();
+    full.head(size) = projection_->project(x.head(size));
+    if (full.allFinite()) complete_parameters(full);
+    return full;
+}
+
+}  // namespace camopt

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/grid/grid_nlp.hpp"
+
+#include "objectives/grid/equality_projection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace camopt {
+
+namespace {
+
+/// Calls visit(row, column, value) for the lower triangle of a symmetric matrix.
+template <typename Visit>
+void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
+    for (int column = 0; column < matrix.outerSize(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
+            if (entry.row() >= column) visit(static_cast<int>(entry.row()), column, entry.value());
+        }
+    }
+}
+
+/// The form in the optimizer's units, divided by reference².
+QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
+    QuadraticForm form = model.design.mean_square(order, model.mean_square_weights(order));
+    form.scale(1.0 / (reference * reference), design_scales(model));
+    return form;
+}
+
+}  // namespace
+
+double variable_scale(const CamModel& model, int index) {
+    const int design_size = model.design.size();
+    return index < design_size ? model.entry_scale[model.design.order(index)]
+                               : model.parameters[index - design_size].reference;
+}
+
+Eigen::VectorXd design_scales(const CamModel& model) {
+    Eigen::VectorXd scales(model.design.size());
+    for (int j = 0; j < scales.size(); ++j) scales[j] = variable_scale(model, j);
+    return scales;
+}
+
+GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples)
+    : model_(std::move(model)), samples_(std::move(samples)) {
+    const int variables = design_size() + static_cast<int>(model_->parameters.size());
+    shape_.x_lower = Eigen::VectorXd::Constant(variables, -infinity);
+    shape_.x_upper = Eigen::VectorXd::Constant(variables, infinity);
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        const int variable = design_size() + static_cast<int>(p);
+        const bool rms = parameter.kind == Parameter::Kind::rms;
+        shape_.x_lower[variable] = rms ? least_rms : parameter.lower;
+        shape_.x_upper[variable] = parameter.upper;
+    }
+    add_rows();
+    add_cost_terms();
+    fix_patterns();
+}
+
+void GridNlp::add_rows() {
+    const CamModel& model = *model_;
+    shape_.convex = true;
+    std::vector<double> lower;
+    std::vector<double> upper;
+    const Eigen::VectorXd scale = design_scales(model);
+    for (const Equality& equality : model.design.equalities()) {
+        AffineRow unit = unit_row(equality.row, scale);
+        Row row{std::move(unit.columns), std::move(unit.weights), unit.offset, -1, {}};
+        rows_.push_back(std::move(row));
+        lower.push_back(0.0);
+        upper.push_back(0.0);
+        shape_.rows.push_back({true, false, 1.0});
+    }
+    for (const ParameterRow& source : model.parameter_rows) {
+        Row row;
+        for (std::size_t k = 0; k < source.parameters.size(); ++k) {
+            row.columns.push_back(design_size() + source.parameters[k]);
+            row.weights.push_back(source.weights[k]);
+        }
+        rows_.push_back(std::move(row));
+        lower.push_back(-infinity);
+        upper.push_back(source.upper);
+        shape_.rows.push_back({true, source.limit, source.scale});
+    }
+    for (const DesignRow& source : model.design_rows) {
+        Row row{source.row.columns, source.row.weights, source.row.offset, -1, {}};
+        for (std::size_t k = 0; k < row.columns.size(); ++k) row.weights[k] *= scale[row.columns[k]];
+        rows_.push_back(std::move(row));
+        lower.push_back(-infinity);
+        upper.push_back(0.0);
+        shape_.rows.push_back({true, true, 1.0});
+    }
+    first_sample_row_ = static_cast<int>(rows_.size());
+    for (int k = 0; k < static_cast<int>(samples_.size()); ++k) {
+        add_sample_row(k);
+        const PointRule& rule = *model.rules[samples_[k].rule];
+        shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
+                                             Curvature::general;
+        lower.push_back(-infinity);
+        upper.push_back(0.0);
+        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
+    }
+    shape_.g_lower = Eigen::Map<Eigen::VectorXd>(lower.data(), static_cast<Eigen::Index>(lower.size()));
+    shape_.g_upper = Eigen::Map<Eigen::VectorXd>(upper.data(), static_cast<Eigen::Index>(upper.size()));
+}
+
+void GridNlp::add_sample_row(int sample) {
+    if (model_->rules[samples_[sample].rule]->linear())
+        add_linear_row(sample);
+    else
+        add_curved_row(sample);
+}
+
+/// Multiplied out, with the derivatives and entries alone that the rule is made of.
+void GridNlp::add_linear_row(int sample) {
+    const RuleSample& place = samples_[sample];
+    const PointRule& rule = *model_->rules[place.rule];
+    const RuleValue affine = rule.evaluate(
+        {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
+    AffineRow sum{affine.value, {}, {}};
+    for (int order = 0; order < 4; ++order) {
+        const double factor = affine.gradient[order];
+        if (factor == 0.0) continue;
+        AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        for (double& weight : derivative.weights) weight *= factor;
+        derivative.offset *= factor;
+        sum = sum.columns.empty() ? AffineRow{sum.offset + derivative.offset, std::move(derivative.columns),
+                                              std::move(derivative.weights)}
+                                  : combined(sum, 1.0, derivative);
+    }
+    Row row;
+    row.offset = sum.offset;
+    for (std::size_t k = 0; k < sum.columns.size(); ++k) {
+        if (sum.weights[k] == 0.0) continue;
+        row.columns.push_back(sum.columns[k]);
+        row.weights.push_back(sum.weights[k] * variable_scale(*model_, sum.columns[k]));
+    }
+    for (std::size_t k = 0; k < rule.parameters().size(); ++k) {
+        row.columns.push_back(design_size() + rule.parameters()[k]);
+        row.weights.push_back(affine.gradient[4 + static_cast<Eigen::Index>(k)]);
+    }
+    rows_.push_back(std::move(row));
+}
+
+void GridNlp::add_curved_row(int sample) {
+    const RuleSample& place = samples_[sample];
+    Row row;
+    row.sample = sample;
+    for (int order = 0; order < 4; ++order) {
+        const AffineRow derivative = model_->design.functional(place.at, order, place.side);
+        if (order == 0) {
+            row.columns = derivative.columns;
+            row.map = Eigen::MatrixXd::Zero(4, static_cast<Eigen::Index>(derivative.columns.size()));
+        }
+        for (std::size_t k = 0; k < derivative.columns.size(); ++k) {
+            row.map(order, static_cast<Eigen::Index>(k)) =
+                derivative.weights[k] * variable_scale(*model_, derivative.columns[k]);
+        }
+        row.map_offset[order] = derivative.offset;
+    }
+    for (const int parameter : model_->rules[place.rule]->parameters())
+        row.columns.push_back(design_size() + parameter);
+    rows_.push_back(std::move(row));
+}
+
+void GridNlp::add_cost_terms() {
+    linear_cost_ = Eigen::VectorXd::Zero(shape_.variables());
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        const int variable = design_size() + static_cast<int>(p);
+        if (parameter.kind != Parameter::Kind::rms) {
+            linear_cost_[variable] = parameter.weight;
+        } else {
+            rms_.push_back(
+                {variable, parameter.weight, scaled_form(*model_, parameter.order, parameter.reference)});
+        }
+    }
+    if (model_->energy_weight > 0.0) {
+        energy_ = scaled_form(*model_, 3, model_->jerk_reference);
+        energy_->scale(model_->energy_weight, Eigen::VectorXd::Ones(design_size()));
+    }
+    shape_.linear_cost = rms_.empty() && !energy_;
+    shape_.quadratic_cost = rms_.empty();
+}
+
+void GridNlp::fix_patterns() {
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+        for (const int column : rows_[i].columns) {
+            shape_.jacobian.rows.push_back(i);
+            shape_.jacobian.columns.push_back(column);
+        }
+    }
+    std::map<std::pair<int, int>, int> slots;
+    const auto claim = [&](int row, int column) {
+        const std::pair<int, int> place{std::max(row, column), std::min(row, column)};
+        const auto [found, fresh] = slots.try_emplace(place, static_cast<int>(slots.size()));
+        if (fresh) {
+            shape_.hessian.rows.push_back(place.first);
+            shape_.hessian.columns.push_back(place.second);
+        }
+        hessian_slots_.push_back(found->second);
+    };
+    for (const RmsTerm& term : rms_) {
+        visit_lower(term.form.matrix, [&](int row, int column, double) { claim(row, column); });
+        for (int j = 0; j < design_size(); ++j) claim(term.variable, j);
+        claim(term.variable, term.variable);
+    }
+    if (energy_) visit_lower(energy_->matrix, [&](int row, int column, double) { claim(row, column); });
+    for (const Row& row : rows_) {
+        if (row.sample < 0) continue;
+        for (std::size_t a = 0; a < row.columns.size(); ++a) {
+            for (std::size_t b = 0; b <= a; ++b) claim(row.columns[a], row.columns[b]);
+        }
+    }
+}
+
+double GridNlp::cost(const ConstVectorRef& x) const {
+    double value = model_->cost_constant + linear_cost_.dot(x);
+    const auto design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        value += 0.5 * term.weight * (term.form.value(design) / x[term.variable] + x[term.variable]);
+    }
+    return energy_ ? value + energy_->value(design) : value;
+}
+
+void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
+    out = linear_cost_;
+    if (rms_.empty() && !energy_) return;
+    const Eigen::VectorXd design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        const double q = x[term.variable];
+        out.head(design_size()) += term.weight / q * term.form.slope(design);
+        out[term.variable] += 0.5 * term.weight * (1.0 - term.form.value(design) / (q * q));
+    }
+    if (energy_) out.head(design_size()) += 2.0 * energy_->slope(design);
+}
+
+RuleValue GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
+    const RuleSample& place = samples_[row.sample];
+    const PointRule& rule = *model_->rules[place.rule];
+    const Eigen::Index local = row.map.cols();
+    Eigen::VectorXd entries(local);
+    for (Eigen::Index k = 0; k < local; ++k) entries[k] = x[row.columns[k]];
+    const Eigen::Vector4d state = row.map_offset + row.map * entries;
+    Eigen::VectorXd q(static_cast<Eigen::Index>(rule.parameters().size()));
+    for (Eigen::Index k = 0; k < q.size(); ++k) q[k] = x[row.columns[local + k]];
+    return rule.evaluate({place.at, {state[0], state[1], state[2], state[3]}}, q);
+}
+
+void GridNlp::constraints(const ConstVectorRef& x, VectorRef out) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
+        if (row.sample >= 0) {
+            out[static_cast<Eigen::Index>(i)] = rule_value(row, x).value;
+            continue;
+        }
+        double value = row.offset;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) value += row.weights[k] * x[row.columns[k]];
+        out[static_cast<Eigen::Index>(i)] = value;
+    }
+}
+
+void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
+    auto next = out.begin();
+    for (const Row& row : rows_) {
+        if (row.sample < 0) {
+            next = std::ranges::copy(row.weights, next).out;
+            continue;
+        }
+        const Eigen::VectorXd partials = rule_value(row, x).gradient;
+        const Eigen::VectorXd by_entry = row.map.transpose() * partials.head<4>();
+        next = std::ranges::copy(by_entry, next).out;
+        for (Eigen::Index k = 4; k < partials.size(); ++k) *next++ = partials[k];
+    }
+}
+
+void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                      std::span<double> out) const {
+    std::ranges::fill(out, 0.0);
+    std::size_t next = 0;
+    const auto add = [&](double value) { out[hessian_slots_[next++]] += value; };
+    const Eigen::VectorXd design = x.head(design_size());
+    for (const RmsTerm& term : rms_) {
+        const double q = x[term.variable];
+        const double factor = sigma * term.weight / q;
+        visit_lower(term.form.matrix, [&](int, int, double value) { add(factor * value); });
+        const Eigen::VectorXd slope = term.form.slope(design);
+        for (int j = 0; j < design_size(); ++j) add(-factor / q * slope[j]);
+        add(factor / (q * q) * term.form.value(design));
+    }
+    if (energy_) visit_lower(energy_->matrix, [&](int, int, double value) { add(2.0 * sigma * value); });
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
+        if (row.sample < 0) continue;
+        // (y … y''', q) as a linear map of the row's columns: B on top of the identity.
+        const Eigen::Index local = row.map.cols();
+        const Eigen::Index parameters = static_cast<Eigen::Index>(row.columns.size()) - local;
+        Eigen::MatrixXd full = Eigen::MatrixXd::Zero(4 + parameters, local + parameters);
+        full.topLeftCorner(4, local) = row.map;
+        full.bottomRightCorner(parameters, parameters).setIdentity();
+        const Eigen::MatrixXd curved =
+            lambda[static_cast<Eigen::Index>(i)] * full.transpose() * rule_value(row, x).hessian * full;
+        for (Eigen::Index a = 0; a < curved.rows(); ++a) {
+            for (Eigen::Index b = 0; b <= a; ++b) add(curved(a, b));
+        }
+    }
+}
+
+std::string GridNlp::variable_name(int index) const {
+    return index < design_size() ? model_->design.name(index)
+                                 : model_->parameters[index - design_size()].name;
+}
+
+std::string GridNlp::row_name(int index) const {
+    const int equalities = static_cast<int>(model_->design.equalities().size());
+    if (index < equalities) return model_->design.equalities()[index].name;
+    const int conditions = equalities + static_cast<int>(model_->parameter_rows.size());
+    if (index < conditions) return model_->parameter_rows[index - equalities].name;
+    if (index < first_sample_row_) return model_->design_rows[index - conditions].name;
+    const RuleSample& place = samples_[index - first_sample_row_];
+    return fmt::format("{} at x = {:.9g}{}", model_->rules[place.rule]->name(), place.at,
+                       place.side == Side::left ? "-" : "");
+}
+
+}  // namespace camopt

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Contact force, camshaft torque and Hertz pressure, and the contact that the last two take for granted.
+#include "core/errors.hpp"
+#include "objectives/rules/cam_limit_parts.hpp"
+#include "objectives/rules/cam_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt::cam_limit_parts {
+
+namespace {
+
+// Torque and pressure speak of a follower that touches a regular cam. Where no limit of the scene says so,
+// its regularity (1 − r κ; flat: radius/base radius) and the height of its contact over the cam centre (in
+// units of the cam) stay above this: any cam that a machine can make is far inside, and no rounding reaches
+// through it.
+constexpr double least_contact = 1e-6;
+// Forces far below the largest say nothing of the size of a pressure.
+constexpr double least_force_share = 1e-2;
+// A pressure grows with the root of the force: twice this relative excess of the force is one of the
+// pressure.
+constexpr double pressure_scale = 2.0;
+
+/// F = m ω² s'' + k s + F_0 (or the moment of an arm).
+template <class State>
+auto force_of(const ForceSpec& force, double speed, const State& state) {
+    return shifted(
+        sum(force.mass * speed * speed, acceleration(state), force.spring_rate, displacement(state)),
+        force.preload);
+}
+
+/// The size of the inertia's force.
+double swing_of(const ForceSpec& force, double speed, const MotionScale& scale) {
+    return force.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
+}
+
+void add_contact_force(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
+                       const Shared& cam) {
+    const double unit =
+        std::max({std::abs(limit.value), force.preload, swing_of(force, speed, cam->scale), least_scale});
+    CamFormula formula =
+        cam_formula(limit.key, [force, speed, unit, least = limit.value](const DiskCam&, const auto& state) {
+            return scaled(shifted(force_of(force, speed, state), -least), -1.0 / unit);
+        });
+    formula.linear = true;
+    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+}
+
+void add_torque(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
+                const Shared& cam) {
+    for (const int sign : {1, -1}) {
+        rules.push_back(std::make_shared<CamRule>(
+            cam, cam_formula(limit.key, [force, speed, sign, most = limit.value](const DiskCam&,
+                                                                                 const auto& state) {
+                return shifted(scaled(product(force_of(force, speed, state), velocity(state)), sign / most),
+                               -1.0);
+            })));
+    }
+}
+
+/// p² = F/(lever π b R c) <= p_max², c the compliance, as F <= R · lever · π b p_max² c: no division, so that
+/// nothing flips where the cam's radius or the lever passes through zero. Where F is not positive nothing
+/// presses.
+void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
+                             const Shared& cam) {
+    const FollowerType follower = cam->cam.follower;
+    if (follower == FollowerType::translating_knife) {
+        throw InputError(limit.key +
+                         ": found a limit on the Hertz pressure of a knife edge; allowed: a roller "
+                         "or a flat face");
+    }
+    if (!force.contact_width) {
+        throw InputError(limit.key +
+                         ": found no contact width; allowed: together with forces.contact_width_mm");
+    }
+    const double carried =
+        force.compliance() * std::numbers::pi * *force.contact_width * limit.value * limit.value;
+    const double unit =
+        std::max({force.preload, least_force_share * swing_of(force, speed, cam->scale), least_scale});
+    CamFormula formula =
+        cam_formula(limit.key, [force, speed, carried, unit](const DiskCam& own, const auto& state) {
+            const auto press = scaled(force_of(force, speed, state), 1.0 / unit);
+            const double factor = -carried / unit;
+            // 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
+            if (!has_roller(own.follower)) {
+                const auto radius = quantity(own, state, Quantity::cam_radius);
+                if (own.follower == FollowerType::translating_flat) return sum(1.0, press, factor, radius);
+                return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
+            }
+            const auto radius = product(quantity(own, state, Quantity::regularity),
+                                        dimension(own, state, DimensionIndex::roller_radius));
+            return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
+        });
+    formula.linear = follower == FollowerType::translating_flat;
+    formula.scale = pressure_scale;
+    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+}
+
+/// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
+void add_height(Rules& rules, const Shared& cam, const std::string& key) {
+    const FollowerType follower = cam->cam.follower;
+    if (follower == FollowerType::translating_flat) return;
+    const double length = length_of(cam->cam);
+    CamFormula formula = cam_formula(key, [length](const DiskCam& own, const auto& state) {
+        return shifted(scaled(quantity(own, state, Quantity::pressure_denominator), -1.0 / length),
+                       least_contact);
+    });
+    formula.highest_order = 0;
+    formula.linear = !is_oscillating(follower) && cam->variables.empty();
+    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+}
+
+void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std::string& key) {
+    const LimitSpec& limits = scene.limits;
+    // A limit of 0 leaves a cusp, on which nothing can press.
+    const bool regular = (limits.cam_radius_min && limits.cam_radius_min->value > 0.0) ||
+                         (limits.undercut_margin && limits.undercut_margin->value >= least_contact);
+    if (!regular) add_regularity(rules, cam, key + " (undercut)", least_contact);
+    // |N| cos φm <= D sin φm to both sides holds the height up too.
+    const PressureLimits pressure = pressure_limits(limits);
+    if (!pressure.rise || !pressure.back) add_height(rules, cam, key + " (contact below the cam's centre)");
+}
+
+}  // namespace
+
+void add_forces(Rules& rules, const Scene& scene, const Shared& cam) {
+    if (!scene.forces || !scene.motion.speed) return;
+    const ForceSpec& force = *scene.forces;
+    const double speed = *scene.motion.speed;
+    const LimitSpec& limits = scene.limits;
+    if (limits.contact_force_min) add_contact_force(rules, *limits.contact_force_min, force, speed, cam);
+    if (limits.torque_max) add_torque(rules, *limits.torque_max, force, speed, cam);
+    if (limits.hertz_pressure_max)
+        add_pressure_in_contact(rules, *limits.hertz_pressure_max, force, speed, cam);
+    const auto& of_contact = limits.hertz_pressure_max ? limits.hertz_pressure_max : limits.torque_max;
+    if (of_contact) add_contact(rules, scene, cam, of_contact->key);
+}
+
+}  // namespace camopt::cam_limit_parts

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/rules/mechanism_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using Rules = std::vector<std::shared_ptr<const MechanismRule>>;
+using Shared = std::shared_ptr<const MechanismVariables>;
+
+// A relative violation of something near zero says nothing: scales stay above this part of the whole.
+constexpr double least_scale = 1e-3;
+
+MechanismValue shifted(MechanismValue value, double by) {
+    value.value += by;
+    return value;
+}
+
+MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
+    const Eigen::MatrixXd cross = a.gradient * b.gradient.transpose();
+    return {a.value * b.value, a.value * b.gradient + b.value * a.gradient,
+            a.value * b.hessian + b.value * a.hessian + cross + cross.transpose(),
+            a.value * b.by_angle + b.value * a.by_angle};
+}
+
+void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+    const auto& limit = scene.limits.pressure_angle;
+    if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
+    const double length = mechanism->formulas->length(mechanism->dimensions);
+    std::vector<int> active;
+    for (const MechanismVariables::Variable& variable : mechanism->variables)
+        active.push_back(variable.dimension);
+    for (const int sign : {1, -1}) {
+        const auto value = [sign, length, angle = limit->value](const MechanismCall& call) {
+            const MechanismValue excess = call.pressure_excess(angle, sign);
+            return combined(1.0 / length, excess, 0.0, excess);
+        };
+        MechanismFormula formula{limit->key, station, value, 1, limit->value};
+        formula.shape = mechanism->formulas->pressure_shape(active);
+        rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
+    }
+}
+
+/// (r + shift) κ − 1: the convex radius stays above shift, the concave one above −shift.
+void add_radius(Rules& rules, const Shared& mechanism, const MechanismFormula& frame, double shift) {
+    MechanismFormula formula = frame;
+    formula.value = [shift](const MechanismCall& call) {
+        return shifted(product(shifted(call.dimension(call.formulas.roller_radius()), shift),
+                               call(MechanismQuantity::pitch_curvature)),
+                       -1.0);
+    };
+    rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
+}
+
+void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+    const int index = mechanism->formulas->roller_radius();
+    const double roller = mechanism->dimensions[static_cast<std::size_t>(index)];
+    const bool moves = std::ranges::any_of(mechanism->variables,
+                                           [&](const auto& variable) { return variable.dimension == index; });
+    if (const auto& limit = scene.limits.cam_radius_min) {
+        const double least = limit->value;
+        const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
+        add_radius(rules, mechanism, {limit->key, station, {}, 2, scale}, least);
+    }
+    // The roller itself fits into any hollow larger than it.
+    const auto& concave = scene.limits.concave_radius_min;
+    if (!concave || !(moves || concave->value > roller)) return;
+    const double least = concave->value;
+    const double scale = std::clamp(least / std::max(least - roller, least_scale * least), 1.0, 1e3);
+    add_radius(rules, mechanism, {concave->key, station, {}, 2, scale}, -least);
+}
+
+void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+    const auto& limit = scene.limits.undercut_margin;
+    if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
+    const auto value = [margin = limit->value](const MechanismCall& call) {
+        const MechanismValue regularity = call(MechanismQuantity::regularity);
+        return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
+    };
+    rules.push_back(
+        std::make_shared<MechanismRule>(mechanism, MechanismFormula{limit->key, station, value, 2, 1.0}));
+}
+
+}  // namespace
+
+Rules mechanism_limits(const Scene& scene, const Shared& mechanism) {
+    Rules rules;
+    for (int station = 0; station < mechanism->formulas->stations(); ++station) {
+        add_pressure(rules, scene, mechanism, station);
+        if (mechanism->formulas->planar()) add_radii(rules, scene, mechanism, station);
+        add_margin(rules, scene, mechanism, station);
+    }
+    return rules;
+}
+
+}  // namespace camopt

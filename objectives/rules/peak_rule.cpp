@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/rules/peak_rule.hpp"
+
+#include <array>
+
+namespace camopt {
+
+PeakRule::PeakRule(int order, int sign, int parameter, double reference)
+    : order_(order), sign_(sign), parameters_{parameter}, reference_(reference) {}
+
+std::string PeakRule::name() const {
+    constexpr std::array<const char*, 4> names = {"displacement", "velocity", "acceleration", "jerk"};
+    return std::string(sign_ > 0 ? "+" : "-") + names[order_];
+}
+
+RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
+    RuleValue result{0.0, Eigen::VectorXd::Zero(5), Eigen::MatrixXd::Zero(5, 5)};
+    result.gradient[order_] = sign_ / reference_;
+    result.gradient[4] = -1.0;
+    result.value = result.gradient[order_] * point.derivative[order_] - q[0];
+    return result;
+}
+
+RuleValue CapRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {
+    RuleValue rule{weight_ * point.derivative[order_] - 1.0, Eigen::VectorXd::Zero(4),
+                   Eigen::MatrixXd::Zero(4, 4)};
+    rule.gradient[order_] = weight_;
+    return rule;
+}
+
+}  // namespace camopt

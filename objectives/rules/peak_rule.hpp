@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The epigraph of a peak: sign · y^{(order)} / reference − P <= 0, with P the peak variable in units of
+// `reference`. Two of them, sign = ±1, make P >= max |y^{(order)}| / reference.
+#pragma once
+
+#include "objectives/rules/point_rule.hpp"
+
+namespace camopt {
+
+/// A cap on the motion itself: sign · y^{(order)} / cap − 1 <= 0. A hard limit with no variable.
+class CapRule final : public PointRule {
+ public:
+    CapRule(std::string name, int order, int sign, double cap)
+        : name_(std::move(name)), order_(order), weight_(sign / cap) {}
+
+    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
+    [[nodiscard]] bool linear() const override { return true; }
+    [[nodiscard]] int highest_order() const override { return order_; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+
+ private:
+    std::string name_;
+    int order_;
+    double weight_;
+    std::vector<int> none_;
+};
+
+class PeakRule final : public PointRule {
+ public:
+    /// order 1, 2 or 3; `parameter`: index of P among the problem's parameters; reference > 0.
+    PeakRule(int order, int sign, int parameter, double reference);
+
+    [[nodiscard]] std::string name() const override;
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return true; }
+    [[nodiscard]] int highest_order() const override { return order_; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+
+ private:
+    int order_, sign_;
+    std::vector<int> parameters_;
+    double reference_;
+};
+
+}  // namespace camopt

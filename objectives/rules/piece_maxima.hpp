@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The parts of rule_maxima.cpp: maxima of a rule inside one piece of a motion. Private.
+#pragma once
+
+#include "core/extremum.hpp"
+#include "objectives/rules/point_rule.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace camopt::piece_maxima {
+
+/// One rule along one motion.
+struct Subject {
+    const PointRule& rule;
+    const Motion& motion;
+    const Eigen::VectorXd& q;
+
+    [[nodiscard]] double value(double x, Side side) const {
+        return rule.evaluate(motion.at(x, side), q).value;
+    }
+};
+
+struct Stretch {
+    double begin = 0.0, end = 0.0;
+};
+
+struct ValueAndSlope {
+    double value = 0.0, slope = 0.0;
+};
+/// Along x, as the rule changes with the motion.
+[[nodiscard]] ValueAndSlope value_and_slope(const Subject& subject, double x, Side side);
+
+/// Where the slope falls through zero between `left` (> 0) and `right` (< 0).
+[[nodiscard]] double root_of_slope(const std::function<double(double x)>& slope, const Stretch& between,
+                                   const std::array<double, 2>& slopes);
+
+/// Both ends from inside and the maxima between, ascending: by samples, closer where a cubic through them
+/// does not follow the rule. Not a proof. `least_samples`: of the slope, at the least.
+[[nodiscard]] std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int least_samples);
+
+/// A piece on which y is the polynomial `y` of x − begin.
+struct PolynomialPiece {
+    Stretch piece;
+    Eigen::VectorXd y;
+};
+/// Every maximum inside the piece that lies above `floor`, ascending, by enclosures of the rule, its slope
+/// and its second derivative: none is missed, each value is right to `accuracy`. Empty option: the rule
+/// cannot be enclosed, or not within a sensible number of steps.
+[[nodiscard]] std::optional<std::vector<Extremum>> enclosed(const Subject& subject,
+                                                            const PolynomialPiece& piece, double floor,
+                                                            double accuracy);
+
+}  // namespace camopt::piece_maxima

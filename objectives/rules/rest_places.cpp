@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/rules/rest_places.hpp"
+
+#include "motions/laws/law_catalogue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr double at_rest = 1e-9;  // of a law's mean velocity: less is rounding
+
+void add_program(std::vector<double>& places, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    const double unit = motion.unit_angle();
+    double angle = 0.0;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        const double begin = angle / unit;
+        angle += segment.angle;
+        const double end = angle / unit;
+        bool rests_first = segment.kind == SegmentKind::dwell, rests_last = rests_first;
+        if (segment.kind == SegmentKind::law) {
+            const auto law = make_law(segment.law);
+            rests_first = std::abs(law->at(law->begin(), Side::right).derivative[1]) < at_rest;
+            rests_last = std::abs(law->at(law->end(), Side::left).derivative[1]) < at_rest;
+        }
+        const bool opens = i == 0 && !motion.closed;
+        const bool closes = i + 1 == motion.segments.size() && !motion.closed;
+        const bool spline = segment.kind == SegmentKind::spline;
+        if (rests_first || (opens && spline)) places.push_back(begin);
+        if (rests_last || (closes && spline)) places.push_back(end);
+    }
+}
+
+}  // namespace
+
+std::vector<double> rest_places(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    std::vector<double> places;
+    if (motion.type == MotionType::program) {
+        add_program(places, scene);
+    } else {
+        places = {0.0, motion.length()};
+        if (motion.type == MotionType::rr) places.push_back(1.0);
+    }
+    for (const SetPoint& via : motion.via)
+        if (via.velocity && *via.velocity == 0.0) places.push_back(via.at);
+    std::ranges::sort(places);
+    const auto repeated = std::ranges::unique(places);
+    places.erase(repeated.begin(), repeated.end());
+    return places;
+}
+
+}  // namespace camopt

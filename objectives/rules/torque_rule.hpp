@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The epigraph of the torque peak: sign · y' y'' / reference − Q <= 0, with Q the peak variable in units of
+// `reference`. Two of them, sign = ±1, make Q >= max |y' y''| / reference.
+//
+// y' y'' is what the torque of an inertial load follows. The rule is bilinear: of no definite curvature.
+#pragma once
+
+#include "objectives/rules/point_rule.hpp"
+
+namespace camopt {
+
+class TorqueRule final : public PointRule {
+ public:
+    /// `parameter`: index of Q among the problem's parameters; reference > 0.
+    TorqueRule(int sign, int parameter, double reference);
+
+    [[nodiscard]] std::string name() const override { return sign_ > 0 ? "+torque" : "-torque"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] int highest_order() const override { return 2; }
+    [[nodiscard]] bool limit() const override { return false; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+    [[nodiscard]] Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
+                                        const Eigen::VectorXd& q) const override;
+
+ private:
+    int sign_;
+    std::vector<int> parameters_;
+    double reference_;
+};
+
+}  // namespace camopt

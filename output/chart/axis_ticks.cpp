@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "output/chart/axis_ticks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // relative to the step: a tick on the end of the axis is inside
+
+std::vector<double> multiples(double step, double lower, double upper) {
+    std::vector<double> ticks;
+    const long first = std::lround(std::ceil(lower / step - rounding));
+    const long last = std::lround(std::floor(upper / step + rounding));
+    for (long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
+    return ticks;
+}
+
+double round_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least * (1.0 - rounding)) return factor * power;
+    return 10.0 * power;
+}
+
+}  // namespace
+
+std::vector<double> round_ticks(double lower, double upper, int wanted) {
+    if (!(upper > lower) || !std::isfinite(upper - lower)) return {};
+    return multiples(round_step((upper - lower) / wanted), lower, upper);
+}
+
+std::vector<double> degree_ticks(double lower, double upper, int wanted) {
+    if (!(upper > lower) || !std::isfinite(upper - lower)) return {};
+    const double least = (upper - lower) / wanted;
+    for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0})
+        if (least > 0.5 && step >= least) return multiples(step, lower, upper);
+    return multiples(round_step(least), lower, upper);
+}
+
+std::string tick_text(double value, double step) {
+    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + rounding)));
+    const bool plain = decimals <= 4 && std::abs(value) < 1e6;
+    std::string text = plain ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+    if (text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+}  // namespace camopt

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "output/chart/motion_svg.hpp"
+
+#include "core/errors.hpp"
+#include "output/chart/axis_ticks.hpp"
+#include "output/chart/motion_panel.hpp"
+#include "output/chart/svg_canvas.hpp"
+#include "output/words/display_scale.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/solution_text.hpp"
+#include "splines/extrema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Layout, px.
+constexpr double page_width = 1000, panel_left = 92, panel_width = 832, first_panel = 142, panel_height = 178,
+                 panel_distance = 218, page_height = first_panel + 3 * panel_distance + panel_height + 56;
+
+const char* page_style =
+    ".page{fill:#fff}.title{font-size:20px;font-weight:600}.subtitle{font-size:13px;fill:#333}";
+
+struct Picture {
+    const Solution& solution;
+    ReferenceMotion reference;
+    DisplayScale scale;
+    std::vector<PeakRow> peaks;
+};
+
+const std::optional<PeakLimit>& limit_of(const LimitSpec& limits, int order) {
+    static const std::optional<PeakLimit> none;
+    if (order == 1) return limits.velocity;
+    if (order == 2) return limits.acceleration;
+    return order == 3 ? limits.jerk : none;
+}
+
+/// A normalised limit holds for each spline segment by its own angle and displacement: the ratio of the
+/// segment's two peaks is what brings it to the motion's own units.
+std::vector<LimitSpan> limit_spans(const Solution& solution, const PeakLimit& limit, Extremum Peaks::*peak) {
+    std::vector<LimitSpan> spans;
+    if (limit.in_time()) return spans;
+    for (const SegmentReport& segment : solution.segments) {
+        if (!segment.curve || !segment.peaks) continue;
+        const double normalised = ((*segment.peaks).*peak).value;
+        if (!(normalised > 0.0)) continue;
+        const double own = (peaks_of(*segment.curve).*peak).value;
+        spans.push_back({segment.begin, segment.end, limit.normalised * own / normalised});
+    }
+    return spans;
+}
+
+std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
+    const std::optional<PeakLimit>& limit = limit_of(picture.solution.scene.limits, order);
+    if (!limit) return {};
+    PanelLimit shown{
+        limit->normalised,
+        fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit),
+        {}};
+    constexpr std::array peaks = {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk};
+    shown.spans = limit_spans(picture.solution, *limit, peaks[static_cast<std::size_t>(order) - 1]);
+    if (shown.spans.empty()) return shown;
+    shown.normalised = std::ranges::max(shown.spans, {}, &LimitSpan::normalised).normalised;
+    shown.words += " by the segment's own angle and displacement";
+    return shown;
+}
+
+/// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
+/// stands in the caption.
+void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
+    const std::string physical =
+        fmt::format("{} {}", short_text(content.factor * row.motion.value, 5), content.unit);
+    const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
+    const bool program = !picture.solution.segments.empty();
+    content.peak_words = program ? physical : normalised + " · " + physical;
+    if (program) content.caption_right = normalised + " of the spline segments";
+    if (!row.reference) return;
+    content.caption_right += fmt::format(
+        "{}{} {} = {} · change {}", program ? " · " : "", reference_title(picture.reference), row.symbol,
+        short_text(*row.reference, 5), change_text(row.optimum.value, *row.reference));
+}
+
+void add_peak(PanelContent& content, const Picture& picture) {
+    const PeakRow& row = picture.peaks[static_cast<std::size_t>(content.order) - 1];
+    Extremum peak = row.motion;
+    const MotionPoint point = content.optimum->at(peak.at, peak.side);
+    peak.value = std::copysign(peak.value, point.derivative[static_cast<std::size_t>(content.order)]);
+    if (std::isfinite(peak.value)) content.peak = peak;
+    add_words(content, picture, row);
+    content.limit = panel_limit(picture, content.order);
+}
+
+std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) {
+    std::vector<PanelSegment> all;
+    for (const SegmentReport& segment : solution.segments)
+        all.push_back({segment.begin, segment.end, titles ? segment_title(segment) : ""});
+    return all;
+}
+
+PanelContent panel_content(const Picture& picture, int order) {
+    static constexpr std::array<const char*, 4> captions = {"Displacement s", "Velocity ds/dθ",
+                                                            "Acceleration d²s/dθ²", "Jerk d³s/dθ³"};
+    const auto index = static_cast<std::size_t>(order);
+    PanelContent content;
+    content.order = order;
+    content.optimum = picture.solution.motion.get();
+    content.reference = picture.reference.motion.get();
+    content.caption = captions[index];
+    content.factor = picture.scale.by_angle.factor[index];
+    content.unit = picture.scale.by_angle.unit[index];
+    content.degrees_per_x = picture.scale.degrees_per_x;
+    content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
+    content.angle_labels = order == 3;
+    content.segments = panel_segments(picture.solution, order == 0);
+    if (order > 0)
+        add_peak(content, picture);
+    else
+        content.caption_right =
+            fmt::format("left axis: physical units · right axis: normalised by lift and {}",
+                        picture.solution.segments.empty() ? "rise" : "the angle of the first spline segment");
+    return content;
+}
+
+void draw_legend(SvgCanvas& canvas, const Picture& picture) {
+    double x = panel_left;
+    const double y = first_panel - 38;
+    const auto entry = [&](const char* css_class, const std::string& words) {
+        canvas.line(x, y - 4, x + 30, y - 4, css_class);
+        canvas.text(x + 37, y, words, "subtitle");
+        x += 37 + 7.2 * static_cast<double>(words.size()) + 26;
+    };
+    entry("optimum", "this motion");
+    if (picture.reference.motion) entry("reference", picture.reference.title);
+    const LimitSpec& limits = picture.solution.scene.limits;
+    if (limits.velocity || limits.acceleration || limits.jerk) entry("limit", "limit");
+    canvas.circle(x + 4, y - 4, 4, "peak");
+    canvas.text(x + 15, y, "peak", "subtitle");
+    x += 70;
+    if (!picture.solution.segments.empty()) {
+        canvas.line(x, y - 11, x, y + 3, "segment");
+        canvas.text(x + 8, y, "segments", "subtitle");
+        x += 92;
+    }
+    canvas.line(x, y - 7, x, y - 1, "breakpoint");
+    canvas.text(x + 8, y, fmt::format("breakpoints ({})", picture.solution.motion->breakpoints().size()),
+                "subtitle");
+}
+
+}  // namespace
+
+std::string motion_svg(const Solution& solution) {
+    if (!solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
+    ReferenceMotion reference = reference_motion(solution.scene);
+    std::vector<PeakRow> peaks = peak_comparison(solution, reference);
+    const Picture picture{solution, std::move(reference), display_scale(solution.scene.motion),
+                          std::move(peaks)};
+
+    const std::string title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
+    SvgCanvas canvas(page_width, page_height, std::string(panel_style()) + page_style, title);
+    canvas.rectangle(0, 0, page_width, page_height, "page");
+    canvas.text(panel_left, 36, title, "title");
+    canvas.text(panel_left, 58, verdict_sentence(solution), "subtitle");
+    canvas.text(panel_left, 77, objective_line(solution, " · "), "subtitle");
+    draw_legend(canvas, picture);
+    for (int order = 0; order < 4; ++order) {
+        const PanelFrame frame{panel_left, first_panel + order * panel_distance, panel_width, panel_height};
+        draw_panel(canvas, frame, panel_content(picture, order));
+    }
+    canvas.text(panel_left + 0.5 * panel_width, page_height - 16, "cam angle θ (deg)", "unit middle");
+    return canvas.finish();
+}
+
+}  // namespace camopt

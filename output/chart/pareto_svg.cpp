@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "output/chart/pareto_svg.hpp"
+
+#include "output/chart/sweep/sweep_html.hpp"
+#include "output/chart/sweep/sweep_panels.hpp"
+#include "output/csv/pareto_csv.hpp"
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr double margin = 40, top = 118, main_left = 100, main_width = 560, main_height = 470;
+constexpr double side_left = 780, side_width = 400, side_height = 190, page_width = 1220;
+
+std::string goal_title(const ParetoFront& front, int goal) {
+    if (goal == 0 && front.request.keep_weights)
+        return words_of(name_of(front.request.goals[0])) + " and the scene’s other weights";
+    const FrontGoal& which = front.request.goals[static_cast<std::size_t>(goal)];
+    if (std::holds_alternative<DimensionIndex>(which)) return words_of(name_of(which)) + " (mm)";
+    static constexpr std::array<const char*, 5> symbols = {" V", " A", " J", "", ""};
+    return words_of(name_of(which)) + symbols[static_cast<std::size_t>(std::get<FrontFigure>(which))];
+}
+
+double shown(const ParetoFront& front, const FrontPoint& point, int goal) {
+    return goal_value(front, goal, point.value[static_cast<std::size_t>(goal)]);
+}
+
+bool is_drawn(const FrontPoint& point) {
+    return point.is_feasible() && !point.dominated && point.end != FrontEnd::beyond;
+}
+
+/// The peak of a law that is this goal; none for dimensions.
+std::optional<double> law_value(const Peaks& peaks, const FrontGoal& goal) {
+    const auto* figure = std::get_if<FrontFigure>(&goal);
+    if (figure == nullptr) return {};
+    const std::array<double, 5> values = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value,
+                                          peaks.rms_acceleration, peaks.rms_jerk};
+    return values[static_cast<std::size_t>(*figure)];
+}
+
+struct LawMark {
+    double x = 0.0, y = 0.0;
+    std::string title;
+};
+
+std::vector<LawMark> law_marks(const ParetoPicture& picture) {
+    std::vector<LawMark> marks;
+    if (picture.laws == nullptr || picture.front.request.keep_weights) return marks;
+    for (const ComparisonRow& row : picture.laws->rows) {
+        if (row.is_optimum() || !row.misfit.empty()) continue;
+        const auto x = law_value(row.peaks, picture.front.request.goals[0]);
+        const auto y = law_value(row.peaks, picture.front.request.goals[1]);
+        if (x && y && std::isfinite(*x) && std::isfinite(*y)) marks.push_back({*x, *y, row.title});
+    }
+    return marks;
+}
+
+PlotFrame frame_of(const ValueRange& x, const ValueRange& y, const PanelFrame& place) {
+    PlotFrame frame;
+    frame.horizontal = axis_over(x, place.left, place.left + place.width);
+    frame.vertical = axis_over(y, place.top + place.height, place.top);
+    frame.horizontal_ticks = labelled_ticks(frame.horizontal, 6);
+    frame.vertical_ticks = labelled_ticks(frame.vertical, 6);
+    return frame;
+}
+
+using Points = std::vector<std::array<double, 2>>;
+
+void draw_polyline(SvgCanvas& canvas, const PlotFrame& frame, const Points& points, const char* look) {
+    std::string path;
+    for (const auto& [x, y] : points)
+        path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(frame.horizontal.place(x)),
+                            svg_number(frame.vertical.place(y)));
+    if (points.size() > 1) canvas.path(path, look);
+}
+
+/// Numbered diamonds, and their names below the other panels.
+void draw_law_marks(SvgCanvas& canvas, const PlotFrame& frame, std::vector<LawMark> marks) {
+    std::erase_if(marks, [&](const LawMark& mark) {
+        return !frame.horizontal.holds(mark.x) || !frame.vertical.holds(mark.y);
+    });
+    std::ranges::stable_sort(marks, {}, &LawMark::x);
+    std::vector<std::array<double, 2>> taken;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const LawMark& mark = marks[i];
+        const double x = frame.horizontal.place(mark.x), y = frame.vertical.place(mark.y);
+        canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
+        std::array<double, 2> at{x + 6, y - 3};
+        const auto hits = [&](const std::array<double, 2>& other) {
+            return std::abs(at[0] - other[0]) < 14.0 && std::abs(at[1] - other[1]) < 10.0;
+        };
+        while (std::ranges::any_of(taken, hits)) at[1] -= 3.0;
+        taken.push_back(at);
+        canvas.text(at[0], at[1], std::to_string(i + 1), "law-number");
+        const std::size_t rows = (marks.size() + 1) / 2;
+        canvas.text(side_left - 20 + 215.0 * static_cast<double>(i / rows),
+                    top + side_height + 70 + 17.0 * static_cast<double>(i % rows),
+                    fmt::format("{}  {}", i + 1, mark.title), "law-number");
+    }
+}
+
+void draw_front(SvgCanvas& canvas, const ParetoPicture& picture) {
+    const ParetoFront& front = picture.front;
+    Points all, limit;
+    ValueRange x, y;
+    for (const FrontPoint& point : front.points) {
+        if (!is_drawn(point)) continue;
+        all.push_back({shown(front, point, 0), shown(front, point, 1)});
+        x.add(all.back()[0]);
+        y.add(all.back()[1]);
+        if (const auto bound = any_curve_point(front, point)) limit.push_back(*bound);
+    }
+    if (all.empty()) return;
+    // Beyond the last break of its shape the limit runs to infinity: what leaves the picture is not drawn.
+    for (const auto& [across, up] : limit) {
+        if (up <= y.upper) x.add(across);
+        if (across <= x.upper) y.add(std::min(up, y.upper));
+    }
+    std::vector<LawMark> marks = law_marks(picture);
+    for (const LawMark& mark : marks) {
+        if (mark.x > x.upper + 0.35 * (x.upper - x.lower) || mark.y > 1.05 * y.upper) continue;
+        x.add(mark.x);
+        y.add(mark.y);
+    }
+    PlotFrame frame = frame_of(x, y, {main_left, top, main_width, main_height});
+    frame.horizontal_title = goal_title(front, 0);
+    frame.vertical_title = goal_title(front, 1);
+    draw_plot_frame(canvas, frame);
+    std::erase_if(limit, [&](const auto& point) {
+        return !frame.horizontal.holds(point[0]) || !frame.vertical.holds(point[1]);
+    });
+    std::ranges::sort(limit);
+    draw_polyline(canvas, frame, limit, "limit-line");
+    draw_polyline(canvas, frame, all, "row-line");
+    draw_law_marks(canvas, frame, std::move(marks));
+    for (const FrontPoint& point : front.points) {
+        if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
+        canvas.circle(
+            frame.horizontal.place(shown(front, point, 0)), frame.vertical.place(shown(front, point, 1)), 4.0,
+            fmt::format("{} r{}", point.end == FrontEnd::cut_off ? "row-dot off" : "row-dot", point.number));
+    }
+}
+
+/// A figure that is no goal, along the front.
+void draw_other(SvgCanvas& canvas, const ParetoFront& front, FrontFigure figure, double panel_top) {
+    Points all;
+    ValueRange x, y;
+    for (const FrontPoint& point : front.points) {
+        if (!is_drawn(point)) continue;
+        all.push_back({shown(front, point, 0), value_of(point.solution, FrontGoal(figure))});
+        x.add(all.back()[0]);
+        y.add(all.back()[1]);
+    }
+    if (all.empty()) return;
+    PlotFrame frame = frame_of(x, y, {side_left, panel_top, side_width, side_height});
+    frame.horizontal_title = goal_title(front, 0);
+    frame.vertical_title = words_of(name_of(FrontGoal(figure)));
+    draw_plot_frame(canvas, frame);
+    draw_polyline(canvas, frame, all, "row-line");
+    for (const FrontPoint& point : front.points) {
+        if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
+        canvas.circle(frame.horizontal.place(shown(front, point, 0)),
+                      frame.vertical.place(value_of(point.solution, FrontGoal(figure))), 3.0,
+                      fmt::format("row-dot r{}", point.number));
+    }
+}
+
+std::string count_sentence(const ParetoFront& front) {
+    const auto proved = std::ranges::count_if(front.points, [](const FrontPoint& point) {
+        return point.solution.certificate.verdict == Verdict::optimal;
+    });
+    const auto placed =
+        std::ranges::count_if(front.points, [](const FrontPoint& point) { return point.place >= 0; });
+    std::string text =
+        fmt::format("{} points of {} solves, {} proved optimal", placed, front.points.size(), proved);
+    if (!front.complete) return text + "; not complete";
+    if (placed < 2) return text + ": the two do not conflict";
+    return text + fmt::format("; gaps along the front {} … {} of the unit box, {}",
+                              short_text(front.spacing.least, 3), short_text(front.spacing.most, 3),
+                              front.even
+                                  ? fmt::format("even to {} %", short_text(100.0 * front.request.evenness, 3))
+                                  : "not as even as asked");
+}
+
+bool is_attained(const FrontPoint& point) {
+    return point.end == FrontEnd::attained;
+}
+
+std::string end_sentence(const ParetoFront& front) {
+    std::string text;
+    for (const FrontPoint& point : front.points) {
+        if (point.end == FrontEnd::cut_off)
+            text += fmt::format(
+                "Cut off where {} is {} times its least. ",
+                words_of(name_of(front.request.goals[static_cast<std::size_t>(1 - point.minimized)])),
+                short_text(front.request.cut_off, 3));
+        if (point.end == FrontEnd::beyond)
+            text += fmt::format("Beyond: {} {} at {} {}. ", words_of(goal_column(front, 0)),
+                                short_text(shown(front, point, 0), 5), words_of(goal_column(front, 1)),
+                                short_text(shown(front, point, 1), 5));
+    }
+    if (front.spacing.jumps > 0) text += fmt::format("Jumps in the front: {}. ", front.spacing.jumps);
+    if (!text.empty()) return text;
+    return std::ranges::any_of(front.points, is_attained) ? "Both ends are attained." : "There is no front.";
+}
+
+}  // namespace
+
+std::string pareto_svg(const ParetoPicture& picture) {
+    const ParetoFront& front = picture.front;
+    const std::string title =
+        fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
+                    goal_title(front, 0), goal_title(front, 1));
+    const double height = top + main_height + 64;
+    SvgCanvas canvas(page_width, height, sweep_panel_style(), title);
+    canvas.rectangle(0, 0, page_width, height, "page");
+    canvas.text(margin, 38, title, "title");
+    canvas.text(margin, 61, count_sentence(front), "subtitle");
+    canvas.text(margin, 80,
+                end_sentence(front) + " Dashed: what no curve can pass. Diamonds: classical laws.",
+                "subtitle");
+    draw_front(canvas, picture);
+    double side_top = top;
+    int panels = 0;
+    for (const FrontFigure figure : {FrontFigure::jerk, FrontFigure::acceleration, FrontFigure::velocity}) {
+        const auto& goals = front.request.goals;
+        if (std::ranges::find(goals, FrontGoal(figure)) != goals.end() || panels == 2) continue;
+        draw_other(canvas, front, figure, side_top);
+        side_top += main_height - side_height;
+        ++panels;
+    }
+    return canvas.finish();
+}
+
+std::string pareto_html(const ParetoPicture& picture) {
+    const ParetoFront& front = picture.front;
+    PictureTable table;
+    table.heads = {
+        "point", goal_title(front, 0), goal_title(front, 1), "V", "A", "J", "verdict", "gap", "end", "solve"};
+    for (const FrontPoint* point : tabulated_points(front)) {
+        std::vector<std::string> cells = {point->place >= 0 ? std::to_string(point->place) : ""};
+        const bool feasible = point->is_feasible();
+        const auto cell = [&](double value) {
+            cells.push_back(feasible ? fmt::format("{:.8g}", value) : "");
+        };
+        cell(shown(front, *point, 0));
+        cell(shown(front, *point, 1));
+        const Peaks& peaks = point->solution.peaks;
+        for (const Extremum& peak : {peaks.velocity, peaks.acceleration, peaks.jerk}) cell(peak.value);
+        const Certificate& certificate = point->solution.certificate;
+        cells.emplace_back(name_of(certificate.verdict));
+        cells.push_back(certificate.gap ? fmt::format("{:.1e}", *certificate.gap) : "");
+        cells.emplace_back(name_of(point->end));
+        cells.push_back(std::to_string(point->number));
+        table.rows.push_back(std::move(cells));
+        table.numbers.push_back(point->number);
+    }
+    return picture_page(picture.scene.title.empty() ? "Front" : picture.scene.title, pareto_svg(picture),
+                        table);
+}
+
+std::string pareto_text(const ParetoPicture& picture) {
+    const ParetoFront& front = picture.front;
+    std::string text = fmt::format("  {}\n  {}\n", count_sentence(front), end_sentence(front));
+    for (const FrontPoint* point : tabulated_points(front)) {
+        if (!point->is_feasible()) {
+            text +=
+                fmt::format("  solve {}: {} {}\n", point->number,
+                            name_of(point->solution.certificate.verdict), point->solution.certificate.reason);
+            continue;
+        }
+        text += fmt::format(
+            "  {:>4}  {} {:<10}  {} {:<10}  {}\n", point->place >= 0 ? std::to_string(point->place) : "",
+            goal_column(front, 0), short_text(shown(front, *point, 0), 7), goal_column(front, 1),
+            short_text(shown(front, *point, 1), 7), name_of(point->solution.certificate.verdict));
+    }
+    return text;
+}
+
+}  // namespace camopt

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Axes of a plot: from numbers to px, linear or logarithmic, and the frame with its grid and labels.
+//
+// px lie as on the canvas, y downwards: a vertical axis begins at its bottom. Nothing throws; a logarithmic
+// axis needs positive bounds.
+#pragma once
+
+#include "output/chart/svg_canvas.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+struct PlotAxis {
+    double lower = 0.0, upper = 1.0;
+    double begin = 0.0, end = 1.0;  ///< px of lower and upper
+    bool logarithmic = false;
+
+    [[nodiscard]] double place(double value) const;
+    [[nodiscard]] bool holds(double value) const { return value >= lower && value <= upper; }
+};
+
+struct PlotTick {
+    double value = 0.0;
+    std::string words;  ///< empty: a line of the grid without a label
+};
+
+struct PlotFrame {
+    PlotAxis horizontal, vertical;
+    std::vector<PlotTick> horizontal_ticks, vertical_ticks;
+    std::string horizontal_title, vertical_title;  ///< empty: none
+};
+
+/// CSS rules the frame uses: grid, frame, tick, axis-title.
+[[nodiscard]] std::string_view plot_frame_style();
+
+void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame);
+
+/// Powers of ten in [lower, upper], every `stride`-th with a label: "10⁻⁹".
+[[nodiscard]] std::vector<PlotTick> decade_ticks(double lower, double upper, int stride);
+
+}  // namespace camopt

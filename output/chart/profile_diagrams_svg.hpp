@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// profile_diagrams.svg: pressure angle and curvature of the cam over the cam angle, with their limits dotted
+// and their extremes marked. Curvature in 1/mm, > 0 convex; where it grows beyond all bounds the curve leaves
+// the frame.
+#pragma once
+
+#include "output/drawing/profile_shape.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// A limit on the magnitude of the pressure angle over a stretch of the cam, rad.
+struct PressureLimit {
+    double begin = 0.0, end = 0.0;  ///< θ
+    double limit = 0.0;
+};
+
+struct ProfileDiagramLimits {
+    std::vector<PressureLimit> pressure;
+    std::optional<double> convex_radius_min, concave_radius_min;  ///< m; 0 is no line
+};
+
+struct ProfileMark {
+    double theta = 0.0;  ///< rad
+    double value = 0.0;  ///< signed: pressure angle in rad, curvature in 1/m
+};
+struct ProfileDiagramMarks {
+    std::vector<ProfileMark> pressure, curvature;
+};
+
+/// marks: the extremes to name, from where the report has them too; none: those of the drawn points, an
+/// eighth of a degree apart.
+[[nodiscard]] std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
+                                               std::string_view title,
+                                               const std::optional<ProfileDiagramMarks>& marks = {});
+
+}  // namespace camopt

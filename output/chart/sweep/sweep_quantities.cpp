@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "output/chart/sweep/sweep_quantities.hpp"
+
+#include "core/units.hpp"
+#include "output/chart/axis_ticks.hpp"
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+SweepQuantity figure_quantity(SweepFigure figure, const std::string& symbol) {
+    const std::string name = words_of(name_of(figure));
+    return {symbol.empty() ? name : name + " " + symbol, symbol.empty() ? name : symbol,
+            [figure](const SweepRow& row) { return row.figure(figure); }};
+}
+
+SweepQuantity dimension_quantity(DimensionIndex dimension) {
+    const std::string title = words_of(name_of(dimension)) + " (mm)";
+    return {title, title, [dimension](const SweepRow& row) -> std::optional<double> {
+                const std::optional<double>& metres = row.dimension(dimension);
+                return metres ? std::optional(*metres / units::millimetre) : std::nullopt;
+            }};
+}
+
+}  // namespace
+
+SweepQuantity objective_quantity() {
+    return {"objective", "f", [](const SweepRow& row) { return row.objective; }};
+}
+
+std::array<SweepQuantity, 3> peak_quantities() {
+    return {figure_quantity(SweepFigure::velocity, "V"), figure_quantity(SweepFigure::acceleration, "A"),
+            figure_quantity(SweepFigure::jerk, "J")};
+}
+
+std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
+    std::vector<SweepQuantity> quantities = {objective_quantity()};
+    for (SweepQuantity& peak : peak_quantities()) quantities.push_back(std::move(peak));
+    for (const SweepFigure figure :
+         {SweepFigure::torque, SweepFigure::rms_acceleration, SweepFigure::rms_jerk}) {
+        if (std::ranges::find(table.columns.criteria, name_of(figure)) != table.columns.criteria.end())
+            quantities.push_back(figure_quantity(figure, ""));
+    }
+    for (const DimensionIndex dimension : table.columns.dimensions)
+        quantities.push_back(dimension_quantity(dimension));
+    return quantities;
+}
+
+void ValueRange::add(double value) {
+    if (!std::isfinite(value)) return;
+    lower = started ? std::min(lower, value) : value;
+    upper = started ? std::max(upper, value) : value;
+    started = true;
+}
+
+ValueRange ValueRange::padded(double part) const {
+    const double width = std::max(upper - lower, 1e-6 * std::max(1.0, std::abs(upper)));
+    return {lower - part * width, upper + part * width, started};
+}
+
+ValueRange range_of(std::span<const SweepRow> rows, const SweepQuantity& quantity) {
+    ValueRange range;
+    for (const SweepRow& row : rows) {
+        if (!row.is_feasible()) continue;
+        if (const std::optional<double> value = quantity.value(row)) range.add(*value);
+    }
+    return range;
+}
+
+bool spans_factors(const ValueRange& range) {
+    constexpr double large_factor = 6.0;
+    return !range.empty() && range.lower > 0.0 && range.upper > large_factor * range.lower;
+}
+
+PlotAxis axis_over(const ValueRange& range, double begin, double end) {
+    constexpr double room = 0.05;
+    if (!spans_factors(range)) {
+        const ValueRange wide = range.padded(room);
+        return {wide.lower, wide.upper, begin, end, false};
+    }
+    const double factor = std::pow(range.upper / range.lower, room);
+    return {range.lower / factor, range.upper * factor, begin, end, true};
+}
+
+std::vector<PlotTick> labelled_ticks(const PlotAxis& axis, int wanted) {
+    std::vector<PlotTick> ticks;
+    if (axis.logarithmic) {
+        for (double power = std::pow(10.0, std::floor(std::log10(axis.lower))); power <= axis.upper;
+             power *= 10.0)
+            for (const double digit : {1.0, 2.0, 5.0})
+                if (axis.holds(digit * power)) ticks.push_back({digit * power, short_text(digit * power, 5)});
+        return ticks;
+    }
+    const std::vector<double> values = round_ticks(axis.lower, axis.upper, wanted);
+    const double step = values.size() > 1 ? values[1] - values[0] : axis.upper - axis.lower;
+    for (const double value : values) ticks.push_back({value, tick_text(value, step)});
+    return ticks;
+}
+
+}  // namespace camopt

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// sweep.svg: the picture of a finished sweep.
+//
+// Weights of V, A, J alone: the objective and each peak over the triangle of weights, the trade-off in the
+// planes V–A, A–J, V–J (front rows coloured by the third peak), and where the classical laws lie above it.
+// One other key: lines over it. Two that form a grid: maps. Anything else: the three planes and the rows in
+// order. Infeasible rows are shaded, failed ones are marked; a row that is drawn carries the class "rN", N
+// its number.
+#pragma once
+
+#include "scene/scene.hpp"
+#include "studies/compare/law_losses.hpp"
+#include "studies/sweep/sweep_row.hpp"
+
+#include <string>
+
+namespace camopt {
+
+struct SweepPicture {
+    const SweepTable& table;
+    const Scene& scene;                 ///< without the settings of the rows
+    const LawLosses* losses = nullptr;  ///< null: no laws are drawn
+};
+
+[[nodiscard]] std::string sweep_svg(const SweepPicture& picture);
+
+/// The table of rows that a picture belongs to has no more than one motion's own weights: V, A and J.
+[[nodiscard]] bool is_weight_sweep(const SweepTable& table);
+
+}  // namespace camopt

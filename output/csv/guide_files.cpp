@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "output/csv/guide_files.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/chart/paper_figure_svg.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/drawing/mechanism_figures.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+
+namespace camopt {
+
+namespace {
+
+using units::degree, units::millimetre;
+
+constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
+
+/// Both walls at the same cam angles.
+struct Walls {
+    MechanismProfile left, right;
+};
+
+std::string csv_of(const Walls& walls) {
+    std::string text =
+        "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
+        "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
+    for (std::size_t i = 0; i < walls.left.points.size(); ++i) {
+        const MechanismPoint &left = walls.left.points[i], &right = walls.right.points[i];
+        CsvLine line;
+        line.number(left.theta / degree).number(walls.left.outputs[i] / millimetre);
+        for (const Eigen::Vector3d& place : {left.pitch, left.contact, right.contact})
+            line.number(place.x() / millimetre).number(place.y() / millimetre);
+        line.number(left.pressure_angle / degree).number(1.0 / (left.pitch_curvature * millimetre));
+        line.number(left.regularity).number(right.regularity);
+        text += line.finish();
+    }
+    return text;
+}
+
+template <class Place>
+PaperSeries path(const std::string& title, const MechanismProfile& profile, const Place& place) {
+    PaperSeries series{title, {}, {}};
+    for (const MechanismPoint& point : profile.points) {
+        series.x.push_back(place(point).x() / millimetre);
+        series.y.push_back(place(point).y() / millimetre);
+    }
+    return series;
+}
+
+std::string drawing(const Walls& walls, const std::string& title) {
+    PaperFigure figure{"guide", title + ": the guide in its body", "x (mm)", "y (mm)", {}};
+    figure.equal_scales = true;
+    const auto contact = [](const MechanismPoint& point) { return point.contact; };
+    figure.series.push_back(path("left wall", walls.left, contact));
+    figure.series.push_back(path("right wall", walls.right, contact));
+    figure.series.push_back(
+        path("roller's centre", walls.left, [](const MechanismPoint& point) { return point.pitch; }));
+    figure.series.push_back({"body's pivot", {0.0}, {0.0}, true});
+    return paper_figure_svg(figure);
+}
+
+}  // namespace
+
+GuideTexts guide_texts(const Solution& solution, std::optional<int> points) {
+    if (!has_inverse_cam(solution))
+        throw InputError("a guide needs an inverse cam, and this solution has none");
+    const MotionChain motion = cam_motion(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    const int count = points.value_or(default_profile_points(motion, scale));
+    const DrivenMechanism& mechanism = solution.mechanism->mechanism;
+    const Walls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
+                      mechanism_profile(mechanism, motion, scale, count, right_wall)};
+    const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
+    return {csv_of(walls), drawing(walls, title), pressure_angle_svg(solution, walls.left)};
+}
+
+}  // namespace camopt

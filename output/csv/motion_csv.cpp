@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "output/csv/motion_csv.hpp"
+
+#include "output/words/display_scale.hpp"
+#include "output/words/number_text.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace camopt {
+
+namespace {
+
+constexpr int uniform_steps = 360;
+constexpr double same_angle = 1e-12;   // relative to the motion's length: angles this close are one row
+constexpr double jump_of_jerk = 1e-9;  // relative to the peak jerk: a smaller difference is round-off
+
+bool jerk_jumps(const Motion& motion, double x, double peak) {
+    if (x <= motion.begin() || x >= motion.end()) return false;
+    const double left = motion.at(x, Side::left).derivative[3];
+    const double right = motion.at(x, Side::right).derivative[3];
+    if (!std::isfinite(left) || !std::isfinite(right)) return true;
+    return std::abs(right - left) > jump_of_jerk * peak;
+}
+
+void append_cell(std::string& line, double value) {
+    line += ',';
+    line += round_trip_text(value);
+}
+
+void append_values(std::string& line, const MotionPoint& point, const DerivativeScale& scale,
+                   std::size_t first) {
+    for (std::size_t r = first; r < scale.factor.size(); ++r)
+        append_cell(line, scale.factor[r] * point.derivative[r]);
+}
+
+std::string header(const DisplayScale& scale) {
+    std::string line = "theta_deg";
+    for (const std::string& column : scale.by_angle.column) line += "," + column;
+    line += ",x,y,dy,ddy,dddy";
+    if (scale.by_time) {
+        line += ",t_s";
+        for (std::size_t r = 1; r < 4; ++r) line += "," + scale.by_time->column[r];
+    }
+    return line + "\n";
+}
+
+}  // namespace
+
+std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
+    const double begin = motion.begin(), end = motion.end();
+    const double near = same_angle * (end - begin);
+    const std::vector<double> breakpoints = motion.breakpoints();
+    // Breakpoints first: an angle that agrees with one to round-off must not stand in its place.
+    std::set<double> angles(breakpoints.begin(), breakpoints.end());
+    const auto add = [&](double x) {
+        const auto next = angles.lower_bound(x - near);
+        if (x >= begin && x <= end && (next == angles.end() || *next > x + near)) angles.insert(x);
+    };
+    for (const Extremum* peak : {&peaks.velocity, &peaks.acceleration, &peaks.jerk, &peaks.torque})
+        add(peak->at);
+    for (int i = 0; i <= uniform_steps; ++i) add(begin + (end - begin) * i / uniform_steps);
+    std::vector<MotionRow> rows;
+    for (const double x : angles) {
+        if (jerk_jumps(motion, x, peaks.jerk.value)) rows.push_back({x, Side::left});
+        rows.push_back({x, x >= end ? Side::left : Side::right});
+    }
+    return rows;
+}
+
+std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec) {
+    const DisplayScale scale = display_scale(spec);
+    std::string text = header(scale);
+    for (const MotionRow& row : motion_rows(motion, peaks)) {
+        const MotionPoint point = motion.at(row.x, row.side);
+        text += round_trip_text(scale.degrees_per_x * row.x);
+        append_values(text, point, scale.by_angle, 0);
+        append_cell(text, row.x);
+        for (const double value : point.derivative) append_cell(text, value);
+        if (scale.by_time) {
+            append_cell(text, scale.seconds_per_x * row.x);
+            append_values(text, point, *scale.by_time, 1);
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace camopt

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "output/csv/sweep_csv.hpp"
+
+#include "core/errors.hpp"
+#include "core/number_parsing.hpp"
+#include "core/units.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/csv/csv_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <type_traits>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr std::string_view between_limits = "; ";
+
+std::string dimension_column(DimensionIndex index) {
+    return fmt::format("{}_mm", name_of(index));
+}
+
+std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
+    CsvLine line;
+    line.count(row.number);
+    for (const double value : row.settings) line.number(value);
+    line.words(name_of(row.verdict)).words(row.reason).count(row.on_front ? 1 : 0);
+    line.number(row.objective).number(row.lower_bound).number(row.gap).number(row.any_curve_limit);
+    for (const std::optional<double>& figure : row.figures) line.number(figure);
+    for (const DimensionIndex index : columns.dimensions) {
+        const std::optional<double>& value = row.dimension(index);
+        line.number(value ? std::optional(*value / units::millimetre) : std::nullopt);
+    }
+    line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits)));
+    const EvaluationCounts& counts = row.evaluations;
+    line.count(row.iterations).count(row.exchange_rounds);
+    line.count(counts.cost).count(counts.gradient).count(counts.constraints).count(counts.jacobian);
+    line.count(counts.hessian).count(counts.profile_points);
+    return line.number(row.seconds_solve).number(row.seconds_total).finish();
+}
+
+/// The length in m that is written as so many mm, to the last bit.
+double metres(double millimetres) {
+    const double near = millimetres * units::millimetre;
+    for (const double value : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
+        if (value / units::millimetre == millimetres) return value;
+    return near;
+}
+
+/// The cells of one line, taken one after another.
+class Cells {
+ public:
+    Cells(const CsvRecord& record, const std::vector<std::string>& columns, std::string_view name)
+        : record_(record), columns_(columns), name_(name) {
+        if (record.cells.size() != columns.size())
+            throw InputError(fmt::format("{}:{}: found {} cells; allowed: {}, one a column", name,
+                                         record.line, record.cells.size(), columns.size()));
+    }
+
+    const std::string& words() { return record_.cells[next_++]; }
+    std::optional<double> number_or_none() {
+        return record_.cells[next_].empty() ? (++next_, std::nullopt) : std::optional(number<double>());
+    }
+    template <typename Number>
+    Number number() {
+        const std::string& cell = words();
+        if constexpr (std::is_integral_v<Number>) {
+            const std::optional<long long> value = integer_in(cell);
+            if (!value || !std::in_range<Number>(*value)) fail("a number");
+            return static_cast<Number>(*value);
+        } else {
+            const std::optional<double> value = number_in(cell);
+            if (!value) fail("a number");
+            return *value;
+        }
+    }
+    Verdict verdict() {
+        const std::string& cell = words();
+        for (const Verdict value :
+             {Verdict::optimal, Verdict::local, Verdict::feasible, Verdict::infeasible, Verdict::failed})
+            if (cell == name_of(value)) return value;
+        fail("a verdict");
+    }
+    std::vector<std::string> list() {
+        std::vector<std::string> items;
+        std::string_view rest = words();
+        while (!rest.empty()) {
+            const std::size_t end = rest.find(between_limits);
+            items.emplace_back(rest.substr(0, end));
+            rest = end == std::string_view::npos ? "" : rest.substr(end + between_limits.size());
+        }
+        return items;
+    }
+
+ private:
+    [[noreturn]] void fail(std::string_view allowed) const {
+        throw InputError(fmt::format("{}:{}: {}: found \"{}\"; allowed: {}", name_, record_.line,
+                                     columns_[next_ - 1], record_.cells[next_ - 1], allowed));
+    }
+
+    const CsvRecord& record_;
+    const std::vector<std::string>& columns_;
+    std::string_view name_;
+    std::size_t next_ = 0;
+};
+
+SweepRow read_row(const SweepColumns& columns, Cells cells) {
+    SweepRow row;
+    row.number = cells.number<int>();
+    for (std::size_t i = 0; i < columns.keys.size(); ++i) row.settings.push_back(cells.number<double>());
+    row.verdict = cells.verdict();
+    row.reason = cells.words();
+    row.on_front = cells.number<int>() != 0;
+    for (auto* value : {&row.objective, &row.lower_bound, &row.gap, &row.any_curve_limit})
+        *value = cells.number_or_none();
+    for (auto& figure : row.figures) figure = cells.number_or_none();
+    for (const DimensionIndex index : columns.dimensions)
+        if (const std::optional<double> value = cells.number_or_none())
+            row.dimensions[static_cast<std::size_t>(index)] = metres(*value);
+    row.active_limits = cells.list();
+    row.iterations = cells.number<int>();
+    row.exchange_rounds = cells.number<int>();
+    EvaluationCounts& counts = row.evaluations;
+    for (long* count : {&counts.cost, &counts.gradient, &counts.constraints, &counts.jacobian,
+                        &counts.hessian, &counts.profile_points})
+        *count = cells.number<long>();
+    row.seconds_solve = cells.number<double>();
+    row.seconds_total = cells.number<double>();
+    return row;
+}
+
+/// What varies, from the first line.
+SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
+    SweepColumns columns;
+    const std::vector<std::string>& cells = record.cells;
+    const auto verdict = std::ranges::find(cells, "verdict");
+    if (verdict != cells.end()) columns.keys.assign(cells.begin() + 1, verdict);
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        if (std::find(verdict, cells.end(), dimension_column(index)) != cells.end())
+            columns.dimensions.push_back(index);
+    }
+    if (cells != sweep_csv_columns(columns))
+        throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
+                                     record.line, fmt::join(sweep_csv_columns(columns), ",")));
+    return columns;
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
+    std::vector<std::string> names = {"row"};
+    const auto add = [&](std::initializer_list<const char*> more) {
+        names.insert(names.end(), more.begin(), more.end());
+    };
+    names.insert(names.end(), columns.keys.begin(), columns.keys.end());
+    add({"verdict", "reason", "pareto_front", "objective", "lower_bound", "gap", "any_curve_limit"});
+    for (int i = 0; i < sweep_figure_count; ++i) add({name_of(static_cast<SweepFigure>(i))});
+    for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
+    add({"active_limits", "iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",
+         "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations", "profile_points",
+         "seconds_solve", "seconds_total"});
+    return names;
+}
+
+std::string sweep_csv(const SweepTable& table) {
+    CsvLine titles;
+    for (const std::string& title : sweep_csv_columns(table.columns)) titles.words(title);
+    std::string text = titles.finish();
+    for (const SweepRow& row : table.rows) text += csv_line(table.columns, row);
+    return text;
+}
+
+SweepTable read_sweep_csv(std::string_view text, std::string_view name) {
+    const std::vector<CsvRecord> records = csv_records(text, name);
+    if (records.empty()) throw InputError(fmt::format("{}:1: found nothing; allowed: a sweep.csv", name));
+    if (!text.ends_with('\n'))
+        throw InputError(fmt::format("{}:{}: found a line without an end; allowed: a whole sweep.csv", name,
+                                     records.back().line));
+    SweepTable table;
+    table.columns = read_columns(records.front(), name);
+    const std::vector<std::string> columns = sweep_csv_columns(table.columns);
+    for (std::size_t i = 1; i < records.size(); ++i)
+        table.rows.push_back(read_row(table.columns, Cells(records[i], columns, name)));
+    return table;
+}
+
+}  // namespace camopt

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/cam_profile.hpp"
+
+#include "core/errors.hpp"
+#include "objectives/rules/cam_limits.hpp"
+#include "output/chart/profile_diagrams_svg.hpp"
+#include "output/csv/profile_csv.hpp"
+#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/profile_svg.hpp"
+#include "output/words/cam_words.hpp"
+#include "studies/check/check_cam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+constexpr double at_rest = 1e-9;  // of a displacement: less than this over a piece is a dwell
+
+std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
+    if (!limit) return {};
+    return limit->value;
+}
+
+/// Rise and return may have limits of their own; where the follower rests the least of all holds. Pieces
+/// between the motion's breakpoints are told apart by what the follower does over them.
+std::vector<PressureLimit> pressure_spans(const Scene& scene, const Motion& motion) {
+    const PressureLimits limits = pressure_limits(scene.limits);
+    const std::optional<WrittenLimit> at_standstill = limits.at_rest();
+    if (!at_standstill) return {};
+    const double angle = scene.motion.unit_angle();
+    std::vector<PressureLimit> spans;
+    const std::vector<double> places = motion.breakpoints();
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const double change = motion.at(places[i + 1], Side::left).derivative[0] -
+                              motion.at(places[i], Side::right).derivative[0];
+        const auto& own = std::abs(change) < at_rest ? at_standstill
+                          : change > 0.0             ? limits.rise
+                                                     : limits.back;
+        if (!own) continue;
+        const bool goes_on =
+            !spans.empty() && spans.back().end == angle * places[i] && spans.back().limit == own->value;
+        if (goes_on)
+            spans.back().end = angle * places[i + 1];
+        else
+            spans.push_back({angle * places[i], angle * places[i + 1], own->value});
+    }
+    return spans;
+}
+
+std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
+                   const CamProfileOptions& options) {
+    const std::vector<ProfilePoint> points =
+        sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance});
+    std::vector<double> displacements;
+    for (const ProfilePoint& point : points) {
+        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
+        displacements.push_back(scale.lift * motion.at(x).derivative[0]);
+    }
+    return profile_csv(points, displacements, cam.follower);
+}
+
+/// Where the report says that the extremes are: one source, so that both name the same angle where a
+/// maximum is flat or is reached twice.
+ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summary, double unit_angle) {
+    ProfileDiagramMarks marks;
+    const auto add_pressure = [&](const CamExtreme& extreme) {
+        const bool there = std::ranges::any_of(
+            marks.pressure, [&](const ProfileMark& mark) { return mark.theta == unit_angle * extreme.at; });
+        if (there || !(extreme.value > 0.0)) return;
+        const double theta = unit_angle * extreme.at;
+        marks.pressure.push_back({theta, std::copysign(extreme.value, shape.at(theta).pressure_angle)});
+    };
+    add_pressure(summary.pressure_angle);
+    add_pressure(summary.rise_pressure_angle);
+    add_pressure(summary.return_pressure_angle);
+    if (const std::optional<CamExtreme> convex = convex_radius(summary))
+        marks.curvature.push_back({unit_angle * convex->at, 1.0 / convex->value});
+    if (summary.concave_radius)
+        marks.curvature.push_back(
+            {unit_angle * summary.concave_radius->at, -1.0 / summary.concave_radius->value});
+    return marks;
+}
+
+}  // namespace
+
+CamProfileTexts cam_profile(const Solution& solution, const CamProfileOptions& options) {
+    if (!solution.cam) throw InputError("a profile needs a cam, and this solution has none");
+    const DiskCam& cam = solution.cam->cam;
+    const MotionChain motion = cam_motion(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    ProfileShape shape = profile_shape(cam, motion, scale);
+    shape.face_half_width = solution.scene.cam->face_half_width;
+    const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
+    const ProfileDiagramLimits limits{pressure_spans(solution.scene, motion),
+                                      value_of(solution.scene.limits.cam_radius_min),
+                                      value_of(solution.scene.limits.concave_radius_min)};
+    CamProfileTexts texts{
+        csv_of(cam, motion, scale, options), profile_svg(shape, title),
+        profile_diagrams_svg(shape, limits, title, marks_of(shape, solution.cam->summary, scale.unit_angle)),
+        std::nullopt};
+    if (options.dxf) texts.dxf = profile_dxf(shape, options.dxf_tolerance).text;
+    return texts;
+}
+
+}  // namespace camopt

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/follower_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Of the size, below.
+constexpr double stem_length = 1.2, stem_half_width = 0.07, guide_begin = 0.6, guide_end = 1.0;
+constexpr double ghost_length = 0.45, plate = 0.07, face_margin = 0.12, pivot_radius = 0.06;
+
+double roller_of(const DiskCam& cam) {
+    return has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
+}
+
+Vector2d turned_left(const Vector2d& direction) {
+    return {-direction.y(), direction.x()};
+}
+
+}  // namespace
+
+FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset, double largest_offset)
+    : shape_(shape),
+      start_(shape.at(shape.begin())),
+      pose_(follower_pose(shape.cam, start_)),
+      size_(std::max(shape.cam[DimensionIndex::base_radius], roller_of(shape.cam))),
+      least_(least_offset - face_margin * size_),
+      largest_(largest_offset + face_margin * size_) {
+    if (const std::optional<double> half = pushed_face(); half) least_ = -*half, largest_ = *half;
+}
+
+/// Half the width of a flat face that is pushed straight, where it is given.
+std::optional<double> FollowerDrawing::pushed_face() const {
+    const FollowerType follower = shape_.cam.follower;
+    if (!has_flat_face(follower) || is_oscillating(follower)) return std::nullopt;
+    return shape_.face_half_width;
+}
+
+std::vector<Vector2d> FollowerDrawing::reach() const {
+    const DiskCam& cam = shape_.cam;
+    if (is_oscillating(cam.follower)) {
+        const Vector2d around = Vector2d::Constant(2.5 * pivot_radius * size_);
+        return {pose_.pivot + around, pose_.pivot - around, start_.pitch};
+    }
+    std::vector<Vector2d> reach = {
+        start_.pitch + std::max(1.2 * roller_of(cam), (stem_length + plate) * size_) * pose_.lift};
+    if (has_flat_face(cam.follower)) {
+        const Vector2d along = along_face(pose_), foot = start_.contact - start_.contact_offset * along;
+        reach.emplace_back(foot + least_ * along);
+        reach.emplace_back(foot + largest_ * along);
+    }
+    return reach;
+}
+
+/// Direction of growing contact offset, which is that of x (from the pivot) in the fixed frame.
+Vector2d FollowerDrawing::along_face(const FollowerPose& pose) const {
+    return -turned_left(pose.lift);
+}
+
+void FollowerDrawing::draw_whole(const ProfileCanvas& canvas) const {
+    const DiskCam& cam = shape_.cam;
+    if (is_oscillating(cam.follower)) return draw_swinging(canvas);
+    if (has_flat_face(cam.follower)) {
+        const Vector2d along = along_face(pose_), foot = start_.contact - start_.contact_offset * along;
+        const Vector2d up = plate * size_ * pose_.lift;
+        canvas.polyline(std::array<Vector2d, 4>{foot + least_ * along, foot + largest_ * along,
+                                                foot + largest_ * along + up, foot + least_ * along + up},
+                        true, "follower");
+        return draw_stem(canvas, foot + up, 0.0);
+    }
+    draw_stem(canvas, start_.pitch, has_roller(cam.follower) ? 0.0 : 2.0 * stem_half_width);
+    if (!has_roller(cam.follower)) return;
+    canvas.circle(start_.pitch, cam[DimensionIndex::roller_radius], "follower");
+    canvas.circle(start_.pitch, canvas.px(2.0), "pivot");
+}
+
+/// A stem in its guide; with a gap it ends in an edge at the foot.
+void FollowerDrawing::draw_stem(const ProfileCanvas& canvas, const Vector2d& foot, double gap) const {
+    const Vector2d side = stem_half_width * size_ * turned_left(pose_.lift);
+    const auto at = [&](double height) -> Vector2d { return foot + height * size_ * pose_.lift; };
+    std::vector<Vector2d> stem = {at(stem_length) + side, at(gap) + side};
+    if (gap > 0.0) stem.push_back(foot);
+    stem.emplace_back(at(gap) - side);
+    stem.emplace_back(at(stem_length) - side);
+    canvas.polyline(stem, false, "follower");
+    for (const double sign : {-1.5, 1.5})
+        canvas.line(at(guide_begin) + sign * side, at(guide_end) + sign * side, "guide");
+}
+
+void FollowerDrawing::draw_swinging(const ProfileCanvas& canvas) const {
+    const DiskCam& cam = shape_.cam;
+    if (has_roller(cam.follower)) {
+        canvas.line(pose_.pivot, start_.pitch, "arm");
+        canvas.circle(start_.pitch, cam[DimensionIndex::roller_radius], "follower");
+        canvas.circle(start_.pitch, canvas.px(2.0), "pivot");
+    } else {
+        const Vector2d along = (start_.contact - pose_.foot).normalized(), up = plate * size_ * start_.normal;
+        canvas.polyline(std::array<Vector2d, 5>{pose_.pivot, pose_.foot + std::max(least_, 0.0) * along,
+                                                pose_.foot + largest_ * along,
+                                                pose_.foot + largest_ * along + up, pose_.pivot + up},
+                        true, "follower");
+    }
+    draw_pivot(canvas, pose_.pivot);
+}
+
+void FollowerDrawing::draw_pivot(const ProfileCanvas& canvas, const Vector2d& pivot) const {
+    const double radius = pivot_radius * size_;
+    canvas.polyline(std::array<Vector2d, 3>{pivot, pivot + 2.4 * radius * Vector2d(-0.6, -1.0),
+                                            pivot + 2.4 * radius * Vector2d(0.6, -1.0)},
+                    true, "ground");
+    canvas.circle(pivot, radius, "bearing");
+}
+
+FollowerDrawing::Ghost FollowerDrawing::ghost_at(double theta) const {
+    const ProfilePoint point = shape_.at(theta);
+    const FollowerPose pose = follower_pose(shape_.cam, point);
+    const double length = ghost_length * size_;
+    if (has_flat_face(shape_.cam.follower)) {
+        if (pushed_face()) {
+            const Vector2d direction = along_face(pose),
+                           foot = point.contact - point.contact_offset * direction;
+            return {point.contact, foot + least_ * direction, foot + largest_ * direction};
+        }
+        const Vector2d along = length * turned_left(point.normal);
+        return {point.contact, point.contact - along, point.contact + along};
+    }
+    const bool swings = is_oscillating(shape_.cam.follower);
+    const Vector2d away = swings ? Vector2d((pose.pivot - point.pitch).normalized()) : pose.lift;
+    return {point.pitch, point.pitch, point.pitch + std::max(length, 1.2 * roller_of(shape_.cam)) * away};
+}
+
+std::vector<Vector2d> FollowerDrawing::ghost_reach(double theta) const {
+    const Ghost ghost = ghost_at(theta);
+    const Vector2d around = Vector2d::Constant(roller_of(shape_.cam));
+    return {ghost.center - around, ghost.center + around, ghost.from, ghost.to};
+}
+
+void FollowerDrawing::draw_ghost(const ProfileCanvas& canvas, double theta) const {
+    const Ghost ghost = ghost_at(theta);
+    canvas.line(ghost.from, ghost.to, "ghost");
+    if (has_roller(shape_.cam.follower)) canvas.circle(ghost.center, roller_of(shape_.cam), "ghost");
+}
+
+std::string_view follower_style() {
+    return ".follower{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8;stroke-linejoin:round}"
+           ".arm{stroke:#b35900;stroke-width:5;stroke-linecap:round}.guide{stroke:#444;stroke-width:4}"
+           ".pivot{fill:#b35900}.ground{fill:#ddd;stroke:#444;stroke-width:1.2}"
+           ".bearing{fill:#fff;stroke:#444;stroke-width:1.8}"
+           ".ghost{fill:none;stroke:#e0a060;stroke-width:1.1}";
+}
+
+}  // namespace camopt

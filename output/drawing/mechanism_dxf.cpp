@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/mechanism_dxf.hpp"
+
+#include "core/errors.hpp"
+#include "output/drawing/arc_chain.hpp"
+#include "output/drawing/dxf_drawing.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double axis_overhang = 1.15;  // of the largest radius
+constexpr double closing = 1e-9;        // of the largest radius: ends this close are one point
+constexpr int sign_samples = 3600;      // in which the reversals of an undercut outline are looked for
+
+/// The mechanism's cam at any x of the motion.
+class Outline {
+ public:
+    Outline(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale)
+        : mechanism_(mechanism), motion_(motion), scale_(scale) {}
+
+    [[nodiscard]] MechanismPoint at(double x, int station) const {
+        const double place = std::clamp(x, motion_.begin(), motion_.end());
+        return mechanism_point(
+            mechanism_, motion_.at(place, place < motion_.end() ? Side::right : Side::left), scale_, station);
+    }
+    /// Where the motion changes its formula and where the outline's direction of travel reverses.
+    [[nodiscard]] std::vector<double> knots(int station) const {
+        std::vector<double> all = motion_.breakpoints();
+        const double length = motion_.end() - motion_.begin();
+        double before = at(motion_.begin(), station).regularity;
+        for (int i = 1; i <= sign_samples; ++i) {
+            const double right = motion_.begin() + length * i / sign_samples;
+            const double now = at(right, station).regularity;
+            if (before * now < 0.0) all.push_back(reversal(right - length / sign_samples, right, station));
+            before = now;
+        }
+        std::ranges::sort(all);
+        all.erase(std::ranges::unique(all).begin(), all.end());
+        return all;
+    }
+    [[nodiscard]] std::vector<double> breakpoints() const { return motion_.breakpoints(); }
+    [[nodiscard]] bool closed(double size) const {
+        const double turn = (motion_.end() - motion_.begin()) * scale_.unit_angle;
+        const Vector2d gap = (at(motion_.end(), 0).contact - at(motion_.begin(), 0).contact).head<2>();
+        return std::abs(turn - 2.0 * std::numbers::pi) < closing && gap.norm() < closing * size;
+    }
+
+ private:
+    [[nodiscard]] double reversal(double left, double right, int station) const {
+        const bool falling = at(left, station).regularity > 0.0;
+        for (int step = 0; step < 60; ++step) {
+            const double middle = 0.5 * (left + right);
+            ((at(middle, station).regularity > 0.0) == falling ? left : right) = middle;
+        }
+        return right;
+    }
+
+    const DrivenMechanism& mechanism_;
+    const Motion& motion_;
+    MotionScale scale_;
+};
+
+double largest_radius(const ArcChain& chain) {
+    double radius = 0.0;
+    for (const ArcVertex& vertex : chain.vertices) radius = std::max(radius, vertex.position.norm());
+    return radius;
+}
+
+ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed, double tolerance,
+                  double unit_angle) {
+    const PlaneCurve curve = [&](double x) {
+        const MechanismPoint point = outline.at(x, station);
+        return CurvePoint{(of_cam ? point.contact : point.pitch).head<2>(), point.normal.head<2>()};
+    };
+    ArcChainOptions options;
+    options.tolerance = tolerance;
+    options.longest_step /= unit_angle;
+    return arc_chain(curve, of_cam ? outline.knots(station) : outline.breakpoints(), closed, options);
+}
+
+}  // namespace
+
+bool has_plane_mechanism(const Solution& solution) {
+    return solution.mechanism &&
+           (solution.mechanism->mechanism.formulas->planar() || has_inverse_cam(solution));
+}
+
+MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
+    if (!has_plane_mechanism(solution))
+        throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
+    const DrivenMechanism& mechanism = solution.mechanism->mechanism;
+    const MotionChain motion = cam_motion(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    const Outline outline(mechanism, motion, scale);
+    const bool guide = has_inverse_cam(solution);
+    const char* const cam = guide ? "WALLS" : "CAM";
+    DxfDrawing drawing({{cam, 7, DxfLine::continuous},
+                        {"PITCH", 5, DxfLine::dashed},
+                        {"ROLLER", 3, DxfLine::continuous},
+                        {"AXES", 1, DxfLine::center}});
+    const double size = outline.at(motion.end(), 0).pitch.norm();
+    const bool closed = !guide && outline.closed(size);
+    MechanismDxf result;
+    double reach = 0.0;
+    for (int station = 0; station < mechanism.formulas->stations(); ++station) {
+        const ArcChain chain = chain_of(outline, station, true, closed, tolerance, scale.unit_angle);
+        drawing.polyline(cam, chain.vertices, chain.closed);
+        result.arcs += chain.arcs;
+        result.deviation = std::max(result.deviation, chain.deviation);
+        reach = std::max(reach, axis_overhang * largest_radius(chain));
+    }
+    const ArcChain pitch = chain_of(outline, 0, false, closed, tolerance, scale.unit_angle);
+    drawing.polyline("PITCH", pitch.vertices, pitch.closed);
+    const MechanismPoint first = outline.at(motion.begin(), 0);
+    drawing.circle("ROLLER", first.pitch.head<2>(), (first.contact - first.pitch).norm());
+    drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
+    drawing.line("AXES", {0.0, -reach}, {0.0, reach});
+    result.text = drawing.finish();
+    return result;
+}
+
+}  // namespace camopt

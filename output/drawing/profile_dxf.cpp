@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/profile_dxf.hpp"
+
+#include "output/drawing/arc_chain.hpp"
+#include "output/drawing/dxf_drawing.hpp"
+
+#include <algorithm>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double axis_overhang = 1.15;  // of the largest radius
+constexpr double pivot_size = 0.05;     // of the base radius
+
+std::vector<DxfLayer> layers() {
+    return {{"CAM", 7, DxfLine::continuous},     {"PITCH", 5, DxfLine::dashed},
+            {"BASE_CIRCLE", 8, DxfLine::dashed}, {"PRIME_CIRCLE", 8, DxfLine::dashed},
+            {"ROLLER", 3, DxfLine::continuous},  {"FACE", 3, DxfLine::continuous},
+            {"AXES", 1, DxfLine::center}};
+}
+
+/// The cam's direction of travel reverses at its cusps, the pitch curve's does not.
+std::vector<double> knots_with_cusps(const ProfileShape& shape) {
+    std::vector<double> knots = shape.knots;
+    const std::vector<double> cusps = cusp_angles(shape);
+    knots.insert(knots.end(), cusps.begin(), cusps.end());
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    return knots;
+}
+
+ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape& shape, double tolerance) {
+    const bool is_cam = std::string_view(layer) == "CAM";
+    const PlaneCurve curve = [&](double theta) {
+        const ProfilePoint point = shape.at(theta);
+        return CurvePoint{is_cam ? point.contact : point.pitch, point.normal};
+    };
+    ArcChainOptions options;
+    options.tolerance = tolerance;
+    ArcChain chain = arc_chain(curve, is_cam ? knots_with_cusps(shape) : shape.knots, shape.closed, options);
+    drawing.polyline(layer, chain.vertices, chain.closed);
+    return chain;
+}
+
+double largest_radius(const ArcChain& chain) {
+    double radius = 0.0;
+    for (const ArcVertex& vertex : chain.vertices) radius = std::max(radius, vertex.position.norm());
+    return radius;
+}
+
+void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach) {
+    const DiskCam& cam = shape.cam;
+    const ProfilePoint point = shape.at(shape.begin());
+    const FollowerPose pose = follower_pose(cam, point);
+    if (has_roller(cam.follower)) drawing.circle("ROLLER", point.pitch, cam[DimensionIndex::roller_radius]);
+    if (is_oscillating(cam.follower)) {
+        const bool flat = has_flat_face(cam.follower);
+        drawing.line("AXES", {0.0, 0.0}, pose.pivot);
+        drawing.line("AXES", pose.pivot, flat ? pose.foot : point.pitch);
+        drawing.circle("AXES", pose.pivot, pivot_size * cam[DimensionIndex::base_radius]);
+        if (flat) drawing.line("FACE", pose.foot, point.contact + 0.5 * (point.contact - pose.foot));
+        return;
+    }
+    drawing.line("AXES", point.pitch, point.pitch + 0.5 * reach * pose.lift);
+    if (!has_flat_face(cam.follower)) return;
+    const Vector2d along(-pose.lift.y(), pose.lift.x());
+    const Vector2d middle = point.contact - along * along.dot(point.contact);
+    const double half = shape.face_half_width.value_or(0.5 * reach);
+    drawing.line("FACE", middle - half * along, middle + half * along);
+}
+
+}  // namespace
+
+ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
+    DxfDrawing drawing(layers());
+    ProfileDxf result;
+    const ArcChain outline = drawn_chain(drawing, "CAM", shape, tolerance);
+    result.arcs = outline.arcs;
+    result.deviation = outline.deviation;
+    const double base = shape.cam[DimensionIndex::base_radius];
+    drawing.circle("BASE_CIRCLE", {0.0, 0.0}, base);
+    if (has_roller(shape.cam.follower)) {
+        const ArcChain pitch = drawn_chain(drawing, "PITCH", shape, tolerance);
+        result.pitch_arcs = pitch.arcs;
+        result.pitch_deviation = pitch.deviation;
+        drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius]);
+    }
+    const double reach = axis_overhang * largest_radius(outline);
+    drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
+    drawing.line("AXES", {0.0, -reach}, {0.0, reach});
+    draw_follower(drawing, shape, reach);
+    result.text = drawing.finish();
+    return result;
+}
+
+}  // namespace camopt

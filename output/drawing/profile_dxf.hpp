@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// profile.dxf: the cam for CAD and CAM systems, as arcs within a tolerance. Layers CAM, PITCH (roller
+// centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES; the follower where the motion begins;
+// mm; the cam's centre at the origin, cam frame of profiles/disk/disk_cam.hpp.
+#pragma once
+
+#include "output/drawing/profile_shape.hpp"
+
+#include <string>
+
+namespace camopt {
+
+struct ProfileDxf {
+    std::string text;
+    int arcs = 0;            ///< of the cam's outline
+    double deviation = 0.0;  ///< m: the outline from the true cam, along its normal
+    int pitch_arcs = 0;      ///< 0 where there is no pitch curve beside the cam
+    double pitch_deviation = 0.0;
+};
+
+/// tolerance: m, > 0. Closed polylines for a closed cam. An undercut cam is drawn with its loops, as it is.
+/// Throws InputError for a tolerance that is not positive and a cam that is not finite.
+[[nodiscard]] ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance = 1e-6);
+
+}  // namespace camopt

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/profile_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
+constexpr double same_place = 1e-9;   // of the base radius: two points of the cam are one
+constexpr double whole_turn = 1e-9;   // rad
+constexpr int cusp_samples = 720;     // angles searched for sign changes of the regularity
+constexpr int cusp_bisections = 60;   // down to neighbouring numbers
+
+double crossing(const ProfileShape& shape, double left, double right) {
+    const bool left_regular = shape.at(left).regularity > 0.0;
+    for (int i = 0; i < cusp_bisections; ++i) {
+        const double middle = 0.5 * (left + right);
+        if ((shape.at(middle).regularity > 0.0) == left_regular)
+            left = middle;
+        else
+            right = middle;
+    }
+    return 0.5 * (left + right);
+}
+
+Vector2d in_cam_frame(const DiskCam& cam, const Vector2d& fixed, double theta) {
+    const double turn = sense_of(cam.rotation) * theta;
+    const double c = std::cos(turn), s = std::sin(turn);
+    return {c * fixed.x() + s * fixed.y(), c * fixed.y() - s * fixed.x()};
+}
+
+}  // namespace
+
+ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale) {
+    ProfileShape shape;
+    shape.cam = cam;
+    for (const double x : motion.breakpoints()) shape.knots.push_back(scale.unit_angle * x);
+    const double last = motion.end();
+    shape.at = [cam, &motion, scale, last](double theta) {
+        const double x = std::clamp(theta / scale.unit_angle, motion.begin(), last);
+        const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
+        return profile_point(cam, theta, state_of(point, scale));
+    };
+    const bool turn = std::abs(shape.end() - shape.begin() - 2.0 * std::numbers::pi) < whole_turn;
+    const Vector2d gap = shape.at(shape.end()).contact - shape.at(shape.begin()).contact;
+    shape.closed = turn && gap.norm() < same_place * cam[DimensionIndex::base_radius];
+    return shape;
+}
+
+std::vector<std::vector<ProfilePoint>> profile_pieces(const ProfileShape& shape, int steps) {
+    std::vector<std::vector<ProfilePoint>> pieces;
+    for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
+        const double length = shape.knots[i + 1] - shape.knots[i], inside = from_inside * length;
+        const int count =
+            std::max(2, static_cast<int>(std::ceil(steps * length / (shape.end() - shape.begin()))));
+        std::vector<ProfilePoint>& piece = pieces.emplace_back();
+        for (int k = 0; k <= count; ++k)
+            piece.push_back(shape.at(std::clamp(shape.knots[i] + length * k / count, shape.knots[i] + inside,
+                                                shape.knots[i + 1] - inside)));
+    }
+    return pieces;
+}
+
+std::vector<double> cusp_angles(const ProfileShape& shape) {
+    std::vector<double> angles;
+    for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, cusp_samples))
+        for (std::size_t k = 1; k < piece.size(); ++k)
+            if ((piece[k - 1].regularity > 0.0) != (piece[k].regularity > 0.0))
+                angles.push_back(crossing(shape, piece[k - 1].theta, piece[k].theta));
+    return angles;
+}
+
+FollowerPose follower_pose(const DiskCam& cam, const ProfilePoint& point) {
+    FollowerPose pose;
+    pose.lift = in_cam_frame(cam, {0.0, 1.0}, point.theta);
+    if (!is_oscillating(cam.follower)) return pose;
+    pose.pivot = in_cam_frame(cam, {cam[DimensionIndex::center_distance], 0.0}, point.theta);
+    pose.foot = pose.pivot - point.normal * point.normal.dot(pose.pivot - point.contact);
+    return pose;
+}
+
+}  // namespace camopt

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A whole cam as a function of the cam angle: what drawings are made from. Frames and signs as in
+// profiles/disk/disk_cam.hpp; SI units.
+#pragma once
+
+#include "core/motion.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/sampling.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+struct ProfileShape {
+    DiskCam cam;
+    std::function<ProfilePoint(double theta)> at;
+    std::vector<double> knots;  ///< θ where the motion changes its formula, begin and end included; ascending
+    bool closed = true;         ///< the end of the cam is its beginning; false: a sector
+    /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
+    std::optional<double> face_half_width = {};
+
+    [[nodiscard]] double begin() const { return knots.front(); }
+    [[nodiscard]] double end() const { return knots.back(); }
+};
+
+/// Keeps a reference to the motion. Closed where the motion takes a whole turn and its end meets its begin.
+[[nodiscard]] ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale);
+
+/// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:
+/// piece by piece, both ends included.
+[[nodiscard]] std::vector<std::vector<ProfilePoint>> profile_pieces(const ProfileShape& shape, int steps);
+
+/// Where the cam is about to undercut: θ of each sign change of the regularity, ascending.
+[[nodiscard]] std::vector<double> cusp_angles(const ProfileShape& shape);
+
+/// Where the follower stands in the cam frame.
+struct FollowerPose {
+    Eigen::Vector2d lift = {0.0, 1.0};   ///< translating: unit direction of the lift
+    Eigen::Vector2d pivot = {0.0, 0.0};  ///< oscillating
+    Eigen::Vector2d foot = {0.0, 0.0};   ///< oscillating flat: foot of the perpendicular from pivot to face
+};
+
+[[nodiscard]] FollowerPose follower_pose(const DiskCam& cam, const ProfilePoint& point);
+
+}  // namespace camopt

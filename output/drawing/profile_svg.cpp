@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/profile_svg.hpp"
+
+#include "core/units.hpp"
+#include "output/chart/axis_ticks.hpp"
+#include "output/chart/plot_frame.hpp"
+#include "output/drawing/follower_drawing.hpp"
+#include "output/drawing/profile_canvas.hpp"
+#include "output/drawing/profile_legend.hpp"
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+using units::degree, units::millimetre;
+
+// Layout, px.
+constexpr double page_width = 1000, page_height = 760, left = 74, top = 60, width = 660, height = 640,
+                 legend_left = 760, legend_top = 76;
+constexpr double margin = 0.05;  // of the drawing's size, on each side
+constexpr int steps = 1440;      // a quarter of a degree
+constexpr double mark_step = 30 * degree, ghost_step = 60 * degree;
+constexpr double mark_length = 8, mark_distance = 19, mark_room = 9;  // px
+constexpr double label_width = 28, label_height = 12;                 // px
+constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree, arrow_end = 145 * degree;
+
+constexpr double undercut_ring = 14;  // px
+
+const char* page_style =
+    "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;fill:#222}"
+    ".page{fill:#fff}.title{font-size:20px;font-weight:600}"
+    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
+    ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
+    ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}.prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-"
+    "dasharray:2 3}"
+    ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
+    ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
+    "width:3px}"
+    ".bare{stroke:#fff}"
+    ".arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
+    ".ring{fill:none;stroke:#d00000;stroke-width:1.2}.undercut{fill:none;stroke:#d00000;stroke-width:3.2}."
+    "warning{fill:#d00000;font-weight:600}";
+
+using Pieces = std::vector<std::vector<ProfilePoint>>;
+
+template <class Use>
+void for_each_angle(const ProfileShape& shape, double step, Use use) {
+    const double rounding = 1e-6 * step;
+    const bool turn = shape.closed;  // the end is the beginning
+    for (double k = std::ceil((shape.begin() - rounding) / step);
+         k * step < shape.end() + (turn ? -rounding : rounding); ++k)
+        use(std::clamp(k * step, shape.begin(), shape.end()));
+}
+
+struct Extent {
+    Vector2d least = Vector2d::Zero(), most = Vector2d::Zero();
+    void add(const Vector2d& point) {
+        least = least.cwiseMin(point);
+        most = most.cwiseMax(point);
+    }
+};
+
+Extent extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
+    Extent extent;
+    const double roller = has_roller(shape.cam.follower) ? shape.cam[DimensionIndex::roller_radius] : 0.0;
+    const Vector2d prime = Vector2d::Constant(shape.cam[DimensionIndex::base_radius] + roller);
+    extent.add(prime);
+    extent.add(-prime);
+    for (const std::vector<ProfilePoint>& piece : pieces)
+        for (const ProfilePoint& point : piece) {
+            extent.add(point.contact);
+            extent.add(point.pitch);
+        }
+    for (const Vector2d& point : follower.reach()) extent.add(point);
+    for_each_angle(shape, ghost_step, [&](double theta) {
+        for (const Vector2d& point : follower.ghost_reach(theta)) extent.add(point);
+    });
+    const Vector2d room = Vector2d::Constant(margin * (extent.most - extent.least).maxCoeff());
+    return {extent.least - room, extent.most + room};
+}
+
+FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces) {
+    double least = 0.0, largest = 0.0;
+    for (const std::vector<ProfilePoint>& piece : pieces)
+        for (const ProfilePoint& point : piece) {
+            least = std::min(least, point.contact_offset);
+            largest = std::max(largest, point.contact_offset);
+        }
+    return {shape, least, largest};
+}
+
+ProfileCanvas fitted_canvas(SvgCanvas& canvas, const Extent& extent) {
+    const Vector2d size = extent.most - extent.least, middle = 0.5 * (extent.least + extent.most);
+    const double scale = std::min(width / size.x(), height / size.y());
+    return {
+        canvas, {left + 0.5 * width - scale * middle.x(), top + 0.5 * height + scale * middle.y()}, scale};
+}
+
+std::vector<PlotTick> ticks_of(const PlotAxis& axis) {
+    std::vector<PlotTick> ticks;
+    const std::vector<double> values = round_ticks(axis.lower, axis.upper, 8);
+    ticks.reserve(values.size());
+    for (const double value : values)
+        ticks.push_back({value, tick_text(value, values.size() > 1 ? values[1] - values[0] : 1.0)});
+    return ticks;
+}
+
+void draw_frame(const ProfileCanvas& drawing) {
+    const double mm = drawing.scale * millimetre;
+    PlotFrame frame;
+    frame.horizontal = {(left - drawing.origin.x()) / mm, (left + width - drawing.origin.x()) / mm, left,
+                        left + width};
+    frame.vertical = {(drawing.origin.y() - top - height) / mm, (drawing.origin.y() - top) / mm, top + height,
+                      top};
+    frame.horizontal_ticks = ticks_of(frame.horizontal);
+    frame.vertical_ticks = ticks_of(frame.vertical);
+    frame.horizontal_title = "x, y in mm (cam frame)";
+    draw_plot_frame(drawing.canvas, frame);
+}
+
+void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pieces& pieces) {
+    std::vector<Vector2d> outline, pitch;
+    for (const std::vector<ProfilePoint>& piece : pieces)
+        for (const ProfilePoint& point : piece) {
+            outline.push_back(point.contact);
+            pitch.push_back(point.pitch);
+        }
+    drawing.polyline(outline, shape.closed, shape.closed ? "cam" : "sector");
+    const double base = shape.cam[DimensionIndex::base_radius];
+    drawing.circle({0.0, 0.0}, base, "circle");
+    if (!has_roller(shape.cam.follower)) return;
+    drawing.circle({0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius], "prime");
+    drawing.polyline(pitch, shape.closed, "pitch");
+}
+
+/// Whether there is any.
+bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
+    bool found = false;
+    for (const std::vector<ProfilePoint>& piece : pieces) {
+        std::vector<Vector2d> stretch;
+        const auto finish = [&] {
+            if (!stretch.empty()) {
+                drawing.polyline(stretch, false, "undercut");
+                drawing.circle(stretch[stretch.size() / 2], drawing.px(undercut_ring), "ring");
+            }
+            found = found || !stretch.empty();
+            stretch.clear();
+        };
+        for (const ProfilePoint& point : piece) {
+            if (point.regularity <= 0.0)
+                stretch.push_back(point.contact);
+            else
+                finish();
+        }
+        finish();
+    }
+    return found;
+}
+
+/// Where marks crowd, on a sharp nose, the later labels stay away.
+void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
+    std::vector<Vector2d> labels;
+    for_each_angle(shape, mark_step, [&](double theta) {
+        const ProfilePoint point = shape.at(theta);
+        drawing.line(point.contact, point.contact - drawing.px(mark_length) * point.normal, "mark");
+        // Beside a mark that lies flat the label needs room for its width, else the mark looks like a minus.
+        const double distance = mark_distance + mark_room * std::abs(point.normal.x());
+        const Vector2d place = point.contact - drawing.px(distance) * point.normal;
+        const auto covers = [&](const Vector2d& other) {
+            return std::abs(other.x() - place.x()) < drawing.px(label_width) &&
+                   std::abs(other.y() - place.y()) < drawing.px(label_height);
+        };
+        if (std::ranges::any_of(labels, covers)) return;
+        labels.push_back(place);
+        drawing.text(place, fmt::format("{:.0f}°", std::abs(theta / degree)),
+                     shape.closed ? "mark-label" : "mark-label bare");
+    });
+}
+
+void draw_center(const ProfileCanvas& drawing, const DiskCam& cam) {
+    const double arm = drawing.px(9.0), radius = arrow_radius * cam[DimensionIndex::base_radius];
+    drawing.line({-arm, 0.0}, {arm, 0.0}, "center");
+    drawing.line({0.0, -arm}, {0.0, arm}, "center");
+    const bool left_turn = cam.rotation == Rotation::counterclockwise;
+    const auto at = [&](double angle) -> Vector2d {
+        return radius * Vector2d(std::cos(angle), std::sin(angle));
+    };
+    std::vector<Vector2d> arc;
+    for (int i = 0; i <= 40; ++i) arc.push_back(at(arrow_begin + (arrow_end - arrow_begin) * i / 40));
+    if (!left_turn) std::reverse(arc.begin(), arc.end());
+    drawing.polyline(arc, false, "arrow");
+    const Vector2d tip = arc.back(), out = tip.normalized();
+    const Vector2d ahead = (left_turn ? 1.0 : -1.0) * Vector2d(-out.y(), out.x()),
+                   head = drawing.px(arrow_head) * ahead;
+    const Vector2d side = 0.45 * drawing.px(arrow_head) * out;
+    drawing.polyline(std::array<Vector2d, 3>{tip + head, tip + side, tip - side}, true, "arrow-head");
+}
+
+}  // namespace
+
+std::string profile_svg(const ProfileShape& shape, std::string_view title) {
+    const Pieces pieces = profile_pieces(shape, steps);
+    const FollowerDrawing follower = follower_drawing(shape, pieces);
+    SvgCanvas canvas(page_width, page_height,
+                     std::string(page_style) + std::string(plot_frame_style()) +
+                         std::string(follower_style()) + std::string(profile_legend_style()),
+                     title);
+    canvas.rectangle(0, 0, page_width, page_height, "page");
+    canvas.text(left, 38, title, "title");
+    const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
+    draw_frame(drawing);
+    for_each_angle(shape, ghost_step, [&](double theta) {
+        if (theta > shape.begin()) follower.draw_ghost(drawing, theta);
+    });
+    draw_cam(drawing, shape, pieces);
+    const bool undercut = draw_undercut(drawing, pieces);
+    draw_marks(drawing, shape);
+    draw_center(drawing, shape.cam);
+    follower.draw_whole(drawing);
+    draw_profile_legend(canvas, shape, {legend_left, legend_top, undercut});
+    return canvas.finish();
+}
+
+}  // namespace camopt

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "output/json/certificate_json.hpp"
+
+#include "core/errors.hpp"
+#include "output/json/json_text.hpp"
+#include "output/json/version.hpp"
+#include "output/report/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+Json proof_json(const DualityProof& proof) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i) {
+        std::vector<int> indices;
+        std::vector<double> values;
+        for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, i); entry; ++entry) {
+            indices.push_back(static_cast<int>(entry.col()));
+            values.push_back(entry.value());
+        }
+        rows.push_back({{"name", proof.rows[static_cast<std::size_t>(i)]},
+                        {"indices", indices},
+                        {"values", numbers_json(values)},
+                        {"lower", number_json(proof.lower[i])},
+                        {"upper", number_json(proof.upper[i])},
+                        {"multiplier", number_json(proof.multipliers[i])}});
+    }
+    return {{"statement", proof.statement},
+            {"variables", proof.variables},
+            {"cost", numbers_json(proof.cost)},
+            {"constant", number_json(proof.constant)},
+            {"rows", rows},
+            {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
+            {"bound", number_json(proof.bound)},
+            {"limits_relaxed_by", number_json(proof.limits_relaxed_by)}};
+}
+
+/// Proofs that several cases share stand in the first; the others name it.
+Json cases_json(const std::vector<CaseProof>& cases) {
+    if (cases.empty()) return nullptr;
+    std::map<const DualityProof*, int> written;
+    Json list = Json::array();
+    for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
+        const CaseProof& part = cases[static_cast<std::size_t>(i)];
+        const auto [known, fresh] = written.try_emplace(part.proof.get(), i);
+        list.push_back({{"region", part.region},
+                        {"infeasible", part.infeasible},
+                        {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
+                        {"proof_of_case", part.proof ? Json(known->second) : Json(nullptr)},
+                        {"proof", part.proof && fresh ? proof_json(*part.proof) : Json(nullptr)}});
+    }
+    return list;
+}
+
+double number_or(const Json& json, double missing) {
+    return json.is_null() ? missing : json.get<double>();
+}
+
+/// Throws InputError where the list does not have `size` entries.
+Eigen::VectorXd read_vector(const Json& json, std::size_t size, double missing, const char* name) {
+    if (!json.is_array() || json.size() != size)
+        throw InputError(fmt::format("{}: expected a list of {} numbers, found {}", name, size, json.size()));
+    Eigen::VectorXd values(static_cast<Eigen::Index>(size));
+    for (std::size_t i = 0; i < size; ++i) values[static_cast<Eigen::Index>(i)] = number_or(json[i], missing);
+    return values;
+}
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void read_row(const Json& row, int index, int columns, Triplets& entries) {
+    const auto indices = row.at("indices").get<std::vector<int>>();
+    const auto values = row.at("values").get<std::vector<double>>();
+    if (indices.size() != values.size())
+        throw InputError(
+            fmt::format("row {}: {} indices, but {} values", index, indices.size(), values.size()));
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+        if (indices[k] < 0 || indices[k] >= columns)
+            throw InputError(
+                fmt::format("row {}: index {}, allowed 0 to {}", index, indices[k], columns - 1));
+        entries.emplace_back(index, indices[k], values[k]);
+    }
+}
+
+void read_rows(const Json& rows, DualityProof& proof) {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    const int columns = static_cast<int>(proof.variables.size());
+    proof.lower.resize(count);
+    proof.upper.resize(count);
+    proof.multipliers.resize(count);
+    Triplets entries;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Json& row = rows.at(static_cast<std::size_t>(i));
+        proof.rows.push_back(row.at("name").get<std::string>());
+        proof.lower[i] = number_or(row.at("lower"), -infinity);
+        proof.upper[i] = number_or(row.at("upper"), infinity);
+        proof.multipliers[i] = row.at("multiplier").get<double>();
+        read_row(row, static_cast<int>(i), columns, entries);
+    }
+    proof.matrix.resize(count, columns);
+    proof.matrix.setFromTriplets(entries.begin(), entries.end());
+}
+
+DualityProof read_proof(const Json& json) {
+    DualityProof proof;
+    proof.statement = json.at("statement").get<std::string>();
+    proof.variables = json.at("variables").get<std::vector<std::string>>();
+    const std::size_t variables = proof.variables.size();
+    proof.cost = read_vector(json.at("cost"), variables, infinity, "cost");
+    proof.constant = json.at("constant").get<double>();
+    read_rows(json.at("rows"), proof);
+    proof.box.lower = read_vector(json.at("box").at("lower"), variables, -infinity, "box.lower");
+    proof.box.upper = read_vector(json.at("box").at("upper"), variables, infinity, "box.upper");
+    proof.bound = number_or(json.at("bound"), -infinity);
+    proof.limits_relaxed_by = json.value("limits_relaxed_by", 0.0);
+    return proof;
+}
+
+}  // namespace
+
+std::string_view how_to_check() {
+    return "The problem: minimize constant + sum_j cost[j] x[j] over lower <= sum_k values[k] "
+           "x[indices[k]] <= upper for every row, with x in the box, which is known to hold a best "
+           "point. Weak duality, with the multipliers m: let b_i be the row's upper side where m_i > 0 "
+           "and its lower side where m_i < 0, and r[j] = cost[j] + sum_i m_i G_ij, where G_ij are the "
+           "rows' values. Then no point of the problem has less than constant - sum_i m_i b_i + sum_j "
+           "min(r[j] box.lower[j], r[j] box.upper[j]). This number must not be less than \"bound\" (up "
+           "to the rounding of your own sum). Any multipliers give a true bound, so nothing has to be "
+           "believed of the solver. Statement \"objective\": no curve of this kind has a smaller "
+           "objective than the bound; where \"limits_relaxed_by\" is above 0, the rows of limits stand moved "
+           "out by that part of their size, and the bound is of every curve that keeps the limits to within "
+           "it. Statement \"least_common_violation\": every curve of this kind "
+           "violates some limit by at least the bound, so a bound above 0 proves that the scene is "
+           "infeasible. Statement \"conditions\": the rows are conditions that contradict each other; a "
+           "bound above 0 proves that no curve of this kind meets them all. null: the side is open "
+           "(infinite). \"cases\": where displacements are free, the cases together hold all that they may "
+           "be, each has its bound, proved by the problem of the case that \"proof_of_case\" counts (from "
+           "0), and the least of the bounds is that of the whole. A case may rest on the proof of a larger "
+           "one, or, where a segment between dwells moves in it, on that of the single rise in the same "
+           "spline space, whose peaks no such segment can pass below.";
+}
+
+std::string certificate_json(const Certificate& certificate) {
+    Json json;
+    json["camopt"] = version();
+    json["verdict"] = name_of(certificate.verdict);
+    json["reason"] = certificate.reason.empty() ? Json(nullptr) : Json(certificate.reason);
+    json["objective"] = number_json(certificate.objective);
+    json["lower_bound"] = number_json(certificate.lower_bound);
+    json["gap"] = number_json(certificate.gap);
+    json["worst_violation"] = number_json(certificate.worst_violation);
+    json["stationarity"] = number_json(certificate.stationarity);
+    json["proof_kind"] = name_of(certificate.proof_kind);
+    json["how_to_check"] = how_to_check();
+    json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);
+    json["cases"] = cases_json(certificate.cases);
+    return json_text(json);
+}
+
+DualityProof read_certificate(const std::filesystem::path& path) {
+    const std::string text = read_text_file(path);
+    try {
+        const Json json = Json::parse(text);
+        const Json& proof = json.at("proof");
+        if (proof.is_null()) throw InputError("the certificate holds no proof");
+        return read_proof(proof);
+    } catch (const Json::exception& error) {
+        throw InputError(fmt::format("{}: not a certificate of camopt: {}", path.string(), error.what()));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace camopt

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// certificate.json: the verdict with its proof, complete, so that anybody can recompute the bound from the
+// file alone, with or without camopt. The recipe stands in the file itself under "how_to_check".
+#pragma once
+
+#include "solvers/certificate/certificate.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+/// The recipe in words and formulas, as it stands in the file and in the report.
+[[nodiscard]] std::string_view how_to_check();
+
+[[nodiscard]] std::string certificate_json(const Certificate& certificate);
+
+/// The proof stored in a file, bit for bit as it was written. Throws InputError where the file cannot be
+/// read, is no certificate, holds no proof, or holds lists whose lengths do not match.
+[[nodiscard]] DualityProof read_certificate(const std::filesystem::path& path);
+
+}  // namespace camopt

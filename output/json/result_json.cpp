@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "output/json/result_json.hpp"
+
+#include "output/json/cam_json.hpp"
+#include "output/json/json_text.hpp"
+#include "output/json/segment_json.hpp"
+#include "output/json/version.hpp"
+#include "output/words/display_scale.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace camopt {
+
+namespace {
+
+Json bound_json(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    return {{"lower", number_json(certificate.lower_bound)},
+            {"gap", number_json(certificate.gap)},
+            {"proof", name_of(certificate.proof_kind)},
+            {"any_curve_limit",
+             solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr)},
+            {"source", words_json(solution.solver.proof_source)}};
+}
+
+/// The peaks in the units of the drawing, named like the columns of motion.csv.
+Json physical_peaks_json(const Solution& solution) {
+    if (!solution.motion) return nullptr;
+    const DisplayScale scale = display_scale(solution.scene.motion);
+    const Peaks& peaks = solution.motion_peaks;
+    const double values[] = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
+    Json json = Json::object();
+    const auto add = [&](const DerivativeScale& derivatives) {
+        for (std::size_t r = 1; r <= 3; ++r)
+            json[derivatives.column[r]] = number_json(derivatives.factor[r] * values[r - 1]);
+    };
+    add(scale.by_angle);
+    if (scale.by_time) add(*scale.by_time);
+    return json;
+}
+
+/// What the objective divides by. Zero stands in a Solution for "not in use".
+Json reference_json(const Solution& solution) {
+    const Reference& reference = solution.scene.objective.reference;
+    const Peaks& peaks = solution.reference_peaks;
+    const auto used = [](double value) { return value > 0.0 ? number_json(value) : Json(nullptr); };
+    return {{"law", reference.numeric ? Json(nullptr) : Json(reference.law)},
+            {"velocity", used(peaks.velocity.value)},
+            {"acceleration", used(peaks.acceleration.value)},
+            {"jerk", used(peaks.jerk.value)},
+            {"torque", used(peaks.torque.value)},
+            {"rms_acceleration", used(peaks.rms_acceleration)},
+            {"rms_jerk", used(peaks.rms_jerk)}};
+}
+
+Json constraints_json(const Solution& solution) {
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json list = Json::array();
+    for (const ConstraintReport& row : solution.constraints) {
+        list.push_back({{"name", row.name},
+                        {"limit", number_json(row.limit)},
+                        {"worst", number_json(row.worst)},
+                        {"unit", row.unit},
+                        {"at_deg", number_json(row.at * degrees_per_x)},
+                        {"active", row.active},
+                        {"no_contact", row.no_contact},
+                        {"key", row.key}});
+    }
+    return list;
+}
+
+Json design_json(const Solution& solution) {
+    if (!solution.motion) return nullptr;
+    return {{"kind", name_of(solution.design.kind)},
+            {"names", solution.design.names},
+            {"values", numbers_json(solution.design.values)}};
+}
+
+Json solver_json(const SolverReport& solver) {
+    return {{"name", solver.name},
+            {"termination", name_of(solver.termination)},
+            {"iterations", solver.iterations},
+            {"exchange_rounds", solver.exchange_rounds},
+            {"native_status", words_json(solver.native_status)},
+            {"choice", words_json(solver.choice)},
+            {"convex", solver.convex},
+            {"starts", solver.starts}};
+}
+
+Json evaluations_json(const EvaluationCounts& count) {
+    return {
+        {"cost", count.cost},         {"gradient", count.gradient}, {"constraints", count.constraints},
+        {"jacobian", count.jacobian}, {"hessian", count.hessian},   {"profile_points", count.profile_points}};
+}
+
+Json relaxation_json(const std::vector<Relaxation>& rows) {
+    Json list = Json::array();
+    for (const Relaxation& row : rows) {
+        Json one = {{"key", row.key}, {"given", number_json(row.given)}, {"needed", number_json(row.needed)}};
+        if (row.solved) one["solved"] = number_json(row.solved);
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json explanation_json(const Explanation& explanation) {
+    return {{"together", relaxation_json(explanation.together)},
+            {"any_motion", explanation.any_motion},
+            {"alone", explanation.alone},
+            {"finest_segments", explanation.finest > 0 ? Json(explanation.finest) : Json(nullptr)},
+            {"unsettled", explanation.unsettled},
+            {"seconds", number_json(explanation.seconds)},
+            {"allowed_seconds", number_json(explanation.allowed)}};
+}
+
+Json conflict_json(const Solution& solution) {
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json list = Json::array();
+    for (const ConflictReport& row : solution.conflict)
+        list.push_back({{"key", row.key},
+                        {"at_deg", number_json(row.at * degrees_per_x)},
+                        {"weight", number_json(row.weight)}});
+    return list;
+}
+
+}  // namespace
+
+std::string result_json(const Solution& solution, const RunOrigin& origin) {
+    const Certificate& certificate = solution.certificate;
+    Json json;
+    json["camopt"] = version();
+    json["scene"] = words_json(origin.scene_file);
+    json["title"] = words_json(solution.scene.title);
+    json["command"] = words_json(origin.command);
+    json["verdict"] = name_of(certificate.verdict);
+    json["reason"] = words_json(certificate.reason);
+    json["objective"] = number_json(certificate.objective);
+    json["bound"] = bound_json(solution);
+    json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
+    json["physical_peaks"] = physical_peaks_json(solution);
+    json["reference"] = reference_json(solution);
+    json["worst_violation"] = number_json(certificate.worst_violation);
+    json["stationarity"] = number_json(certificate.stationarity);
+    json["constraints"] = constraints_json(solution);
+    if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
+        json["relaxation"] = relaxation_json(solution.relaxation);
+    if (solution.explanation) json["explanation"] = explanation_json(*solution.explanation);
+    if (certificate.verdict == Verdict::infeasible) json["conflict"] = conflict_json(solution);
+    json["spline"] = spline_json(solution.curve);
+    json["segments"] = segments_json(solution);
+    json["design"] = design_json(solution);
+    json["dimensions"] = dimensions_json(solution);
+    json["cam"] = cam_json(solution);
+    json["solver"] = solver_json(solution.solver);
+    json["evaluations"] = evaluations_json(solution.evaluations);
+    json["seconds"] = {{"total", number_json(solution.seconds_total)},
+                       {"solve", number_json(solution.seconds_solve)}};
+    json["notes"] = solution.notes;
+    return json_text(json);
+}
+
+}  // namespace camopt

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// sweep.json: what a folder of a sweep holds, so that a run can be continued and parts can be joined.
+#pragma once
+
+#include "studies/sweep/sweep_row.hpp"
+#include "studies/sweep/sweep_run.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// Everything that a row's result depends on.
+struct SweepIdentity {
+    std::string version;                ///< of the camopt that made it
+    std::string scene_file;             ///< as given; for people, another path to the same text is the same
+    std::string scene_text;             ///< the scene file as it was read
+    std::vector<std::string> settings;  ///< KEY=VALUE, the same for all rows
+    std::vector<std::string> axes;      ///< "--weights simplex:20", …: for people
+    std::string plan;                   ///< fingerprint (studies/sweep/sweep_plan.hpp)
+    SweepColumns columns;
+    Chunking chunking;
+};
+
+/// What makes two sweeps different ones, in words ("another scene file"); empty where nothing does.
+[[nodiscard]] std::string difference(const SweepIdentity& one, const SweepIdentity& other);
+
+/// Every count-th chunk, the index-th of every round, from 1. 1 of 1: the whole.
+struct SweepShard {
+    int index = 1, count = 1;
+
+    [[nodiscard]] bool is_whole() const { return count == 1; }
+    [[nodiscard]] bool holds(int chunk) const { return chunk % count == index - 1; }
+};
+
+struct StoredSweep {
+    SweepIdentity identity;
+    SweepShard shard;
+};
+
+[[nodiscard]] std::string sweep_json(const StoredSweep& sweep);
+
+/// Throws InputError "NAME: …" for what is no such text.
+[[nodiscard]] StoredSweep read_sweep_json(std::string_view text, std::string_view name);
+
+}  // namespace camopt

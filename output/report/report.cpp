@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/report.hpp"
+
+#include "core/printable.hpp"
+#include "core/units.hpp"
+#include "output/json/version.hpp"
+#include "output/report/report_sections.hpp"
+#include "output/words/display_scale.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/scene_words.hpp"
+#include "output/words/solution_text.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+std::string optional_text(const std::optional<double>& value) {
+    return value ? short_text(*value) : "–";
+}
+
+std::string asked(const Scene& scene) {
+    std::string text = "## What was asked\n\n";
+    for (const std::string& line : scene_lines(scene)) text += fmt::format("- {}\n", line);
+    return text;
+}
+
+std::string any_curve_line(const Scene& scene) {
+    const std::string left_out = left_out_of_any_curve(scene);
+    return "Least objective of any curve whatever, spline or not" +
+           (left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+}
+
+/// What stands in the last column of the peaks; empty where there is none.
+std::string any_curve_note(const Solution& solution) {
+    if (!solution.any_curve_limit) return {};
+    const std::string left_out = left_out_of_any_curve(solution.scene);
+    return fmt::format(
+        "\nLast column: the peaks of the curve of least objective, spline or not{}. They are its peaks and "
+        "no "
+        "bound of a single peak: another curve may have one of them smaller.\n",
+        left_out.empty() ? "" : fmt::format(" ({} left out)", left_out));
+}
+
+std::string verdict_section(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    std::string text = fmt::format("\n## Verdict\n\n**{}**\n\n", verdict_sentence(solution));
+    const auto line = [&](std::string_view name, double value, int digits) {
+        text += fmt::format("- {}: {}\n", name, short_text(value, digits));
+    };
+    if (solution.motion) line("Objective", certificate.objective, 10);
+    const bool searched = !solution.solver.convex && solution.solver.starts > 0;
+    if (certificate.lower_bound)
+        line(certificate.proof_kind == ProofKind::any_curve_limit ? "No curve of any kind is better than this"
+             : searched ? "No curve of this spline space is better than this (bound of the convex relaxation)"
+                        : "Proved lower bound",
+             *certificate.lower_bound, 10);
+    if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
+    if (solution.any_curve_limit)
+        line(any_curve_line(solution.scene), solution.any_curve_limit->objective, 10);
+    if (certificate.stationarity) line("Stationarity residual", *certificate.stationarity, 3);
+    return text;
+}
+
+std::string peak_table(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    std::string text = fmt::format(
+        "\n## Peaks\n\n| | this motion | | at (deg) | {} | change | curve of least objective "
+        "|\n|---|--:|--:|--:|--:|--:|--:|\n",
+        reference_title(reference));
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        const std::string physical =
+            row.factor > 0.0 ? fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit) : "";
+        text += fmt::format("| {} {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.symbol,
+                            short_text(row.optimum.value), physical,
+                            short_text(row.optimum.at * degrees_per_x), optional_text(row.reference),
+                            row.reference ? change_text(row.optimum.value, *row.reference) : "–",
+                            optional_text(row.any_curve));
+    }
+    return text + "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
+           any_curve_note(solution);
+}
+
+std::string limits_section(const Solution& solution) {
+    if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
+    if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
+    std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    for (const ConstraintReport& row : solution.constraints)
+        text += fmt::format(
+            "| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
+            row.no_contact ? std::string(no_contact_words) : short_text(row.worst, 9) + " " + row.unit,
+            short_text(row.at * degrees_per_x), row.active ? "active: it shapes the motion" : "not active");
+    return text;
+}
+
+std::string relaxation_section(const Solution& solution) {
+    if (is_told_in_words(solution.scene)) return infeasible_section(solution);
+    if (solution.relaxation.empty()) return {};
+    std::string text =
+        "\n## What would have to change\n\nEach line is the least change of one number alone that was found, "
+        "with "
+        "all others kept; rounded to the side that does, and solved.\n\n";
+    for (const Relaxation& row : solution.relaxation) text += fmt::format("- {}\n", relaxation_sentence(row));
+    for (const std::string& remark : common_remarks(solution)) text += fmt::format("- {}\n", remark);
+    return text;
+}
+
+std::string design_section(const DesignReport& design) {
+    if (design.names.empty()) return {};
+    constexpr std::size_t most = 40;  // longer lists stand in result.json
+    std::string text = fmt::format("\n## Design vector ({})\n\n", name_of(design.kind));
+    if (design.names.size() > most)
+        return text + fmt::format("{} values: see `design` in result.json.\n", design.names.size());
+    text += "| name | value |\n|---|--:|\n";
+    for (std::size_t i = 0; i < design.names.size(); ++i)
+        text += fmt::format("| {} | {} |\n", design.names[i],
+                            round_trip_text(design.values[static_cast<Eigen::Index>(i)]));
+    return text;
+}
+
+std::string solver_section(const Solution& solution, const RunOrigin& origin) {
+    const SolverReport& solver = solution.solver;
+    std::string text = fmt::format("\n## How it was found\n\n- Solver: {}{}; ", solver.name,
+                                   solver.choice.empty() ? "" : " (" + solver.choice + ")");
+    text +=
+        solver.termination == Termination::not_run
+            ? std::string("it was not asked: the search for a first point settled the scene")
+            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
+                          words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
+    text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
+    if (!solver.convex && solver.starts > 0)
+        text += fmt::format("- The scene is not convex: searches from different starts: {}\n", solver.starts);
+    if (!solver.proof_source.empty())
+        text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
+    if (solution.certificate.proof)
+        text +=
+            "- To check the proof without camopt: `certificate.json` holds the rows, the multipliers, the "
+            "box and "
+            "the bound; its entry `how_to_check` is the recipe, one sum\n";
+    if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", printable(origin.command));
+    return text + fmt::format("- camopt {}\n", version());
+}
+
+std::string notes_section(const std::vector<std::string>& notes) {
+    if (notes.empty()) return {};
+    std::string text = "\n## Notes\n\n";
+    for (const std::string& note : notes) text += fmt::format("- {}\n", note);
+    return text;
+}
+
+}  // namespace
+
+std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
+    std::string text =
+        fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
+    text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
+    if (solution.motion)
+        text += solution.segments.empty() ? peak_table(solution)
+                                          : program_peak_section(solution) + segment_section(solution);
+    text += limits_section(solution);
+    if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
+    text += cam_section(solution);
+    return text + design_section(solution.design) + solver_section(solution, origin) +
+           notes_section(solution.notes);
+}
+
+}  // namespace camopt

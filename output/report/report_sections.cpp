@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/report_sections.hpp"
+
+#include "output/words/cam_remarks.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/display_scale.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/mechanism_words.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/text_table.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+std::string list_of(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", sentence);
+    return text;
+}
+
+std::string mechanism_section(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"", true}, {""}, {"at (deg)"}};
+    for (const CamFigure& figure : mechanism_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    std::string text = fmt::format(
+        "\n## The cam\n\n{}: {}.\n\n{}\n{}\n", mechanism_text(*solution.scene.mechanism),
+        mechanism_dimensions_text(solution), markdown_text(table), list_of(mechanism_remarks(solution)));
+    if (solution.mechanism->mechanism.formulas->planar())
+        text +=
+            "![Cam and linkage to scale](mechanism.svg)\n\n"
+            "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n";
+    else if (has_inverse_cam(solution))
+        text += "![The guide to scale](guide.svg)\n\n![Pressure angle](pressure_angle.svg)\n";
+    else
+        text += "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
+    return text;
+}
+
+}  // namespace
+
+std::string cam_section(const Solution& solution) {
+    if (solution.mechanism) return mechanism_section(solution);
+    if (!solution.cam) return {};
+    std::string text = fmt::format("\n## The cam\n\n{}: {}.\n\n", follower_text(*solution.scene.cam),
+                                   dimensions_text(solution));
+    TextTable table;
+    table.columns = {{"", true}, {""}, {"at (deg)"}};
+    for (const CamFigure& figure : cam_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    text += markdown_text(table) + "\n" + list_of(cam_remarks(solution));
+    return text +
+           "\n![The cam to scale](profile.svg)\n\n![Pressure angle and curvature](profile_diagrams.svg)\n";
+}
+
+std::string program_peak_section(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    TextTable table;
+    table.columns = {{"", true}, {"spline segments"}, {"at (deg)"}, {reference_title(reference)},
+                     {"change"}, {"whole motion"},    {"at (deg)"}};
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        std::vector<std::string> cells = {
+            fmt::format("{} {}", row.name, row.symbol), short_text(row.optimum.value),
+            short_text(row.optimum.at * degrees_per_x), row.reference ? short_text(*row.reference) : "–",
+            row.reference ? change_text(row.optimum.value, *row.reference) : "–"};
+        if (row.factor > 0.0) {
+            cells.push_back(fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit));
+            cells.push_back(short_text(row.motion.at * degrees_per_x));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return "\n## Peaks\n\n" + markdown_text(table) +
+           "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
+           "segment's "
+           "own angle and displacement; those of the whole motion include the law segments.\n";
+}
+
+std::string segment_section(const Solution& solution) {
+    if (solution.segments.empty()) return {};
+    return fmt::format("\n## Segments\n\n{}\n{}\n", markdown_text(segment_table(solution)),
+                       segment_table_note());
+}
+
+namespace {
+
+/// No more than is known: of every motion, of this spline, or only that none was found.
+std::string title_of_infeasible(const Solution& solution) {
+    constexpr const char* change = "and what would have to change";
+    if (solution.certificate.verdict != Verdict::infeasible)
+        return fmt::format("No motion was found, {}", change);
+    const bool any = solution.explanation && !solution.explanation->any_motion.empty();
+    return any ? fmt::format("Why no motion exists, {}", change)
+               : fmt::format("Why this spline has no motion, {}", change);
+}
+
+}  // namespace
+
+std::string infeasible_section(const Solution& solution) {
+    const std::vector<std::string> remarks = infeasible_remarks(solution);
+    if (remarks.empty()) return {};
+    std::string text = fmt::format("\n## {}\n\n{}", title_of_infeasible(solution), list_of(remarks));
+    if (solution.relaxation.empty()) return text;
+    TextTable table;
+    table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
+    for (const Relaxation& row : solution.relaxation)
+        table.rows.push_back({fmt::format("`{}`", row.key), short_text(row.given),
+                              row.needed      ? needed_number(row)
+                              : row.ruled_out ? "no change helps"
+                                              : "no value tried helps"});
+    return text + "\n" + markdown_text(table) +
+           "\nEach number is rounded to the side that does and was put into the scene: a solve found a "
+           "motion "
+           "with it. The edge itself stands in result.json.\n";
+}
+
+}  // namespace camopt

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Sections of report.md that only scenes with a cam and programs have. Empty where they have nothing to say.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <string>
+
+namespace camopt {
+
+/// "The cam": dimensions, figures, remarks, pictures.
+[[nodiscard]] std::string cam_section(const Solution& solution);
+
+/// "Peaks" of a program: normalised ones of the spline segments, physical ones of the whole motion.
+[[nodiscard]] std::string program_peak_section(const Solution& solution);
+
+/// "Segments": the table of a program.
+[[nodiscard]] std::string segment_section(const Solution& solution);
+
+/// "Why this spline has no motion, and what would have to change", in words; "no motion exists" where that is
+/// known.
+[[nodiscard]] std::string infeasible_section(const Solution& solution);
+
+}  // namespace camopt

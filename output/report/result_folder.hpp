@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The result folder: result.json, certificate.json, report.md; with a motion motion.csv and motion.svg; with
+// a cam profile.csv, profile.svg, profile_diagrams.svg and, where asked for, profile.dxf.
+#pragma once
+
+#include "output/json/run_origin.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+struct WriteOptions {
+    std::optional<int> points = {};  ///< of profile.csv, evenly by cam angle; none: by chord tolerance
+    bool dxf = false;                ///< profile.dxf too
+};
+
+/// Creates the folder where it does not exist. All files are written aside first and then replace those of an
+/// earlier run together (folder_update.hpp); those that this one does not have (motion.*, profile*.*) are
+/// removed. Returns the paths written. Throws InputError where the path is a file or cannot be written: the
+/// folder is then as it was, or says by INCOMPLETE.txt that it is not.
+std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
+                                                       const Solution& solution, const RunOrigin& origin = {},
+                                                       const WriteOptions& options = {});
+
+/// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.
+void prepare_folder(const std::filesystem::path& folder);
+
+}  // namespace camopt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/text_file.hpp"
+
+#include "core/errors.hpp"
+#include "core/file_bytes.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+[[noreturn]] void refuse(const char* what, const std::filesystem::path& path, const std::string& reason) {
+    throw InputError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
+}
+
+/// Waits until the bytes are on the disk. False: they may not be; errno says why.
+bool is_on_disk(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool done = ::fsync(file) == 0;
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    return done;
+}
+
+enum class Durability { program, power };  ///< whose failure the file survives
+
+void write_in_one_step(const std::filesystem::path& path, std::string_view text, Durability durability) {
+    std::filesystem::path temporary = path;
+    temporary += fmt::format(".{}.tmp", ::getpid());  // two camopt runs may write into the same folder
+    std::error_code ignored;
+    errno = 0;
+    {
+        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+        file.write(text.data(), static_cast<std::streamsize>(text.size()));
+        file.flush();
+        if (!file || (durability == Durability::power && !is_on_disk(temporary))) {
+            const std::string reason = std::strerror(errno);
+            std::filesystem::remove(temporary, ignored);
+            refuse("write", path, reason);
+        }
+    }
+    std::error_code error;
+    std::filesystem::rename(temporary, path, error);
+    if (error) {
+        std::filesystem::remove(temporary, ignored);
+        refuse("write", path, error.message());
+    }
+}
+
+}  // namespace
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+    write_in_one_step(path, text, Durability::program);
+}
+
+void write_durable_text_file(const std::filesystem::path& path, std::string_view text) {
+    write_in_one_step(path, text, Durability::power);
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+    FileBytes file = file_bytes(path);
+    if (!file.fault.empty()) refuse("read", path, file.fault);
+    return std::move(file.bytes);
+}
+
+}  // namespace camopt

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/cam_remarks.hpp"
+
+#include "core/units.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+using units::degree, units::millimetre;
+
+constexpr int angle_digits = 5;
+constexpr int check_digits = 2;
+constexpr double moves_as_designed = 1e-4;  // of the prime radius: what an undercut cam is off is far more
+constexpr double at_end_of_range = 1e-6;    // of the range: a dimension stands at its end
+constexpr double whole_turn = 1e-9;         // rad
+constexpr double raised_follower = 1e-3;    // lifts: below it a spring has nothing to press with
+
+std::string degrees_at(const Solution& solution, double x) {
+    return short_text(x * solution.scene.motion.unit_angle() / degree, angle_digits);
+}
+
+std::string undercut_remark(const Solution& solution) {
+    const CamReport& cam = *solution.cam;
+    const CamSummary& summary = cam.summary;
+    if (cam.cam.follower == FollowerType::translating_knife)
+        return "No undercut: a knife edge follows any pitch curve.";
+    if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
+    return fmt::format(
+        "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the follower "
+        "as designed. A larger base radius{} {}; the limit cam_radius_min_mm = 0 rules undercut out.",
+        degrees_at(solution, summary.regularity.at),
+        has_roller(cam.cam.follower) ? " or a smaller roller" : "",
+        is_oscillating(cam.cam.follower) ? "may help" : "helps");
+}
+
+std::string dimensions_at_their_ends(const Solution& solution) {
+    std::string text;
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto which = static_cast<DimensionIndex>(i);
+        const Dimension& range = (*solution.scene.cam)[which];
+        if (!has_dimension(solution.scene.cam->follower, which) || !range.is_variable()) continue;
+        const double value = solution.cam->cam[which], near = at_end_of_range * (range.high - range.low);
+        const bool low = value <= range.low + near, high = value >= range.high - near;
+        if (low || high)
+            text += fmt::format("{}the {} is the {} allowed", text.empty() ? "" : ", ",
+                                words_of(name_of(which)), low ? "least" : "largest");
+    }
+    return text;
+}
+
+std::string limited_remark(const Solution& solution) {
+    std::string limits;
+    for (const ConstraintReport& row : solution.constraints)
+        if (row.active)
+            limits += fmt::format("{}the {} at {} deg", limits.empty() ? "" : ", ", key_words(row.key).words,
+                                  degrees_at(solution, row.at));
+    const std::string ends = dimensions_at_their_ends(solution);
+    if (limits.empty() && ends.empty()) return "No limit shapes it: none is active.";
+    return fmt::format("What limits it: {}{}{}.", limits, limits.empty() || ends.empty() ? "" : "; ", ends);
+}
+
+/// "on this rise", "on the return": the stroke that decides, and where it lies where there may be several.
+std::string stroke_words(const Solution& solution, const SmallestCamReport& smallest) {
+    const MotionType type = solution.scene.motion.type;
+    if (type == MotionType::drd) return "on this rise";
+    const std::string which = smallest.rises ? "on the rise" : "on the return";
+    if (type == MotionType::rr) return which;
+    return fmt::format("{} from {} to {} deg", which, degrees_at(solution, smallest.begin),
+                       degrees_at(solution, smallest.end));
+}
+
+std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
+    return fmt::format(
+        "The smallest cam: with a pressure angle of {} deg any motion whatever needs a prime radius above {} "
+        "mm {}; this cam has {} mm.",
+        short_text(smallest.pressure_angle / degree), short_text(smallest.prime_radius / millimetre),
+        stroke_words(solution, smallest), short_text(smallest.given / millimetre));
+}
+
+std::string rest_of_the_turn(const Solution& solution) {
+    const MotionSpec& motion = solution.scene.motion;
+    const double angle = motion.length() * motion.unit_angle();
+    const double rest = 2.0 * std::numbers::pi - angle;
+    if (rest <= whole_turn) return {};
+    if (motion.type == MotionType::rr)
+        return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
+                           short_text(angle / degree), short_text(rest / degree));
+    return fmt::format("The profile is the sector of the motion, {} deg; the rest of the turn is left open.",
+                       short_text(angle / degree));
+}
+
+std::string lift_off_remark(const Solution& solution, const ForceSummary& forces) {
+    if (forces.least_force.value > 0.0) return {};
+    // Where the follower is down a stiffer spring presses no harder.
+    const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
+    return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs {}more preload.",
+                       degrees_at(solution, forces.least_force.at), raised ? "a stiffer spring or " : "");
+}
+
+std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
+    const bool swings = solution.scene.motion.lift_is_angle;
+    const std::string where = degrees_at(solution, check.at);
+    if (!std::isfinite(check.deviation))
+        return fmt::format("Forward check: at {} deg no place was found where the follower touches the cam.",
+                           where);
+    const std::string deviation = short_text(check.deviation / (swings ? degree : millimetre), check_digits) +
+                                  (swings ? " deg" : " mm");
+    return fmt::format(
+        "Forward check: a follower run over {} points of the cam, and nothing else, {} {} ({} "
+        "of the prime radius, at {} deg).",
+        check.points,
+        check.relative <= moves_as_designed ? "moves as designed within"
+                                            : "DEPARTS from the designed motion by",
+        deviation, short_text(check.relative, check_digits), where);
+}
+
+}  // namespace
+
+std::vector<std::string> cam_remarks(const Solution& solution) {
+    const CamReport& cam = *solution.cam;
+    std::vector<std::string> all = {undercut_remark(solution), limited_remark(solution)};
+    if (cam.smallest) all.push_back(smallest_remark(solution, *cam.smallest));
+    all.push_back(rest_of_the_turn(solution));
+    if (cam.summary.forces) all.push_back(lift_off_remark(solution, *cam.summary.forces));
+    if (cam.forward_check) all.push_back(check_remark(solution, *cam.forward_check));
+    std::erase(all, std::string{});
+    return all;
+}
+
+}  // namespace camopt

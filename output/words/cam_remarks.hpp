@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What an engineer must know about a cam beside its figures, in sentences.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Undercut, what limits the cam, the smallest one, the rest of the turn, lift-off, the forward check: one
+/// sentence or two each. For a solution with a cam.
+[[nodiscard]] std::vector<std::string> cam_remarks(const Solution& solution);
+
+}  // namespace camopt

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/comparison_words.hpp"
+
+#include "core/units.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr int figures = 4;
+constexpr int base_decimals = 3;  // of mm
+
+bool is_exact(const LimitOutcome& outcome) {
+    return outcome.reached.key.starts_with("motion.") || outcome.reached.key == "spline.end_jerk";
+}
+
+std::string with_unit(double value, const std::string& unit) {
+    return short_text(value, figures) + (unit.empty() ? "" : " " + unit);
+}
+
+/// By how much of the limit it is passed.
+double weight_of(const LimitOutcome& outcome) {
+    const double size = std::max(std::abs(outcome.reached.limit), 1e-12);
+    return std::isnan(outcome.excess) ? infinity : outcome.excess / size;
+}
+
+}  // namespace
+
+std::string row_title(const ComparisonRow& row) {
+    return row.is_optimum() ? "optimum" : row.title;
+}
+
+std::string loss_words(const ComparisonRow& row) {
+    if (!row.loss_percent) return "–";
+    if (row.is_optimum()) return "0 %";
+    const double rounded = std::round(100.0 * *row.loss_percent) / 100.0;
+    if (rounded == 0.0) return "±0.00 %";
+    return fmt::format("{}{:.2f} %", rounded > 0.0 ? "+" : "−", std::abs(rounded));
+}
+
+std::string broken_words(const LimitOutcome& outcome) {
+    const ConstraintReport& reached = outcome.reached;
+    const std::string name = words_of(reached.name);
+    if (reached.no_contact) return fmt::format("{}: {}", name, no_contact_words);
+    if (std::isnan(outcome.excess)) return name + " does not exist: the cam cannot be built";
+    if (reached.name == "symmetric")
+        return fmt::format("not symmetric, by {}", short_text(outcome.excess, figures));
+    const std::string found = fmt::format("{} {}", name, with_unit(reached.worst, reached.unit));
+    if (std::isinf(outcome.excess))
+        return fmt::format("{}, allowed {}", found, short_text(reached.limit, figures));
+    const bool below = reached.worst < reached.limit;
+    return fmt::format("{}, {} {} {}", found,
+                       short_text(std::abs(outcome.excess), is_exact(outcome) ? 3 : figures),
+                       below ? "below" : "above", short_text(reached.limit, figures));
+}
+
+std::vector<std::string> broken_limits(const ComparisonRow& row) {
+    std::vector<std::pair<double, std::string>> broken;
+    for (const LimitOutcome& outcome : row.limits) {
+        if (!outcome.kept) broken.emplace_back(-weight_of(outcome), broken_words(outcome));
+    }
+    std::ranges::stable_sort(broken, {}, &std::pair<double, std::string>::first);
+    std::vector<std::string> words;
+    words.reserve(broken.size());
+    for (auto& [weight, text] : broken) words.push_back(std::move(text));
+    return words;
+}
+
+std::string base_words(const ComparisonRow& row) {
+    if (!row.base) return {};
+    if (!row.base->radius) return "none";
+    return fixed_text(*row.base->radius / units::millimetre, base_decimals);
+}
+
+bool has_bases(const Comparison& comparison) {
+    return std::ranges::any_of(comparison.rows,
+                               [](const ComparisonRow& row) { return row.base.has_value(); });
+}
+
+const ComparisonRow* best_law(const Comparison& comparison) {
+    for (const ComparisonRow& row : comparison.rows) {
+        if (!row.is_optimum() && row.feasible && std::isfinite(row.objective)) return &row;
+    }
+    return nullptr;
+}
+
+std::string comparison_sentence(const Comparison& comparison) {
+    const ComparisonRow* best = best_law(comparison);
+    if (!best) return "No law of the catalogue keeps every limit with a finite objective.";
+    if (!best->loss_percent)
+        return fmt::format("The best law that keeps every limit: {}, objective {}.", best->title,
+                           short_text(best->objective));
+    const std::string sentence = fmt::format(
+        "The best law that keeps every limit: {}, {} against the optimum", best->title, loss_words(*best));
+    if (*best->loss_percent >= 0.0) return sentence + ".";
+    // Of a proved optimum only the spline can be to blame; a search may have missed a better one.
+    return sentence + (comparison.optimum.certificate.verdict == Verdict::optimal
+                           ? ": the spline is coarse, more segments would pass that law."
+                           : ": the optimum is not proved; more starts or more segments may pass that law.");
+}
+
+std::string objective_words(const Comparison& comparison) {
+    const ObjectiveSpec& objective = comparison.optimum.scene.objective;
+    const Peaks& reference = comparison.optimum.reference_peaks;
+    std::string text;
+    const auto add = [&](double weight, const char* symbol, double divisor) {
+        if (weight == 0.0) return;
+        text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), symbol,
+                            short_text(divisor, figures));
+    };
+    add(objective.velocity, "V", reference.velocity.value);
+    add(objective.acceleration, "A", reference.acceleration.value);
+    add(objective.jerk, "J", reference.jerk.value);
+    add(objective.torque, "Q", reference.torque.value);
+    add(objective.rms_acceleration, "rms A", reference.rms_acceleration);
+    add(objective.rms_jerk, "rms J", reference.rms_jerk);
+    if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; }))
+        text += text.empty() ? "dimensions of the cam" : " + dimensions of the cam";
+    return text;
+}
+
+}  // namespace camopt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What the terminal table, the picture and the CSV of a comparison say in the same words. Private to output/.
+#pragma once
+
+#include "studies/compare/comparison.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// "optimum", or the law's title.
+[[nodiscard]] std::string row_title(const ComparisonRow& row);
+
+/// "+6.43 %"; "–" where there is none.
+[[nodiscard]] std::string loss_words(const ComparisonRow& row);
+
+/// "pressure angle 36.2 deg, 6.2 above 30".
+[[nodiscard]] std::string broken_words(const LimitOutcome& outcome);
+
+/// One entry a broken limit, the heaviest (relative to the limit) first.
+[[nodiscard]] std::vector<std::string> broken_limits(const ComparisonRow& row);
+
+/// Base radius in mm; "none" where none helps; empty where the scene limits no cam.
+[[nodiscard]] std::string base_words(const ComparisonRow& row);
+
+/// Whether any row has something to say of a base radius.
+[[nodiscard]] bool has_bases(const Comparison& comparison);
+
+/// The best law that keeps every limit; null where none does.
+[[nodiscard]] const ComparisonRow* best_law(const Comparison& comparison);
+
+/// One or two sentences: what the laws lose at least, or that none keeps every limit.
+[[nodiscard]] std::string comparison_sentence(const Comparison& comparison);
+
+/// "0.4 V/1.76 + 0.4 A/5.528 + 0.2 J/69.47".
+[[nodiscard]] std::string objective_words(const Comparison& comparison);
+
+}  // namespace camopt

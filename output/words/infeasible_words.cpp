@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/infeasible_words.hpp"
+
+#include "core/units.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr double same_stretch = 0.1;   // of the motion: rows of a proof this close belong together
+constexpr double same_place = 0.02;    // of the motion: a stretch shorter than this is a place
+constexpr double worth_naming = 0.02;  // of a limit's heaviest row: lighter rows are left out
+constexpr std::size_t most_stretches = 3;
+constexpr int angle_digits = 3;
+
+/// Where a limit bites.
+struct Stretch {
+    double begin = 0.0, end = 0.0, weight = 0.0;  ///< x
+};
+
+/// The rows of one limit.
+struct OneLimit {
+    std::string words;
+    double weight = 0.0;
+    std::vector<ConflictReport> rows;  ///< heaviest first
+};
+
+std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
+    std::vector<OneLimit> limits;
+    for (const ConflictReport& row : conflict) {
+        const std::string words = key_words(row.key).words;
+        auto limit = std::ranges::find(limits, words, &OneLimit::words);
+        if (limit == limits.end()) limit = limits.insert(limit, {words, 0.0, {}});
+        limit->weight += row.weight;
+        limit->rows.push_back(row);
+    }
+    std::ranges::stable_sort(limits, std::greater{}, &OneLimit::weight);
+    return limits;
+}
+
+/// The heaviest few, in the order of the cam angle.
+std::vector<Stretch> stretches_of(std::vector<ConflictReport> rows, double length) {
+    const double least = worth_naming * rows.front().weight;
+    std::erase_if(rows, [&](const ConflictReport& row) { return row.weight < least; });
+    std::ranges::sort(rows, {}, &ConflictReport::at);
+    std::vector<Stretch> stretches;
+    for (const ConflictReport& row : rows) {
+        if (stretches.empty() || row.at > stretches.back().end + same_stretch * length)
+            stretches.push_back({row.at, row.at, 0.0});
+        stretches.back().end = row.at;
+        stretches.back().weight += row.weight;
+    }
+    std::ranges::stable_sort(stretches, std::greater{}, &Stretch::weight);
+    if (stretches.size() > most_stretches) stretches.resize(most_stretches);
+    std::ranges::sort(stretches, {}, &Stretch::begin);
+    return stretches;
+}
+
+/// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"
+std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
+    const double degrees_per_x = motion.unit_angle() / units::degree;
+    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, angle_digits); };
+    const std::vector<Stretch> stretches = stretches_of(limit.rows, motion.length());
+    std::string places;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const Stretch& stretch = stretches[i];
+        if (i > 0) places += i + 1 < stretches.size() ? ", " : " and ";
+        places += stretch.end - stretch.begin < same_place * motion.length()
+                      ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
+                      : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
+    }
+    return fmt::format("the {} limit {}", limit.words, places);
+}
+
+/// The law that is the motion at x, from one given displacement to another; empty where a spline or a dwell
+/// is or the splines decide how far the law moves.
+std::string law_at(const MotionSpec& motion, double x) {
+    double end = 0.0;
+    std::optional<double> level = 0.0;
+    for (const ProgramSegment& segment : motion.segments) {
+        end += segment.angle / motion.unit_angle();
+        const std::optional<double> to = segment.kind == SegmentKind::dwell ? level : segment.to;
+        const bool given = level && to;
+        if (x < end) return segment.kind == SegmentKind::law && given ? words_of(segment.law) : "";
+        level = to;
+    }
+    return {};
+}
+
+/// The law that all rows of a limit lie in; empty where some do not.
+std::string law_of(const OneLimit& limit, const MotionSpec& motion) {
+    const std::string law = law_at(motion, limit.rows.front().at);
+    const bool all = std::ranges::all_of(
+        limit.rows, [&](const ConflictReport& row) { return law_at(motion, row.at) == law; });
+    return all ? law : "";
+}
+
+bool has_key_of(const std::vector<std::string>& keys, const OneLimit& limit) {
+    return std::ranges::any_of(keys, [&](const std::string& key) {
+        return key_words(key).words == key_words(limit.rows.front().key).words;
+    });
+}
+
+std::string alone_sentence(const OneLimit& limit, const std::string& words, const Solution& solution) {
+    const std::string law = law_of(limit, solution.scene.motion);
+    if (!law.empty())
+        return fmt::format("{} cannot be kept: the motion there is the law {}, whatever the splines do.",
+                           words, law);
+    const bool any = solution.explanation && has_key_of(solution.explanation->any_motion, limit);
+    constexpr const char* makes = "that makes the lift in its angle";
+    if (any) return fmt::format("{} cannot be kept by any motion {}.", words, makes);
+    return fmt::format("{} cannot be kept: no {} {} does.", words, spline_words(solution.scene), makes);
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text.front() == 't') text.front() = 'T';
+    return text;
+}
+
+std::string joined(const std::vector<OneLimit>& limits, std::size_t from, const MotionSpec& motion) {
+    std::string text;
+    for (std::size_t i = from; i < limits.size(); ++i)
+        text += (i == from ? "" : i + 1 < limits.size() ? ", " : " and ") + text_of(limits[i], motion);
+    return text;
+}
+
+/// Of those that are impossible by themselves.
+std::string alone_sentences(const std::vector<OneLimit>& limits, const Solution& solution) {
+    std::string text;
+    for (const OneLimit& limit : limits) {
+        const std::string words = capitalised(text_of(limit, solution.scene.motion));
+        text += (text.empty() ? "" : " ") + alone_sentence(limit, words, solution);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string spline_words(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    const bool uniform = spline.breakpoints.empty();
+    const std::size_t segments =
+        uniform ? static_cast<std::size_t>(spline.segments) : spline.breakpoints.size() - 1;
+    return fmt::format("spline of {} {} {}{}{}", segments, spline.degree == 3 ? "cubic" : "quintic",
+                       segments == 1 ? "segment" : "segments",
+                       scene.motion.type == MotionType::program ? " in each of its parts" : "",
+                       uniform ? "" : " on these breakpoints");
+}
+
+std::string conflict_sentence(const Solution& solution) {
+    const std::vector<OneLimit> limits = limits_of(solution.conflict);
+    if (limits.empty()) return {};
+    const MotionSpec& motion = solution.scene.motion;
+    std::vector<OneLimit> alone;
+    for (const OneLimit& limit : limits) {
+        const bool known = solution.explanation && has_key_of(solution.explanation->alone, limit);
+        if (limits.size() == 1 || known) alone.push_back(limit);
+    }
+    if (!alone.empty()) return alone_sentences(alone, solution);
+    return fmt::format("{} fights {}: no {} keeps all limits.", capitalised(text_of(limits.front(), motion)),
+                       joined(limits, 1, motion), spline_words(solution.scene));
+}
+
+std::string sufficient_changes(const std::vector<Relaxation>& rows) {
+    std::string text;
+    for (const Relaxation& row : rows)
+        if (row.needed) text += (text.empty() ? "" : ", or ") + needed_words(row);
+    return text;
+}
+
+std::string hopeless_changes(const std::vector<Relaxation>& rows) {
+    std::string text;
+    for (const Relaxation& row : rows)
+        if (!row.needed) text += (text.empty() ? "" : ", ") + key_words(row.key).words;
+    return text;
+}
+
+namespace {
+
+/// "velocity <= 1.31 and acceleration <= 4.37"
+std::string changes_together(const std::vector<Relaxation>& rows) {
+    std::string text;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < rows.size() ? ", " : " and ") + needed_words(rows[i]);
+    return text;
+}
+
+std::string listed(const std::vector<std::string>& keys) {
+    std::string text;
+    for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key_words(key).words;
+    return text;
+}
+
+void tell_hopeless(std::vector<std::string>& all, const std::vector<Relaxation>& rows) {
+    std::vector<Relaxation> ruled_out, tried;
+    for (const Relaxation& row : rows)
+        if (!row.needed) (row.ruled_out ? ruled_out : tried).push_back(row);
+    if (!ruled_out.empty())
+        all.push_back(fmt::format("No change of one of these alone helps: {}.", hopeless_changes(ruled_out)));
+    if (!tried.empty())
+        all.push_back(
+            fmt::format("No value tried of one of these alone helps: {}.", hopeless_changes(tried)));
+}
+
+void tell_finest(std::vector<std::string>& all, const Explanation& explanation) {
+    if (explanation.finest > 0)
+        all.push_back(fmt::format("More segments were tried in vain, up to {}.", explanation.finest));
+}
+
+void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
+    const std::string taken =
+        fmt::format("The search for what helps took {} s; solver.max_seconds leaves it {} s.",
+                    short_text(explanation.seconds, 2), short_text(explanation.allowed, 3));
+    all.push_back(explanation.unsettled.empty()
+                      ? taken
+                      : fmt::format("{} It did not settle: {}.", taken, listed(explanation.unsettled)));
+}
+
+}  // namespace
+
+std::string joint_sentence(const Solution& solution) {
+    if (!solution.explanation || solution.explanation->together.empty()) return {};
+    return fmt::format("Together these would do: {}.", changes_together(solution.explanation->together));
+}
+
+std::vector<std::string> common_remarks(const Solution& solution) {
+    std::vector<std::string> all;
+    if (!solution.explanation) return all;
+    if (const std::string together = joint_sentence(solution); !together.empty()) all.push_back(together);
+    tell_finest(all, *solution.explanation);
+    tell_time(all, *solution.explanation);
+    return all;
+}
+
+std::vector<std::string> infeasible_remarks(const Solution& solution) {
+    std::vector<std::string> all;
+    const std::string conflict = conflict_sentence(solution);
+    if (!conflict.empty()) all.push_back(conflict);
+    const std::string changes = sufficient_changes(solution.relaxation);
+    if (!changes.empty()) all.push_back(fmt::format("One of these alone would do: {}.", changes));
+    tell_hopeless(all, solution.relaxation);
+    for (std::string& remark : common_remarks(solution)) all.push_back(std::move(remark));
+    return all;
+}
+
+bool is_told_in_words(const Scene& scene) {
+    return scene.cam.has_value() || scene.mechanism.has_value() || scene.motion.type == MotionType::program;
+}
+
+}  // namespace camopt

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Why a scene with a cam or a program has no motion, and what would have to change, in the user's words.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// "The pressure angle limit at 23.4 deg fights the cam radius limit at 12 deg: no spline of 12 cubic
+/// segments keeps all limits." Which limits the proof rests on, heaviest first, and where; "cannot be kept"
+/// is said of those that are impossible by themselves, and of "any motion" only where that is proved of every
+/// motion. Empty where nothing is known of it.
+[[nodiscard]] std::string conflict_sentence(const Solution& solution);
+
+/// "base radius >= 31.4 mm, or rise >= 68.2 deg, or pressure angle <= 33.1 deg": each change alone would do.
+/// Empty where none helps.
+[[nodiscard]] std::string sufficient_changes(const std::vector<Relaxation>& rows);
+
+/// "concave radius, roller radius": what no change alone was found to help. Empty where everything does.
+[[nodiscard]] std::string hopeless_changes(const std::vector<Relaxation>& rows);
+
+/// "spline of 4 quintic segments": the motions that a verdict speaks of.
+[[nodiscard]] std::string spline_words(const Scene& scene);
+
+/// "Together these would do: velocity <= 1.31 and acceleration <= 4.37." Empty where nothing is known of it.
+[[nodiscard]] std::string joint_sentence(const Solution& solution);
+
+/// What stands beside the changes of one number alone: those that do together, finer splines tried in vain,
+/// the time it took.
+[[nodiscard]] std::vector<std::string> common_remarks(const Solution& solution);
+
+/// The sentences of all that, in this order; empty for a feasible scene.
+[[nodiscard]] std::vector<std::string> infeasible_remarks(const Solution& solution);
+
+/// Scenes that are told in these words: those with a cam, and programs.
+[[nodiscard]] bool is_told_in_words(const Scene& scene);
+
+}  // namespace camopt

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/key_words.hpp"
+
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// Endings of the keys and what they say; a longer one stands before those it ends in.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 28> units_of_keys = {{
+    {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
+    {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
+    {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
+    {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_nm_rad", "N m/rad"},
+    {"_n_mm", "N/mm"},     {"_rpm", "rpm"},       {"_deg", "deg"},       {"_rad", "rad"},
+    {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},       {"_gpa", "GPa"},
+    {"_nm", "N m"},        {"_n", "N"},           {"_pa", "Pa"},         {"_m", "m"},
+}};
+// The limits whose names end so say the rest by ">=" and "<=".
+constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};
+
+constexpr int needed_digits = 5;
+
+/// As many digits as are shown, on the side that still does.
+double rounded_on(double needed, bool up) {
+    if (needed == 0.0 || !std::isfinite(needed)) return needed;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(needed))) - (needed_digits - 1));
+    const double steps = needed / unit, slack = 1e-6;  // of a step: a value that is round stays
+    return unit * (up ? std::ceil(steps - slack) : std::floor(steps + slack));
+}
+
+}  // namespace
+
+KeyWords key_words(std::string_view key) {
+    KeyWords found;
+    found.limit = key.starts_with("limits.");
+    if (const std::size_t table = key.find('.'); table != std::string_view::npos)
+        key.remove_prefix(table + 1);
+    const std::string_view end_of_range = key.ends_with(".max")   ? "largest "
+                                          : key.ends_with(".min") ? "least "
+                                                                  : "";
+    if (!end_of_range.empty()) key.remove_suffix(std::string_view(".max").size());
+    const std::size_t remark = key.find(' ');  // "cam_radius_min_mm (face turns back)"
+    const std::string_view behind = remark == std::string_view::npos ? "" : key.substr(remark);
+    key = key.substr(0, remark);
+    for (const auto& [ending, unit] : units_of_keys) {
+        if (!key.ends_with(ending)) continue;
+        found.unit = unit;
+        key.remove_suffix(ending.size());
+        break;
+    }
+    for (const std::string_view bound : bounds)
+        if (key.ends_with(bound)) key.remove_suffix(bound.size());
+    found.words = fmt::format("{}{}{}", end_of_range, words_of(key), behind);
+    return found;
+}
+
+std::string needed_number(const Relaxation& row) {
+    if (!row.needed) return {};
+    return short_text(row.solved.value_or(rounded_on(*row.needed, *row.needed > row.given)), needed_digits);
+}
+
+std::string needed_words(const Relaxation& row) {
+    if (!row.needed) return {};
+    const KeyWords key = key_words(row.key);
+    const bool more = *row.needed > row.given;
+    // A limit that is to grow is an upper one, and a larger one is what it would have to be.
+    const char* const sign = more != key.limit ? ">=" : "<=";
+    return fmt::format("{} {} {}{}{}", key.words, sign, needed_number(row), key.unit.empty() ? "" : " ",
+                       key.unit);
+}
+
+}  // namespace camopt

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+/// A typographic minus sign: as wide as a digit, never broken from its number.
+std::string with_minus_sign(std::string text) {
+    if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+}  // namespace
+
+std::string round_trip_text(double value) {
+    if (!std::isfinite(value)) return {};
+    return fmt::format("{}", value == 0.0 ? 0.0 : value);
+}
+
+std::string short_text(double value, int digits) {
+    if (std::isnan(value)) return "–";
+    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+    return with_minus_sign(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits));
+}
+
+std::string change_text(double value, double reference) {
+    const double change = 100.0 * (value - reference) / reference;
+    if (!std::isfinite(change) || !std::isfinite(reference)) return "–";
+    const double rounded = std::round(10.0 * change) / 10.0;
+    if (rounded == 0.0) return "±0.0 %";
+    return with_minus_sign(fmt::format("{:+.1f} %", rounded));
+}
+
+std::string words_of(std::string_view key) {
+    std::string words(key);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+}  // namespace camopt

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The peaks of the optimum beside those of the reference and of the best curve of any kind: one row a peak.
+#pragma once
+
+#include "output/chart/reference_motion.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+struct PeakRow {
+    std::string name;                 ///< "velocity"
+    std::string symbol;               ///< "V"
+    Extremum optimum;                 ///< normalised; of a program the largest over its spline segments
+    Extremum motion;                  ///< of the whole motion, in lifts and units of x: what `factor` is for
+    std::optional<double> reference;  ///< normalised; infinite for a law with impulses
+    /// Of the curve of least objective of all curves, where the limit is attained: no bound of this peak by
+    /// itself, which another curve may have smaller.
+    std::optional<double> any_curve;
+    double factor = 0.0;  ///< from `motion` to `unit`; 0 where there is none
+    std::string unit;     ///< "mm/rad"
+};
+
+/// V, A, J, and the torque max |y' y''|. For a solution with a curve.
+[[nodiscard]] std::vector<PeakRow> peak_comparison(const Solution& solution,
+                                                   const ReferenceMotion& reference);
+
+/// What the scene demands and the limit of any curve does not know: "limits of the cam", "limits of the cam
+/// and via points". Empty: it knows all.
+[[nodiscard]] std::string left_out_of_any_curve(const Scene& scene);
+
+/// "limit of any curve", and what it leaves out.
+[[nodiscard]] std::string any_curve_title(const Scene& scene);
+
+/// "modified sine", or "reference" where it was given as numbers.
+[[nodiscard]] std::string reference_title(const ReferenceMotion& reference);
+
+}  // namespace camopt

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/scene_words.hpp"
+
+#include "core/units.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/display_scale.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/mechanism_words.hpp"
+#include "output/words/number_text.hpp"
+#include "scene/written_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace camopt {
+
+namespace {
+
+using units::degree, units::millimetre;
+
+void append(std::string& list, const std::string& part) {
+    list += (list.empty() ? "" : ", ") + part;
+}
+
+std::string kind_of_motion(const MotionSpec& motion) {
+    if (motion.type == MotionType::program) {
+        return fmt::format("a program of {} segments over {} deg", motion.segments.size(),
+                           short_text(motion.length() * motion.unit_angle() / degree));
+    }
+    return motion.type == MotionType::drd ? "rise between two dwells"
+                                          : "rise and return without a dwell at the top";
+}
+
+std::string motion_line(const MotionSpec& motion) {
+    const DisplayScale scale = display_scale(motion);
+    std::string text = fmt::format("Motion: {}, lift {} {}", kind_of_motion(motion),
+                                   short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0]);
+    if (motion.type != MotionType::program)
+        text += fmt::format(", rise {} deg", short_text(motion.rise / degree));
+    if (motion.type == MotionType::rr)
+        text +=
+            fmt::format(", return {} deg", short_text(motion.return_angle.value_or(motion.rise) / degree));
+    if (motion.speed)
+        text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
+    if (motion.symmetric) text += ", symmetric";
+    if (!motion.via.empty()) text += fmt::format(", through {} given points", motion.via.size());
+    return text;
+}
+
+/// A closed program comes back: what moves last ends at 0 where it does not say so.
+std::string end_text(const MotionSpec& motion, std::size_t index) {
+    const ProgramSegment& segment = motion.segments[index];
+    if (segment.kind == SegmentKind::dwell) return "";
+    bool last = motion.closed;
+    for (std::size_t i = index + 1; i < motion.segments.size(); ++i)
+        last = last && motion.segments[i].kind == SegmentKind::dwell;
+    if (!segment.to && !last) return " to where it is best";
+    return fmt::format(" to {} of the lift", short_text(segment.to.value_or(0.0)));
+}
+
+std::string segment_line(const MotionSpec& motion) {
+    std::string text;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        const std::string kind =
+            segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
+        append(text,
+               fmt::format("{} {} deg{}", kind, short_text(segment.angle / degree), end_text(motion, i)));
+    }
+    return "Segments: " + text;
+}
+
+std::string spline_line(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
+                                                            : spline.breakpoints.size() - 1;
+    return fmt::format("Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}{}",
+                       spline.degree, segments, spline.breakpoints.empty() ? "uniform " : "",
+                       scene.motion.type == MotionType::program ? " in each spline segment" : "",
+                       spline.smoothness(),
+                       spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
+                       spline.free_knots ? ", its breakpoints free" : "");
+}
+
+std::string range_text(const Dimension& dimension) {
+    const auto shown = [&](double value) { return short_text(value / dimension.unit); };
+    const KeyWords key = key_words(dimension.key);
+    const std::string unit = key.unit.empty() ? "mm" : key.unit;
+    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), unit);
+    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), unit);
+}
+
+std::string cam_line(const Scene& scene) {
+    if (scene.mechanism) {
+        Solution asked;
+        asked.scene = scene;
+        return fmt::format("Cam: {}, {}", mechanism_text(*scene.mechanism), mechanism_dimensions_text(asked));
+    }
+    std::string text = fmt::format("Cam: {}", follower_text(*scene.cam));
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto which = static_cast<DimensionIndex>(i);
+        if (has_dimension(scene.cam->follower, which))
+            append(text, fmt::format("{} {}", words_of(name_of(which)), range_text((*scene.cam)[which])));
+    }
+    if (has_roller(scene.cam->follower)) {
+        Dimension prime = (*scene.cam)[DimensionIndex::base_radius];
+        prime.low += (*scene.cam)[DimensionIndex::roller_radius].low;
+        prime.high += (*scene.cam)[DimensionIndex::roller_radius].high;
+        append(text, fmt::format("prime radius {}", range_text(prime)));
+    }
+    if (scene.cam->face_half_width)
+        append(text, fmt::format("half width of the face {} mm",
+                                 short_text(*scene.cam->face_half_width / millimetre)));
+    return text;
+}
+
+std::string force_line(const Scene& scene) {
+    const ForceSpec& forces = *scene.forces;
+    const bool swings = scene.motion.lift_is_angle;
+    std::string text = fmt::format(
+        "Forces: {} {} {}, spring {} {}, preload {} {}", swings ? "inertia" : "mass", short_text(forces.mass),
+        swings ? "kg m^2" : "kg", short_text(swings ? forces.spring_rate : forces.spring_rate * millimetre),
+        swings ? "N m/rad" : "N/mm", short_text(forces.preload), swings ? "N m" : "N");
+    if (forces.contact_width)
+        append(text, fmt::format("contact width {} mm", short_text(*forces.contact_width / millimetre)));
+    return text;
+}
+
+std::string limit_text(const std::string& key, double given, const std::string& unit) {
+    const bool least = key.find("_min") != std::string::npos || key.find("undercut") != std::string::npos;
+    const std::string words = key_words(key).words;
+    return fmt::format("{} {} {}{}{}", words, least ? ">=" : "<=", short_text(given), unit.empty() ? "" : " ",
+                       unit);
+}
+
+/// Empty where nothing is limited.
+std::string limit_line(const Scene& scene) {
+    const LimitSpec& limits = scene.limits;
+    std::string text;
+    for (const auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
+        if (*limit)
+            append(text, limit_text((*limit)->key, (*limit)->given, (*limit)->unit) +
+                             ((*limit)->unit.empty() ? " (normalised)" : ""));
+    for (const auto* limit :
+         {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
+          &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
+          &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
+        if (*limit) append(text, limit_text((*limit)->key, (*limit)->given(), (*limit)->unit));
+    return text;
+}
+
+std::string reference_text(const Reference& reference) {
+    if (!reference.numeric) return fmt::format("that of the law {}", words_of(reference.law));
+    std::string numbers;
+    const auto add = [&](const char* name, const std::optional<double>& value) {
+        if (value) append(numbers, fmt::format("{} {}", name, short_text(*value)));
+    };
+    add("velocity", reference.velocity);
+    add("acceleration", reference.acceleration);
+    add("jerk", reference.jerk);
+    add("torque", reference.torque);
+    add("rms acceleration", reference.rms_acceleration);
+    add("rms jerk", reference.rms_jerk);
+    return fmt::format("that of the reference given as numbers{}", numbers.empty() ? "" : ": " + numbers);
+}
+
+std::string objective_line(const ObjectiveSpec& objective) {
+    std::string terms;
+    const auto term = [&](double weight, const std::string& name) {
+        if (weight > 0.0)
+            terms += fmt::format("{}{} × {}", terms.empty() ? "" : " + ", short_text(weight), name);
+    };
+    term(objective.velocity, "velocity");
+    term(objective.acceleration, "acceleration");
+    term(objective.jerk, "jerk");
+    term(objective.torque, "torque");
+    term(objective.rms_acceleration, "rms acceleration");
+    term(objective.rms_jerk, "rms jerk");
+    const std::size_t of_motion = terms.size();
+    for (int i = 0; i < dimension_count; ++i)
+        term(objective.dimensions[static_cast<std::size_t>(i)],
+             words_of(name_of(static_cast<DimensionIndex>(i))));
+    return fmt::format("Objective: the least {}, each divided by {}{}", terms,
+                       reference_text(objective.reference),
+                       terms.size() > of_motion ? "; dimensions are divided by the lift" : "");
+}
+
+}  // namespace
+
+std::vector<std::string> scene_lines(const Scene& given) {
+    const Scene scene = with_written_limits(given);
+    std::vector<std::string> lines = {motion_line(scene.motion)};
+    if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene.motion));
+    lines.push_back(spline_line(scene));
+    if (scene.cam || scene.mechanism) lines.push_back(cam_line(scene));
+    if (scene.forces) lines.push_back(force_line(scene));
+    if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);
+    lines.push_back(objective_line(scene.objective));
+    return lines;
+}
+
+}  // namespace camopt

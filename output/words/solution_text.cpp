@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/solution_text.hpp"
+
+#include "core/printable.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/mechanism_words.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr int line_width = 110;
+constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
+
+std::string because(const Certificate& certificate) {
+    return certificate.reason.empty() ? std::string{} : fmt::format(" ({})", words_of(certificate.reason));
+}
+
+std::string indented(const std::string& lines) {
+    std::string text = "  ";
+    for (const char letter : lines) {
+        text += letter;
+        if (letter == '\n') text += "  ";
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
+std::string peak_line(const PeakRow& row, const std::string& reference_name) {
+    std::string line =
+        fmt::format("  {:<12} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
+    if (row.factor > 0.0)
+        line += fmt::format("  {:>10} {:<8}", short_text(row.factor * row.motion.value), row.unit);
+    else if (row.reference)
+        line += std::string(21, ' ');
+    if (row.reference)
+        line += fmt::format("  {} {} ({})", reference_name, short_text(*row.reference),
+                            change_text(row.optimum.value, *row.reference));
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
+std::string peak_lines(const Solution& solution) {
+    const ReferenceMotion reference = reference_motion(solution.scene);
+    std::string text;
+    for (const PeakRow& row : peak_comparison(solution, reference))
+        text += peak_line(row, reference_title(reference));
+    return text;
+}
+
+bool searched(const Solution& solution) {
+    return !solution.solver.convex && solution.solver.starts > 0;
+}
+
+/// A motion that was found, and then did not stand the audit of what is delivered.
+bool was_found_wanting(const Solution& solution) {
+    return solution.certificate.verdict == Verdict::failed && solution.motion != nullptr;
+}
+
+/// "8 starts" or "from one start"
+std::string starts_text(int starts) {
+    return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
+}
+
+/// The user stopped it, and that is why it is no better.
+bool was_interrupted(const Certificate& certificate) {
+    return certificate.reason == name_of(Termination::interrupted);
+}
+
+std::string interrupted_sentence(const Solution& solution) {
+    const int starts = solution.solver.starts;
+    const std::string where = !searched(solution) ? std::string()
+                              : starts == 1       ? std::string(" in the search from its first start")
+                                                  : fmt::format(" in the search, after {} starts", starts);
+    if (solution.certificate.verdict == Verdict::failed)
+        return fmt::format(
+            "Interrupted{}: until then no motion that keeps every limit was found. Whether there is one is "
+            "open.",
+            where);
+    return fmt::format(
+        "Interrupted{}: the best motion found until then keeps every limit; that it is optimal is not shown.",
+        where);
+}
+
+std::string segment_lines(const Solution& solution) {
+    if (solution.segments.empty()) return {};
+    return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
+}
+
+std::string mechanism_lines(const Solution& solution) {
+    TextTable table;
+    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
+    for (const CamFigure& figure : mechanism_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    std::string text = fmt::format("  cam: {}\n", mechanism_text(*solution.scene.mechanism));
+    text += wrapped_text("dimensions: " + mechanism_dimensions_text(solution), "  ", line_width);
+    text += indented(aligned_text(table));
+    for (const std::string& remark : mechanism_remarks(solution))
+        text += wrapped_text(remark, "  ", line_width);
+    return text;
+}
+
+std::string cam_lines(const Solution& solution) {
+    if (solution.mechanism) return mechanism_lines(solution);
+    if (!solution.cam) return {};
+    TextTable table;
+    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
+    for (const CamFigure& figure : cam_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    std::string text = fmt::format("  cam: {}\n", follower_text(*solution.scene.cam));
+    text += fmt::format("  dimensions: {}\n", dimensions_text(solution));
+    text += indented(aligned_text(table));
+    for (const std::string& remark : cam_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
+    return text;
+}
+
+std::string relaxation_lines(const Solution& solution) {
+    std::string text;
+    if (is_told_in_words(solution.scene)) {
+        for (const std::string& remark : infeasible_remarks(solution))
+            text += wrapped_text(remark, "  ", line_width);
+        return text;
+    }
+    for (const Relaxation& row : solution.relaxation)
+        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
+    for (const std::string& remark : common_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
+    return text;
+}
+
+}  // namespace
+
+std::string verdict_sentence(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    const SolverReport& solver = solution.solver;
+    if (was_found_wanting(solution))
+        return fmt::format(
+            "Failed: the motion that was found is not what the scene asks for{}, see the notes.",
+            because(certificate));
+    if (was_interrupted(certificate)) return interrupted_sentence(solution);
+    if (!searched(solution) || certificate.verdict == Verdict::optimal ||
+        certificate.verdict == Verdict::infeasible)
+        return verdict_sentence(certificate);
+    if (certificate.verdict == Verdict::local)
+        return fmt::format(
+            "Local optimum, {}: no small change improves it. That a better one exists is not ruled out.",
+            starts_text(solver.starts));
+    if (certificate.verdict == Verdict::feasible)
+        return fmt::format("Feasible, {}: every limit is kept; that it is optimal is not shown{}.",
+                           starts_text(solver.starts), because(certificate));
+    return fmt::format(
+        "Failed: no motion that keeps every limit was found from {} {}, and no proof that there is none{}.",
+        solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
+}
+
+std::string verdict_sentence(const Certificate& certificate) {
+    switch (certificate.verdict) {
+        case Verdict::optimal:
+            if (certificate.proof && certificate.proof->limits_relaxed_by > 0.0)
+                return fmt::format(
+                    "Proved optimal, with limits that lie within rounding of infeasible: no curve of this "
+                    "spline "
+                    "space that keeps them to within {} of their size is better by more than the gap.",
+                    short_text(certificate.proof->limits_relaxed_by, 2));
+            return "Proved optimal: no curve of this spline space is better by more than the gap.";
+        case Verdict::local:
+            if (certificate.gap)
+                return fmt::format(
+                    "Feasible and stationary; the proof leaves a gap of {}, wider than solver.gap allows.",
+                    short_text(*certificate.gap, 2));
+            return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
+                   "all.";
+        case Verdict::feasible:
+            return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.",
+                               because(certificate));
+        case Verdict::infeasible:
+            if (certificate.reason == "conditions_contradict") {
+                return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
+            }
+            return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
+        case Verdict::failed:
+            break;
+    }
+    return fmt::format("Failed: neither a curve nor a proof was found{}.", because(certificate));
+}
+
+std::string objective_line(const Solution& solution, std::string_view separator) {
+    const Certificate& certificate = solution.certificate;
+    std::string line;
+    const auto add = [&](std::string_view name, double value, int digits) {
+        line += fmt::format("{}{} {}", line.empty() ? std::string_view{} : separator, name,
+                            short_text(value, digits));
+    };
+    if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
+    if (certificate.lower_bound)
+        add(certificate.proof_kind == ProofKind::any_curve_limit ? "no curve below"
+            : searched(solution)                                 ? "bound of the convex relaxation"
+                                                                 : "proved bound",
+            *certificate.lower_bound, figures);
+    if (certificate.gap) add("gap", *certificate.gap, 2);
+    if (solution.any_curve_limit)
+        add(any_curve_title(solution.scene), solution.any_curve_limit->objective, figures);
+    return line;
+}
+
+std::string constraint_sentence(const ConstraintReport& row) {
+    if (row.no_contact)
+        return fmt::format("{} = {}: {} does not exist: {}", row.key, short_text(row.limit), row.name,
+                           no_contact_words);
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    return fmt::format("{} = {}: {} reaches {}{} ({})", row.key, short_text(row.limit), row.name,
+                       short_text(row.worst, figures), unit, row.active ? "active" : "not active");
+}
+
+std::string relaxation_sentence(const Relaxation& row) {
+    if (!row.needed)
+        return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
+                           row.ruled_out ? "no change of this limit" : "no value tried of it");
+    return fmt::format("{} = {}: {} is needed, if nothing else changes", row.key, short_text(row.given),
+                       needed_number(row));
+}
+
+std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
+    std::string text;
+    if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
+    text += verdict_sentence(solution) + "\n";
+    const std::string objective = objective_line(solution);
+    if (!objective.empty()) text += "  " + objective + "\n";
+    if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
+    if (solution.motion)
+        for (const ConstraintReport& row : solution.constraints)
+            text += fmt::format("  limit: {}\n", constraint_sentence(row));
+    text += cam_lines(solution) + relaxation_lines(solution);
+    for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
+    const SolverReport& solver = solution.solver;
+    if (!solver.name.empty())
+        text += fmt::format("  solver: {}, iterations {}, exchange rounds {}, {} s\n", solver.name,
+                            solver.iterations, solver.exchange_rounds, short_text(solution.seconds_total, 3));
+    for (const auto& path : written) text += fmt::format("  wrote {}\n", path.string());
+    return text;
+}
+
+}  // namespace camopt

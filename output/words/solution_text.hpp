@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A solution in words: for the terminal, the picture and the report.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// "Proved optimal: …" One sentence.
+[[nodiscard]] std::string verdict_sentence(const Certificate& certificate);
+/// The same, and what a search from several starts can say and cannot.
+[[nodiscard]] std::string verdict_sentence(const Solution& solution);
+
+/// "objective 0.940489277   proved bound 0.940489270   gap 7e-09". Only what exists.
+[[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");
+
+/// "limits.velocity = 1.8 is kept: at most 1.79 …"
+[[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
+
+/// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.
+[[nodiscard]] std::string relaxation_sentence(const Relaxation& row);
+
+/// What `camopt solve` prints: a compact summary of a dozen lines, ending in a line feed.
+[[nodiscard]] std::string summary_text(const Solution& solution,
+                                       std::span<const std::filesystem::path> written);
+
+}  // namespace camopt

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A finished sweep in a few lines for people.
+#pragma once
+
+#include "studies/sweep/sweep_row.hpp"
+
+#include <string>
+
+namespace camopt {
+
+/// Rows by verdict, the front where one is marked, the row of the least objective, the seconds its solves
+/// took; failed rows with their reasons. Each line indented by two spaces.
+[[nodiscard]] std::string sweep_text(const SweepTable& table);
+
+}  // namespace camopt

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Disk cams: one point of the follower's motion makes one point of the cam.
+//
+// Frames. The cam centre is the origin. In the frame that stands still, the cam turns by σθ about +z, with
+// σ = +1 counterclockwise, −1 clockwise; θ >= 0 is the cam angle of the motion. Cam frame = Rot(−σθ) · fixed.
+//   translating: follower axis x = offset e, lift along +y; roller centre C = (e, s0 + s),
+//                s0 = sqrt((base + roller)² − e²); flat face: the line y = base + s.
+//   oscillating: pivot A = (a, 0), ψ = ψ0 + s at the pivot from the line to the cam centre up to the arm;
+//                roller centre C = (a − l cos ψ, l sin ψ), ψ0 from (base + roller)² = a² + l² − 2 a l cos ψ0;
+//                flat face: the line of the arm, displaced by the face offset f towards the cam centre (away
+//                from it where f < 0): base = a sin ψ0 − f.
+// s, s', s'' are by the cam angle θ: m, m/rad, m/rad² (rad, 1, 1/rad for oscillating). All lengths m.
+//
+// With V = C' − σ z × C (velocity in the cam frame) the pitch curve has the outward normal
+// n = σ (−V_y, V_x)/|V|, the curvature κ = −σ (V × V')/|V|³ (V' in the cam frame; positive where the cam is
+// convex), and the cam lies at C − r n. A flat face is an envelope of lines: with p its distance from the cam
+// centre and α the angle of its normal u in the cam frame, the contact is p u + p_α u⊥, the radius
+// p + p_αα.
+//
+// Pressure angle φ = atan2(numerator, denominator), its sign that of the numerator:
+//   translating roller: s' − σe over s0 + s           oscillating roller: l(1 + σψ') − a cos ψ over a sin ψ
+//   translating flat:   0 over base + s               oscillating flat:   f(1 + σψ') over a cos ψ
+// Source: J. Angeles, C. López-Cajún, Optimization of Cam Mechanisms (1991). Checked against envelopes made
+// from follower positions alone (tests/profiles/envelope_test.cpp).
+// A cam with a geometry_fault may give NaN; nothing here throws for it.
+#pragma once
+
+#include "core/follower_state.hpp"
+#include "scene/cam_spec.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+
+namespace camopt {
+
+/// A cam with all its dimensions fixed.
+struct DiskCam {
+    FollowerType follower = FollowerType::translating_roller;
+    Rotation rotation = Rotation::counterclockwise;
+    std::array<double, dimension_count> dimensions{};  ///< by DimensionIndex
+
+    [[nodiscard]] double operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// The cam of a scene with each variable dimension in the middle of its range.
+[[nodiscard]] DiskCam middle_cam(const CamSpec& spec);
+
+/// What s is added to: the follower's height s0 over the cam centre (m; of the roller centre, of a flat
+/// face), or the arm's angle ψ0 (rad), where it rests on the base circle. NaN where the dimensions do not
+/// reach.
+[[nodiscard]] double rest_position(const DiskCam& cam);
+
+/// Why this cam cannot be built at all (|offset| >= prime radius, arm that cannot reach, …); empty: it can.
+/// `least`, `most`: the extremes of s.
+[[nodiscard]] std::string geometry_fault(const DiskCam& cam, double least, double most);
+
+struct ProfilePoint {
+    double theta = 0.0;
+    Eigen::Vector2d center, pitch;  ///< roller centre (flat: contact point) in the fixed and the cam frame
+    Eigen::Vector2d contact;        ///< contact point in the cam frame: a point of the cam's surface
+    Eigen::Vector2d normal;         ///< outward unit normal of the cam there, cam frame
+    double pressure_angle = 0.0;    ///< signed, rad: between the normal and the follower's velocity
+    double pitch_curvature = 0.0;   ///< 1/m, > 0 convex; flat: the cam's own
+    /// Signed radius of curvature of the cam, m: > 0 convex, < 0 concave, infinite where straight. Past
+    /// undercut (regularity < 0) the sign is that of the formula.
+    double cam_radius = 0.0;
+    /// Roller: 1 − r κ; knife: 1; flat: cam radius / base radius (its oscillating form times (1 + σψ')).
+    /// <= 0: undercut.
+    double regularity = 0.0;
+    /// Flat, m: where the face is touched. Translating: x from the follower's axis, σ s'; oscillating: from
+    /// the pivot's foot on the face towards the cam, a cos ψ / (1 + σψ').
+    double contact_offset = 0.0;
+};
+
+[[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state);
+
+/// What limits are made of. Each is smooth wherever the mechanism moves (oscillating flat: and 1 + σψ' ≠ 0).
+enum class Quantity {
+    pressure_numerator,    ///< tan φ = numerator / denominator; m
+    pressure_denominator,  ///< > 0 where the mechanism moves; m
+    pitch_curvature,       ///< roller, knife: κ, 1/m
+    cam_radius,            ///< flat: signed radius of the cam, m
+    regularity,            ///< as in ProfilePoint
+    contact_offset,        ///< flat, m
+    normal_lever  ///< force along the normal = F / lever (translating: cos φ) or M / lever (oscillating, m)
+};
+
+/// Variables of the partials: (s, s', s'', six dimensions by DimensionIndex).
+inline constexpr int quantity_variables = 3 + dimension_count;
+
+/// A quantity with exact first and second partials (automatic differentiation of the formulas above).
+struct QuantityValue {
+    double value = 0.0;
+    Eigen::Matrix<double, quantity_variables, 1> gradient;
+    Eigen::Matrix<double, quantity_variables, quantity_variables> hessian;
+};
+
+/// Throws ModelError where the follower has no such quantity. 0.1 to 2 µs.
+[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which);
+
+}  // namespace camopt

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Private to profiles/: a formula of a disk cam with its partials.
+//
+// A formula knows few variables: the position p and some of s', s'', the dimensions, perhaps mirrored. It is
+// expanded to second order in them by automatic differentiation and carried over to the variables of a
+// QuantityValue by the chain rule. All of them but p = start(dimensions) + s are global variables or their
+// negatives, so with J the Jacobian of the local by the global variables and f the formula
+//   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
+#pragma once
+
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/quantity_algebra.hpp"
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+namespace camopt::expansion {
+
+template <int n>
+using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
+template <int n>
+using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<n>, n, 1>>;
+template <int n>
+using Jacobian = Eigen::Matrix<double, n, quantity_variables>;
+
+/// The local variable `index` of n.
+template <int n>
+[[nodiscard]] SecondOrder<n> variable(double value, int index) {
+    SecondOrder<n> result;
+    result.value() = FirstOrder<n>(value, n, index);
+    for (int i = 0; i < n; ++i) result.derivatives()(i) = FirstOrder<n>(i == index ? 1.0 : 0.0);
+    return result;
+}
+
+/// Value and partials in n local variables.
+template <int n>
+struct Expansion {
+    double value = 0.0;
+    Eigen::Matrix<double, n, 1> gradient;
+    Eigen::Matrix<double, n, n> hessian;
+
+    explicit Expansion(const SecondOrder<n>& result)
+        : value(result.value().value()), gradient(result.value().derivatives()) {
+        for (int i = 0; i < n; ++i) hessian.col(i) = result.derivatives()(i).derivatives();
+    }
+
+    /// In the global variables, as if all local ones were linear in them.
+    [[nodiscard]] QuantityValue substituted(const Jacobian<n>& jacobian) const {
+        QuantityValue result;
+        result.value = value;
+        result.gradient.noalias() = jacobian.transpose() * gradient;
+        // Eigen would hand matrices of this size to its kernels for large ones.
+        const Jacobian<n> half = hessian.lazyProduct(jacobian);
+        result.hessian = jacobian.transpose().lazyProduct(half);
+        return result;
+    }
+};
+
+/// Columns of the partials.
+inline constexpr int velocity_column = 1, acceleration_column = 2;
+
+/// A variable of a formula that is a global variable or its negative.
+struct Local {
+    int column = 0;
+    double sign = 1.0;
+};
+
+/// The start of the follower (what s is added to) with its partials.
+[[nodiscard]] QuantityValue start_of(const DiskCam& cam);
+
+/// One cam in one state, whose formulas are to be expanded.
+class Expander {
+ public:
+    Expander(const DiskCam& cam, const FollowerState& state) : position_(start_of(cam)) {
+        values_ << state.s, state.velocity, state.acceleration,
+            Eigen::Map<const Eigen::Matrix<double, dimension_count, 1>>(cam.dimensions.data());
+        position_.value += state.s;
+        position_.gradient(0) += 1.0;
+    }
+
+    [[nodiscard]] const QuantityValue& position() const { return position_; }
+
+    /// `formula` of a follower made of the position and `locals`, in the order of its members.
+    template <template <class> class Follower, std::size_t count, class Formula>
+    [[nodiscard]] QuantityValue expand(const std::array<Local, count>& locals, const Formula& formula) const {
+        constexpr int n = static_cast<int>(count) + 1;
+        std::array<SecondOrder<n>, count + 1> variables;
+        Jacobian<n> jacobian = Jacobian<n>::Zero();
+        variables[0] = variable<n>(position_.value, 0);
+        jacobian.row(0) = position_.gradient.transpose();
+        for (std::size_t i = 0; i < count; ++i) {
+            const int row = static_cast<int>(i) + 1;
+            variables[i + 1] = variable<n>(locals[i].sign * values_(locals[i].column), row);
+            jacobian(row, locals[i].column) = locals[i].sign;
+        }
+        const auto of_members = [&](const auto&... member) {
+            return formula(Follower<SecondOrder<n>>{member...});
+        };
+        const Expansion<n> local(std::apply(of_members, variables));
+        QuantityValue result = local.substituted(jacobian);
+        result.hessian += local.gradient(0) * position_.hessian;
+        return result;
+    }
+
+ private:
+    QuantityValue position_;
+    Eigen::Matrix<double, quantity_variables, 1> values_;
+};
+
+}  // namespace camopt::expansion

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "scene/cam_mechanism.hpp"
+
+#include <cmath>
+
+namespace camopt {
+
+MechanismValue combined(double factor_a, const MechanismValue& a, double factor_b, const MechanismValue& b) {
+    return {factor_a * a.value + factor_b * b.value, factor_a * a.gradient + factor_b * b.gradient,
+            factor_a * a.hessian + factor_b * b.hessian, factor_a * a.by_angle + factor_b * b.by_angle};
+}
+
+MechanismValue CamMechanism::pressure_excess(double limit, int sign, const MechanismState& state, int station,
+                                             std::span<const int> active) const {
+    return combined(sign * std::cos(limit),
+                    quantity(MechanismQuantity::pressure_numerator, state, station, active), -std::sin(limit),
+                    quantity(MechanismQuantity::pressure_denominator, state, station, active));
+}
+
+}  // namespace camopt

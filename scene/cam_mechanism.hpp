@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Any mechanism between a cam and its output, as the optimizer sees it: one state of the output and the
+// mechanism's dimensions make the quantities that limits are made of.
+//
+// Implemented by the leaves of profiles/ (remote, …); objectives/ turns it into rules and knows no more. A
+// mechanism is a formula: its numbers (dimensions) come with every call, in the order of its MechanismSpec.
+// Stations are places along the contact that each keep the limits by themselves: one in a planar cam, heights
+// and flanks of a roller in a spatial one.
+//
+// SI: m, rad, s' and s'' by the cam angle. A state or dimensions out of the mechanism's reach give NaN, never
+// a throw; `fault` says in words what does not reach.
+#pragma once
+
+#include "core/curvature.hpp"
+#include "core/follower_state.hpp"
+#include "scene/cam_spec.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+enum class MechanismQuantity {
+    pressure_numerator,    ///< tan φ = numerator / denominator; m
+    pressure_denominator,  ///< > 0 where the mechanism moves; m
+    pitch_curvature,       ///< of the roller centre's path, 1/m, > 0 where the cam is convex; planar cams
+    regularity             ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
+};
+
+/// Value with first and second partials by (s, s', s'', the active dimensions in their order).
+struct MechanismValue {
+    double value = 0.0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+    double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
+};
+
+/// factor_a a + factor_b b.
+[[nodiscard]] MechanismValue combined(double factor_a, const MechanismValue& a, double factor_b,
+                                      const MechanismValue& b);
+
+/// One state of one mechanism.
+struct MechanismState {
+    std::span<const double> dimensions;
+    FollowerState output;
+    double theta = 0.0;  ///< cam angle, rad: for mechanisms whose input does not turn evenly (inverse)
+};
+
+/// One point of the cam at one station. Planar: z = 0.
+struct MechanismPoint {
+    double theta = 0.0;
+    Eigen::Vector3d pitch, contact;  ///< roller centre (axis) and a point of the cam's surface, cam frame
+    Eigen::Vector3d normal;          ///< outward unit normal of the cam there, cam frame
+    double pressure_angle = 0.0;     ///< signed, rad
+    double pitch_curvature = 0.0;    ///< 1/m; NaN where the mechanism has none
+    double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
+    double regularity = 0.0;
+};
+
+/// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
+struct MechanismShape {
+    enum class Kind { link, circle, pivot, guide };
+    Kind kind = Kind::link;
+    std::string name;                     ///< "lever", "roller", …
+    std::vector<Eigen::Vector2d> points;  ///< link, guide: its line; circle, pivot: the centre
+    double radius = 0.0;                  ///< circle
+};
+
+/// What a check needs that runs a roller over finished points and knows nothing else of the mechanism: a
+/// lever that carries the roller, and its linkage run forwards. The frame that stands still; m, rad.
+struct RollerLever {
+    Eigen::Vector2d center, pivot;  ///< of the cam, of the lever
+    double arm = 0.0, roller_radius = 0.0;
+    double start = 0.0;  ///< angle of the roller's arm from +x at output 0
+    /// s for an angle of the roller's arm; NaN out of reach.
+    std::function<double(double)> output;
+};
+
+class CamMechanism {
+ public:
+    virtual ~CamMechanism() = default;
+
+    [[nodiscard]] virtual std::string type() const = 0;  ///< "remote"
+    /// The output swings: the lift is an angle.
+    [[nodiscard]] virtual bool swings() const = 0;
+    [[nodiscard]] virtual Rotation rotation() const = 0;  ///< of the cam
+    [[nodiscard]] virtual int stations() const = 0;
+    [[nodiscard]] virtual std::string station_name(int station) const = 0;  ///< empty: there is but one
+    /// Whether a limit on the quantity has to be kept at this station: not where other stations imply it.
+    [[nodiscard]] virtual bool binds(MechanismQuantity which, int station) const {
+        static_cast<void>(which);
+        static_cast<void>(station);
+        return true;
+    }
+    /// Where in the dimensions the roller's radius stands.
+    [[nodiscard]] virtual int roller_radius() const = 0;
+    /// Planar: it has a pitch curve with a curvature, and can be drawn.
+    [[nodiscard]] virtual bool planar() const = 0;
+    /// A length by which geometry is made dimensionless, m.
+    [[nodiscard]] virtual double length(std::span<const double> dimensions) const = 0;
+    /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
+    [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
+                                            double most) const = 0;
+    /// active: which dimensions the partials are by.
+    [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
+                                                  int station, std::span<const int> active) const = 0;
+    /// sign · N cos φ − D sin φ with the limit φ of the pressure angle, N and D its numerator and
+    /// denominator:
+    /// <= 0 where it is kept to that side. A mechanism may continue it otherwise where no motion comes that
+    /// keeps the limit to both sides at every cam angle.
+    [[nodiscard]] virtual MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
+                                                         int station, std::span<const int> active) const;
+    /// The shape of pressure_excess over all s and s', and the active dimensions.
+    [[nodiscard]] virtual Curvature pressure_shape(std::span<const int> active) const {
+        static_cast<void>(active);
+        return Curvature::general;
+    }
+    [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
+                                               int station) const = 0;
+    /// Its links at one output; empty where it cannot be drawn.
+    [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
+    /// None where no lever carries the roller.
+    [[nodiscard]] virtual std::optional<RollerLever> roller_lever(
+        std::span<const double> dimensions) const = 0;
+
+ protected:
+    CamMechanism() = default;
+    CamMechanism(const CamMechanism&) = default;
+    CamMechanism& operator=(const CamMechanism&) = default;
+};
+
+}  // namespace camopt

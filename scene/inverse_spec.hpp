@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The dimensions of an inverse cam and its feeder: their names, once for the scene reader and the formulas
+// (profiles/inverse/inverse_mechanism.hpp).
+#pragma once
+
+#include "scene/mechanism_spec.hpp"
+
+namespace camopt {
+
+enum class InverseNumber {
+    roller_radius,
+    roller_rest,     ///< L where the roller started from rest
+    roller_end,      ///< L where its stroke ends
+    roller_angle,    ///< cam angle of that stroke, rad
+    roller_from,     ///< L where the rise begins
+    pin_distance,    ///< L1
+    pin_angle,       ///< al0, rad
+    rocker_pivot_x,  ///< C
+    rocker_pivot_y,
+    feeder_offset,  ///< Lx
+    feeder_start    ///< Y at displacement 0
+};
+inline constexpr int inverse_number_count = 11;
+[[nodiscard]] const char* name_of_number(InverseNumber value);  ///< "roller_radius", …
+
+/// Type "inverse", every number at 0.
+[[nodiscard]] MechanismSpec inverse_spec();
+
+}  // namespace camopt

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The segments of a program: each for itself, then their angles and where they end.
+#include "core/range.hpp"
+#include "scene/scene_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180.0;
+// Of a turn. Angles written with ten digits add up closer than this; a forgotten degree is far above.
+constexpr double turn_tolerance = 1e-9;
+
+Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
+    const Range angles = Range::above_up_to(0.0, full_turn);
+    if (!angles.contains(segment.angle))
+        return SceneFault{member + ".angle", fmt::format("{}", segment.angle), angles.number_text()};
+    if (segment.kind == SegmentKind::law && segment.law.empty())
+        return SceneFault{member + ".law", "no law in a segment of kind \"law\"", "a law of the catalogue"};
+    if (segment.kind != SegmentKind::law && !segment.law.empty())
+        return SceneFault{
+            member + ".law",
+            fmt::format("\"{}\" in a segment of kind \"{}\"", segment.law, name_of(segment.kind)),
+            "a law only in kind \"law\""};
+    if (!segment.to) return std::nullopt;
+    if (segment.kind == SegmentKind::dwell)
+        return SceneFault{member + ".to", "a displacement in a segment of kind \"dwell\"",
+                          "only in kind \"law\" or \"spline\"; a dwell keeps the displacement it finds"};
+    if (!std::isfinite(*segment.to))
+        return SceneFault{member + ".to", fmt::format("{}", *segment.to), Range{}.number_text()};
+    return std::nullopt;
+}
+
+Fault turn_fault(const MotionSpec& motion) {
+    double total = 0.0;
+    for (const ProgramSegment& segment : motion.segments) total += segment.angle;
+    const double excess = total / full_turn - 1.0;
+    const bool allowed = motion.closed ? std::abs(excess) <= turn_tolerance : excess <= turn_tolerance;
+    if (allowed) return std::nullopt;
+    return SceneFault{"motion.segments", fmt::format("angles that add up to {:.12g} deg", total / degree),
+                      motion.closed ? "360 deg, or motion.closed = false for a part of a turn"
+                                    : "360 deg, a whole turn, at most"};
+}
+
+/// A closed program ends where it began: at 0.
+Fault end_fault(const MotionSpec& motion) {
+    if (!motion.closed) return std::nullopt;
+    const auto last = std::find_if(motion.segments.rbegin(), motion.segments.rend(),
+                                   [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    if (last == motion.segments.rend() || last->to.value_or(0.0) == 0.0) return std::nullopt;
+    const auto index = std::distance(last, motion.segments.rend()) - 1;
+    return SceneFault{fmt::format("motion.segments[{}].to", index),
+                      fmt::format("a closed program that ends at {} lifts", *last->to),
+                      "0, where it began, or no `to`, or motion.closed = false"};
+}
+
+/// A program whose every displacement is free or 0 is solved by standing still: nothing was asked.
+Fault idle_fault(const MotionSpec& motion) {
+    const auto moves = [](const ProgramSegment& segment) { return segment.to.value_or(0.0) != 0.0; };
+    if (std::ranges::any_of(motion.segments, moves)) return std::nullopt;
+    const auto first = std::ranges::find_if(
+        motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const auto others = std::count_if(first + 1, motion.segments.end(),
+                                      [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
+    const bool alone = motion.closed && others == 0;  // what rises must come back
+    return SceneFault{fmt::format("motion.segments[{}].to", std::distance(motion.segments.begin(), first)),
+                      "a program in which nothing has to move: every displacement is 0 or free",
+                      alone ? "two segments that move, the first with `to`, or motion.closed = false"
+                            : "a displacement other than 0 for at least one segment (lifts: `to = 1`)"};
+}
+
+}  // namespace
+
+Fault program_fault(const MotionSpec& motion) {
+    if (motion.segments.empty())
+        return SceneFault{"motion.segments", "no segment",
+                          "the segments of the program, at least one of kind \"spline\""};
+    for (std::size_t i = 0; i < motion.segments.size(); ++i)
+        if (Fault fault = segment_fault(motion.segments[i], fmt::format("motion.segments[{}]", i)))
+            return fault;
+    if (std::ranges::none_of(motion.segments,
+                             [](const auto& segment) { return segment.kind == SegmentKind::spline; }))
+        return SceneFault{"motion.segments", "no segment to optimise",
+                          "at least one with kind = \"spline\", its angle and, where it is wanted, the "
+                          "displacement `to` at its end"};
+    if (Fault fault = turn_fault(motion)) return fault;
+    if (Fault fault = end_fault(motion)) return fault;
+    return idle_fault(motion);
+}
+
+}  // namespace camopt

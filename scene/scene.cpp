@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.hpp"
+
+#include "core/number_parsing.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+const char* name_of(SegmentKind value) {
+    switch (value) {
+        case SegmentKind::dwell:
+            return "dwell";
+        case SegmentKind::law:
+            return "law";
+        case SegmentKind::spline:
+            break;
+    }
+    return "spline";
+}
+
+double as_written(double value) {
+    return number_in(fmt::format("{:.15g}", value)).value_or(value);
+}
+
+double MotionSpec::unit_angle() const {
+    if (type != MotionType::program) return rise;
+    for (const ProgramSegment& segment : segments) {
+        if (segment.kind == SegmentKind::spline) return segment.angle;
+    }
+    return segments.empty() ? rise : segments.front().angle;
+}
+
+double MotionSpec::length() const {
+    if (type == MotionType::drd) return 1.0;
+    if (type == MotionType::rr) return 1.0 + return_angle.value_or(rise) / rise;
+    double total = 0.0;
+    for (const ProgramSegment& segment : segments) total += segment.angle;
+    return total / unit_angle();
+}
+
+const char* name_of(EndJerk value) {
+    return value == EndJerk::free ? "free" : "zero";
+}
+
+const char* name_of(TieBreak value) {
+    return value == TieBreak::none ? "none" : "rms_jerk";
+}
+
+}  // namespace camopt

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// A scene: what must move, how good, found how. SI units and radians; plain values with the defaults of a
+// scene file, so that a scene can be written in a few lines of C++ without any file.
+#pragma once
+
+#include "core/choices.hpp"
+#include "scene/cam_spec.hpp"
+#include "scene/mechanism_spec.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+enum class SegmentKind { dwell, law, spline };
+enum class EndJerk { free, zero };
+enum class TieBreak { none, rms_jerk };
+
+/// An exact point of the motion. `at`: x, in units of the rise. Normalised values; at least one is given.
+struct SetPoint {
+    double at = 0.0;
+    std::optional<double> displacement = {}, velocity = {}, acceleration = {};
+};
+
+/// One stretch of a program. A dwell keeps the displacement it finds.
+struct ProgramSegment {
+    SegmentKind kind = SegmentKind::dwell;
+    double angle = 0.0;        ///< cam angle it takes, rad, > 0
+    std::string law = {};      ///< kind law: a key of the catalogue
+    std::optional<double> to;  ///< displacement at its end, in lifts; none: free (law, spline)
+};
+
+struct MotionSpec {
+    MotionType type = MotionType::drd;
+    double lift = 1e-3;                    ///< m, or rad where lift_is_angle; > 0
+    bool lift_is_angle = false;            ///< a swinging or indexing output
+    double rise = 3.14159265358979323846;  ///< cam angle of the rise, rad, in (0, 2π]
+    std::optional<double> return_angle;    ///< RR: cam angle of the return, rad; default: rise
+    std::optional<double> speed;           ///< rad/s, > 0; only time-domain limits and outputs need it
+    bool symmetric = false;                ///< DRD: y(x) + y(1-x) = 1; RR: y(x) = y(2-x)
+    std::vector<SetPoint> via;
+    std::vector<ProgramSegment> segments;  ///< program: from s = 0 at the start
+    bool closed = true;                    ///< program: the angles add up to a turn, and it ends at s = 0
+
+    /// The cam angle of x = 1, rad: the rise; in a program the angle of its first spline segment.
+    [[nodiscard]] double unit_angle() const;
+    /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR, all angles / unit angle for a program.
+    [[nodiscard]] double length() const;
+};
+
+struct SplineSpec {
+    int degree = 3;     ///< 3 or 5
+    int segments = 12;  ///< uniform segments over the whole motion; ignored where breakpoints are given
+    std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
+    /// The interior breakpoints are variables too: those above are where the search starts. DRD and RR only.
+    bool free_knots = false;
+    std::optional<int> continuity;  ///< highest continuous derivative, 2 … degree − 1; default degree − 1
+    EndJerk end_jerk = EndJerk::free;  ///< zero: y''' = 0 at both ends, degree 5 only
+    DesignKind design = DesignKind::automatic;
+
+    [[nodiscard]] int smoothness() const { return continuity.value_or(degree - 1); }
+};
+
+/// The figures the peaks are divided by: those of a law of the catalogue, or numbers.
+struct Reference {
+    std::string law = "modified_sine";  ///< used where a number below is absent
+    std::optional<double> velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk;
+    bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
+};
+
+struct ObjectiveSpec {
+    double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
+    double torque = 0.0;                                    ///< weight, >= 0, of max |y' y''|
+    double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
+    /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
+    /// the lift times the centre distance); the offset counts by its magnitude.
+    std::array<double, dimension_count> dimensions{};
+    Reference reference;
+    TieBreak tie_break = TieBreak::rms_jerk;
+};
+
+/// A hard limit on a peak, as the user wrote it. From C++ `normalised` will do (scene/written_limits.hpp).
+struct PeakLimit {
+    double normalised = 0.0;  ///< on the normalised peak, > 0
+    std::string key = {};     ///< as written, e.g. "limits.velocity_mm_s"
+    double given = 0.0;       ///< in the unit of the key
+    std::string unit = {};    ///< "", "mm/s", "deg/s^2", …
+    /// given / normalised: what one unit of the normalised peak is in the unit of the key.
+    [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
+    /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
+    /// own angle and displacement.
+    [[nodiscard]] bool in_time() const { return !unit.empty(); }
+};
+
+/// A number that went through a change of unit and back, to the 15 digits that survive: 30,
+/// not 29.999999999999996.
+[[nodiscard]] double as_written(double value);
+
+/// Any other hard limit, as the user wrote it. From C++ `value` will do (scene/written_limits.hpp).
+struct WrittenLimit {
+    double value = 0.0;       ///< SI, rad
+    std::string key = {};     ///< as written, e.g. "limits.pressure_angle_deg"
+    double unit_value = 1.0;  ///< SI value of one unit of the key
+    std::string unit = {};    ///< "deg", "mm", "N", …; empty: dimensionless
+    [[nodiscard]] double given() const { return as_written(value / unit_value); }
+};
+
+struct LimitSpec {
+    std::optional<PeakLimit> velocity, acceleration, jerk;
+    // The rest needs a cam.
+    std::optional<WrittenLimit> pressure_angle;                              ///< |φ| <=, in (0, π/2)
+    std::optional<WrittenLimit> rise_pressure_angle, return_pressure_angle;  ///< replace it there
+    std::optional<WrittenLimit> cam_radius_min;      ///< least convex radius of the cam surface, >= 0
+    std::optional<WrittenLimit> concave_radius_min;  ///< least concave radius of the cam surface, >= 0
+    /// Least regularity, in [0, 1): 1 − roller radius / pitch radius for a roller, cam radius / base radius
+    /// for a flat face. 0: just no undercut.
+    std::optional<WrittenLimit> undercut_margin;
+    // These need forces and a speed too.
+    std::optional<WrittenLimit> contact_force_min;   ///< of F (N) or M (N m) of ForceSpec
+    std::optional<WrittenLimit> torque_max;          ///< |camshaft torque|, N m
+    std::optional<WrittenLimit> hertz_pressure_max;  ///< Pa; needs a contact width
+};
+
+struct SolverSpec {
+    std::string name = "auto";
+    double tolerance = 1e-9;    ///< feasibility and optimality of the solve, relative
+    double gap = 1e-7;          ///< proved relative gap below which the verdict is optimal
+    double max_seconds = 60.0;  ///< wall time of the whole solve; then the best feasible point is kept
+    std::optional<int> starts;  ///< starting points; default: 1 where convex, 8 otherwise
+    unsigned seed = 0;
+    std::map<std::string, OptionValue> options;  ///< the backend's own, checked against its registry
+};
+
+struct Scene {
+    std::string title;
+    MotionSpec motion;
+    SplineSpec spline;
+    ObjectiveSpec objective;
+    std::optional<CamSpec> cam;              ///< a disk cam; none: no profile exists and no profile code runs
+    std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
+    std::optional<ForceSpec> forces;         ///< needs a cam and a speed
+    LimitSpec limits;
+    SolverSpec solver;
+};
+
+/// The first thing wrong with a scene: the member ("spline.breakpoints[3]"), what was found, what is allowed.
+struct SceneFault {
+    std::string member, found, allowed;
+};
+
+/// SI units and radians. Names of laws and solvers are not looked at: those who know the catalogues check
+/// them.
+[[nodiscard]] std::optional<SceneFault> find_fault(const Scene& scene);
+
+/// Throws InputError naming the first member that is out of its range, what was found and what is allowed.
+/// The scene reader names file, line and column first; this is the gate for scenes built in C++.
+void validate(const Scene& scene);
+
+[[nodiscard]] const char* name_of(SegmentKind value);
+[[nodiscard]] const char* name_of(EndJerk value);
+[[nodiscard]] const char* name_of(TieBreak value);
+
+}  // namespace camopt

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The checks of a scene: numbers against their ranges (one table), then what must hold between members.
+#include "core/errors.hpp"
+#include "core/range.hpp"
+#include "scene/scene_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+Fault breakpoint_fault(const Scene& scene) {
+    const std::vector<double>& points = scene.spline.breakpoints;
+    if (points.empty()) return std::nullopt;
+    const bool program = scene.motion.type == MotionType::program;
+    const double length = program ? 1.0 : scene.motion.length();
+    const auto member = [](std::size_t i) { return fmt::format("spline.breakpoints[{}]", i); };
+    if (points.size() < 2 || points.size() > 65537)
+        return SceneFault{"spline.breakpoints", fmt::format("{} breakpoint(s)", points.size()), "2 to 65537"};
+    if (!(std::abs(points.front()) <= same_place))
+        return SceneFault{member(0), fmt::format("{}", points.front()),
+                          program ? "0, the start of a segment" : "0, the start of the motion"};
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (!(points[i] - points[i - 1] > same_place))
+            return SceneFault{member(i), fmt::format("{} after {}", points[i], points[i - 1]),
+                              "ascending breakpoints"};
+    if (!(std::abs(points.back() - length) <= same_place))
+        return SceneFault{member(points.size() - 1), fmt::format("{}", points.back()),
+                          fmt::format("{}, the end of {}", length, program ? "a segment" : "the motion")};
+    if (!scene.motion.symmetric) return std::nullopt;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double mirrored = length - points[points.size() - 1 - i];
+        if (std::abs(points[i] - mirrored) > same_place)
+            return SceneFault{member(i), fmt::format("{} in a symmetric motion", points[i]),
+                              fmt::format("{}, the mirror image of another breakpoint", mirrored)};
+    }
+    return std::nullopt;
+}
+
+/// The search is dense in the breakpoints.
+constexpr int most_free_segments = 256;
+
+Fault free_knot_fault(const Scene& scene) {
+    const SplineSpec& spline = scene.spline;
+    if (!spline.free_knots) return std::nullopt;
+    if (scene.motion.type == MotionType::program)
+        return SceneFault{"spline.knots", "\"free\" in a program",
+                          "\"fixed\", or motion type \"DRD\" or \"RR\""};
+    const int segments =
+        spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
+    if (segments > most_free_segments)
+        return SceneFault{"spline.knots", fmt::format("\"free\" with {} segments", segments),
+                          fmt::format("\"fixed\", or at most {} segments", most_free_segments)};
+    return std::nullopt;
+}
+
+Fault spline_fault(const SplineSpec& spline) {
+    if (spline.degree != 3 && spline.degree != 5)
+        return SceneFault{"spline.degree", fmt::to_string(spline.degree), "3 or 5"};
+    const Range segments = Range::between(1, 65536);
+    if (spline.breakpoints.empty() && !segments.contains(spline.segments))
+        return SceneFault{"spline.segments", fmt::to_string(spline.segments), segments.integer_text()};
+    const int smoothest = spline.degree - 1;
+    if (spline.smoothness() < 2 || spline.smoothness() > smoothest)
+        return SceneFault{
+            "spline.continuity", fmt::to_string(*spline.continuity),
+            smoothest == 2 ? "2 with degree 3"
+                           : fmt::format("an integer from 2 to {} with degree {}", smoothest, spline.degree)};
+    if (spline.end_jerk == EndJerk::zero && spline.degree != 5)
+        return SceneFault{"spline.end_jerk", "\"zero\" with degree 3", "\"free\", or degree 5"};
+    if (spline.design == DesignKind::ordinates && spline.smoothness() != smoothest)
+        return SceneFault{"spline.design",
+                          fmt::format("\"ordinates\" with continuity {}", spline.smoothness()),
+                          fmt::format("\"ordinates\" only with continuity {}", smoothest)};
+    return std::nullopt;
+}
+
+/// The dimension of this name that the scene's mechanism has; none where it has no such one.
+const MechanismDimension* dimension_of_mechanism(const Scene& scene, std::string_view name) {
+    if (!scene.mechanism) return nullptr;
+    for (const MechanismDimension& dimension : scene.mechanism->dimensions)
+        if (dimension.name == name) return &dimension;
+    return nullptr;
+}
+
+/// The weights of the cam's dimensions; `found`: one of them counts.
+Fault dimension_weight_fault(const Scene& scene, bool& found) {
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        const double weight = scene.objective.dimensions[static_cast<std::size_t>(i)];
+        if (weight == 0.0) continue;
+        const std::string member = fmt::format("objective.{}", name_of(index));
+        if (const MechanismDimension* const own = dimension_of_mechanism(scene, name_of(index))) {
+            if (own->value.is_variable()) found = true;
+            continue;
+        }
+        if (!scene.cam)
+            return SceneFault{member, fmt::format("{} without a cam", weight),
+                              "0, or a [cam] table with this dimension"};
+        if (!has_dimension(scene.cam->follower, index))
+            return SceneFault{member,
+                              fmt::format("{} for a dimension that the follower \"{}\" does not have", weight,
+                                          name_of(scene.cam->follower)),
+                              "0"};
+        if ((*scene.cam)[index].is_variable()) found = true;
+    }
+    return std::nullopt;
+}
+
+Fault objective_fault(const Scene& scene) {
+    const ObjectiveSpec& objective = scene.objective;
+    const Reference& reference = objective.reference;
+    const std::array terms = {
+        std::tuple{"velocity", objective.velocity, reference.velocity},
+        std::tuple{"acceleration", objective.acceleration, reference.acceleration},
+        std::tuple{"jerk", objective.jerk, reference.jerk},
+        std::tuple{"torque", objective.torque, reference.torque},
+        std::tuple{"rms_acceleration", objective.rms_acceleration, reference.rms_acceleration},
+        std::tuple{"rms_jerk", objective.rms_jerk, reference.rms_jerk},
+    };
+    bool weighs_dimension = false;
+    if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
+    if (!weighs_dimension &&
+        std::ranges::none_of(terms, [](const auto& term) { return std::get<1>(term) > 0.0; }))
+        return SceneFault{
+            "objective", "no weight > 0",
+            "at least one of velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk > 0, or of a "
+            "dimension of the cam that is a range"};
+    for (const auto& [name, weight, number] : terms)
+        if (reference.numeric && weight > 0.0 && !number)
+            return SceneFault{fmt::format("objective.reference.{}", name), "no number",
+                              fmt::format("a number > 0, because objective.{} = {}", name, weight)};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SceneFault> find_fault(const Scene& scene) {
+    if (Fault fault = number_fault(scene)) return fault;
+    if (Fault fault = motion_fault(scene.motion)) return fault;
+    if (Fault fault = spline_fault(scene.spline)) return fault;
+    if (Fault fault = breakpoint_fault(scene)) return fault;
+    if (Fault fault = free_knot_fault(scene)) return fault;
+    if (Fault fault = cam_fault(scene)) return fault;
+    if (Fault fault = mechanism_fault(scene)) return fault;
+    if (Fault fault = objective_fault(scene)) return fault;
+    if (Fault fault = force_fault(scene)) return fault;
+    return limit_fault(scene);
+}
+
+void validate(const Scene& scene) {
+    if (const Fault fault = find_fault(scene))
+        throw InputError(
+            fmt::format("{}: found {}; allowed: {}", fault->member, fault->found, fault->allowed));
+}
+
+}  // namespace camopt

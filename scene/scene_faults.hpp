@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The checks find_fault is made of. Each looks at one part of a scene whose numbers lie in their ranges, and
+// returns the first thing wrong. Internal to core/.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace camopt {
+
+using Fault = std::optional<SceneFault>;
+
+/// Places along the motion closer than this are the same place; the rounding of a decimal breakpoint is far
+/// below.
+inline constexpr double same_place = 1e-12;
+
+[[nodiscard]] Fault number_fault(const Scene& scene);         ///< every number against its range
+[[nodiscard]] Fault motion_fault(const MotionSpec& motion);   ///< angles, points, what fits the type
+[[nodiscard]] Fault program_fault(const MotionSpec& motion);  ///< segments; type program only
+[[nodiscard]] Fault cam_fault(const Scene& scene);            ///< dimensions of the follower, geometry
+[[nodiscard]] Fault cam_geometry_fault(const CamSpec& cam);   ///< some cam within the ranges can be built
+[[nodiscard]] Fault mechanism_fault(const Scene& scene);      ///< the same of any other kind of cam
+[[nodiscard]] Fault force_fault(const Scene& scene);
+[[nodiscard]] Fault limit_fault(const Scene& scene);
+
+}  // namespace camopt

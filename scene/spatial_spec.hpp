@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The dimensions of a barrel or cylindrical cam: their names, once for the scene reader and the formulas
+// (profiles/spatial).
+#pragma once
+
+#include "scene/mechanism_spec.hpp"
+
+namespace camopt {
+
+enum class SpatialFollower { barrel, cylindrical_rotating, cylindrical_translating };
+[[nodiscard]] const char* name_of(SpatialFollower value);
+
+/// The follower turns (an index, a lever): its lift is an angle.
+[[nodiscard]] constexpr bool swings(SpatialFollower value) {
+    return value != SpatialFollower::cylindrical_translating;
+}
+
+/// All numbers of such a mechanism in their order; profiles/spatial/spatial_cam.hpp has the formulas.
+enum class SpatialNumber {
+    roller_radius,
+    arm_length,       ///< barrel: index radius; rotating: pivot to the roller's near end; else unused
+    center_distance,  ///< barrel, translating: cam's axis to the roller's near end; rotating: to the pivot
+    lateral_offset,
+    axial_offset,  ///< changes no limit
+    roller_length,
+    start  ///< position of the follower at displacement 0: rad, m
+};
+inline constexpr int spatial_number_count = 7;
+[[nodiscard]] const char* name_of_number(SpatialNumber value);  ///< "roller_radius", …
+
+/// A mechanism of this kind with every number at 0; type "barrel" or "cylindrical", the latter with the
+/// choice "follower" = "rotating" or "translating".
+[[nodiscard]] MechanismSpec spatial_spec(SpatialFollower follower);
+/// Back again; throws InputError for a spec of another type.
+[[nodiscard]] SpatialFollower spatial_follower(const MechanismSpec& spec);
+
+}  // namespace camopt

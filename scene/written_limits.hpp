@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a scene written in C++ may leave out of its limits and dimensions, filled in as a scene file would
+// have said it.
+//
+// A limit on a peak (PeakLimit) is given by its normalised number, or by the number in a unit:
+//     given = normalised · lift · (speed / unit angle)^order / unit,   order 1, 2, 3.
+// Any other (WrittenLimit) by its SI value. The key, the unit and the other number follow. Without a unit a
+// limit of the cam is shown in the manual's: deg, mm, N, N m, MPa.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace camopt {
+
+/// The scene with every key, unit and number of its limits and of its disk cam's dimensions filled in; one
+/// that is complete comes back as it is. What is wrong beside is left to validate(). Throws InputError for
+/// two numbers that contradict each other, a unit that the limit cannot have, and a limit in time without a
+/// speed.
+[[nodiscard]] Scene with_written_limits(Scene scene);
+
+}  // namespace camopt

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/certificate/certificate.hpp"
+
+#include "core/errors.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace camopt {
+
+const char* name_of(Verdict value) {
+    switch (value) {
+        case Verdict::optimal:
+            return "optimal";
+        case Verdict::local:
+            return "local";
+        case Verdict::feasible:
+            return "feasible";
+        case Verdict::infeasible:
+            return "infeasible";
+        case Verdict::failed:
+            break;
+    }
+    return "failed";
+}
+
+const char* name_of(ProofKind value) {
+    if (value == ProofKind::any_curve_limit) return "any_curve_limit";
+    if (value == ProofKind::boxes) return "boxes";
+    return value == ProofKind::duality ? "duality" : "none";
+}
+
+double relative_gap(double objective, double bound) {
+    return std::max(0.0, objective - bound) / std::max(1.0, std::abs(objective));
+}
+
+bool bound_passes(double objective, double bound, double tolerance) {
+    return bound > objective + tolerance * std::max(1.0, std::abs(objective));
+}
+
+double recomputed_bound(const DualityProof& proof) {
+    const Eigen::Index variables = proof.cost.size();
+    const Eigen::Index rows = proof.multipliers.size();
+    if (proof.matrix.rows() != rows || proof.matrix.cols() != variables || proof.lower.size() != rows ||
+        proof.upper.size() != rows || proof.box.lower.size() != variables ||
+        proof.box.upper.size() != variables) {
+        throw ModelError("duality proof: its parts do not have matching sizes");
+    }
+    // `size` sums the magnitudes that meet: a double carries each to half a unit in the last place, and the
+    // long double sums below round far less than that.
+    long double bound = proof.constant;
+    long double size = std::abs(proof.constant);
+    std::vector<long double> reduced(proof.cost.begin(), proof.cost.end());
+    std::vector<long double> reduced_size(variables);
+    for (Eigen::Index j = 0; j < variables; ++j) reduced_size[j] = std::abs(proof.cost[j]);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const long double multiplier = proof.multipliers[i];
+        if (multiplier == 0.0L) continue;
+        const double side = multiplier > 0.0L ? proof.upper[i] : proof.lower[i];
+        if (!std::isfinite(side)) throw ModelError("duality proof: a multiplier leans on a missing bound");
+        bound -= multiplier * side;
+        size += std::abs(multiplier * side);
+        for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, i); entry; ++entry) {
+            reduced[entry.col()] += multiplier * entry.value();
+            reduced_size[entry.col()] += std::abs(multiplier * entry.value());
+        }
+    }
+    constexpr long double rounding = std::numeric_limits<double>::epsilon();
+    for (Eigen::Index j = 0; j < variables; ++j) {
+        if (reduced_size[j] == 0.0L) continue;
+        const long double lower = proof.box.lower[j];
+        const long double upper = proof.box.upper[j];
+        const long double slack = rounding * reduced_size[j];
+        // The reduced cost is known to ± slack: take the worse end of both.
+        for (const long double cost : {reduced[j] - slack, reduced[j] + slack}) {
+            const long double at = cost > 0.0L ? lower : upper;
+            if (cost != 0.0L && !std::isfinite(at)) return -infinity;
+        }
+        const auto least = [&](long double cost) { return cost > 0.0L ? cost * lower : cost * upper; };
+        bound += std::min(least(reduced[j] - slack), least(reduced[j] + slack));
+    }
+    return static_cast<double>(bound - rounding * size);
+}
+
+}  // namespace camopt

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What was found, and the proof of it. One judge for every backend.
+//
+// Proof by weak duality. For multipliers λ (sign as in core/nlp.hpp) and a box [l, u] that holds an optimum,
+//     f* >= constant − Σ_i λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Gᵀλ,
+// where row i is g_L <= G_i x <= g_U and b_i = g_U where λ_i > 0, g_L where λ_i < 0. c is the cost's gradient
+// at the delivered point (a tangent, hence a lower bound, of a convex cost). The sum is rounded outward. A
+// proof of infeasibility is the same bound for the elastic problem: its least common violation exceeds zero.
+#pragma once
+
+#include "core/continuous_problem.hpp"
+#include "core/extremum.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+enum class Verdict { optimal, local, feasible, infeasible, failed };
+[[nodiscard]] const char* name_of(Verdict value);
+
+enum class ProofKind {
+    none,
+    duality,          ///< DualityProof
+    any_curve_limit,  ///< no curve of any kind is better (motions/bounds/any_curve_limit.hpp); free
+                      ///< breakpoints
+    boxes             ///< a DualityProof for each case of a choice: Certificate::cases
+};
+[[nodiscard]] const char* name_of(ProofKind value);
+
+/// Everything needed to recompute a lower bound by hand; only rows with a multiplier are kept.
+struct DualityProof {
+    /// "objective"; "least_common_violation" or "conditions" (then bound > 0 proves infeasibility)
+    std::string statement;
+    std::vector<std::string> variables;
+    Eigen::VectorXd cost;  ///< c
+    double constant = 0.0;
+    std::vector<std::string> rows;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;  ///< G, rows x variables
+    Eigen::VectorXd lower, upper;                         ///< right sides, ±infinity where open
+    Eigen::VectorXd multipliers;
+    Box box;
+    double bound = 0.0;
+    /// Above 0: the rows of the limits stand moved out by this times their scale, and the bound is of every
+    /// point that keeps the limits to within it (solvers/exchange/relaxed_limits.hpp).
+    double limits_relaxed_by = 0.0;
+};
+
+/// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
+/// keeps the limits there, and the proof's bound is above 0.
+struct CaseProof {
+    std::vector<std::string> region;
+    double bound = 0.0;
+    bool infeasible = false;
+    std::shared_ptr<const DualityProof> proof;  ///< of a part of the rows: cases may share one
+};
+
+/// The bound of a stored proof, recomputed from its own numbers and rounded outward (long double, less an
+/// error term). Throws ModelError where sizes differ or a multiplier leans on an infinite right side or box.
+[[nodiscard]] double recomputed_bound(const DualityProof& proof);
+
+/// (objective − bound) / max(1, |objective|), 0 where the bound is above by rounding. A bound that passes the
+/// objective by more (bound_passes) is none of the point, and has no gap to it.
+[[nodiscard]] double relative_gap(double objective, double bound);
+
+/// Whether a bound lies above an objective by more than `tolerance`, relative: then the point lies outside
+/// the problem that the bound is of, by using the tolerance of its limits.
+[[nodiscard]] bool bound_passes(double objective, double bound, double tolerance);
+
+/// Reason of a point whose limits lie within rounding of infeasible, and of which nothing is proved.
+inline constexpr const char* limits_within_rounding = "limits_within_rounding_of_infeasible";
+
+struct Certificate {
+    Verdict verdict = Verdict::failed;
+    std::string reason;                 ///< why it is not better: "no_feasible_point", "time_limit", …
+    double objective = infinity;        ///< true objective of the delivered curve
+    std::optional<double> lower_bound;  ///< proved
+    std::optional<double> gap;          ///< (objective − lower_bound) / max(1, |objective|)
+    double worst_violation = infinity;  ///< continuous, relative to each rule's scale; <= 0 is kept
+    std::optional<double> stationarity;  ///< ‖∇f + Jᵀλ + z‖∞ at the delivered point with the best multipliers
+    ProofKind proof_kind = ProofKind::none;
+    std::optional<DualityProof> proof;
+    std::vector<CaseProof> cases;  ///< ProofKind::boxes: lower_bound is the least of their bounds
+};
+
+}  // namespace camopt

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/exchange/continuous_solve.hpp"
+
+#include "solvers/certificate/duality.hpp"
+#include "solvers/exchange/elastic.hpp"
+#include "solvers/exchange/relaxed_limits.hpp"
+#include "solvers/structured/structured_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Rows this close to their bound may carry a multiplier when a backend gives none.
+constexpr double active_row = 1e-6;
+// How much further a point is pulled inside than its violation asks for.
+constexpr double pull = 1.0 + 1e-6;
+
+/// Keeps the better of the proof at hand and the one these multipliers give.
+void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
+               const std::string& source) {
+    const Nlp& grid = problem.grid();
+    if (multipliers.size() != grid.shape().constraints() || !multipliers.allFinite()) return;
+    Certificate& certificate = result.certificate;
+    const double stationarity = stationarity_of(grid, result.x, multipliers, active_row);
+    certificate.stationarity = std::min(certificate.stationarity.value_or(infinity), stationarity);
+    if (!grid.shape().convex || !problem.convex(certificate.objective)) return;
+    DualityProof proof =
+        duality_proof(grid, result.x, multipliers, problem.box(certificate.objective, 0.0), "objective");
+    if (!std::isfinite(proof.bound)) return;
+    if (certificate.lower_bound && *certificate.lower_bound >= proof.bound) return;
+    certificate.lower_bound = proof.bound;
+    certificate.gap = relative_gap(certificate.objective, proof.bound);
+    certificate.proof = std::move(proof);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = source;
+}
+
+void prove(ContinuousResult& result, ContinuousProblem& problem, const Solver& solver,
+           const ExchangeOptions& exchange, const JudgeOptions& judge, const SolveControl& control) {
+    const auto proved = [&] { return result.certificate.gap && *result.certificate.gap <= judge.gap; };
+    const BackendResult& last = result.exchange.last;
+    if (last.row_multipliers) {
+        try_proof(result, problem, *last.row_multipliers, std::string(solver.name()));
+    } else if (!was_stopped(result.exchange.termination)) {
+        try_proof(result, problem, fitted_multipliers(problem.grid(), result.x, active_row, control),
+                  "fitted");
+    }
+    if (proved() || !problem.grid().shape().convex || control.ending()) return;
+    if (solver.name() == "structured" && was_stopped(result.exchange.termination)) return;
+    // The grid of another backend's last round is a relaxation like any other: its dual is a bound for all
+    // curves.
+    BackendOptions options;
+    options.tolerance = exchange.backend.tolerance;
+    options.max_seconds = exchange.backend.max_seconds;
+    const BackendResult dual = make_structured_solver()->minimize(problem.grid(), result.x, options, control);
+    if (dual.row_multipliers) try_proof(result, problem, *dual.row_multipliers, "structured");
+}
+
+/// The first point of a solve: the problem's own start where it keeps the limits, else the least violating
+/// point of the elastic problem, which also proves whether there is anything to look for.
+struct FirstPoint {
+    Candidate inside;
+    std::optional<DualityProof> infeasible;
+    bool searched = false;  ///< it took a search that ended
+};
+
+FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchange, const JudgeOptions& judge,
+                       const SolveControl& control) {
+    FirstPoint first{judged(problem, problem.start()), {}, false};
+    const bool kept = first.inside.violation <= judge.tolerance;
+    if (kept || control.ending() || !problem.grid().shape().convex) return first;
+    Feasibility feasibility = find_feasible(problem, exchange, control);
+    first.searched = feasibility.point.x.size() > 0;
+    if (first.searched) first.inside = std::move(feasibility.point);
+    if (first.inside.violation > judge.tolerance) first.infeasible = std::move(feasibility.proof);
+    return first;
+}
+
+void report_infeasible(ContinuousResult& result, FirstPoint first) {
+    Certificate& certificate = result.certificate;
+    certificate.verdict = Verdict::infeasible;
+    certificate.reason = "limits_contradict";
+    certificate.worst_violation = first.inside.violation;
+    certificate.proof = std::move(first.infeasible);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = "structured";
+}
+
+}  // namespace
+
+void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& problem,
+                         const ExchangeOptions& exchange, const JudgeOptions& judge,
+                         const SolveControl& control) {
+    Certificate& certificate = result.certificate;
+    const auto passes = [&](double bound) {
+        return bound_passes(certificate.objective, bound, judge.tolerance);
+    };
+    if (!certificate.lower_bound || !passes(*certificate.lower_bound)) return;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+    result.proof_source.clear();
+    if (!(certificate.worst_violation <= judge.tolerance)) return;  // nothing is delivered
+    BackendOptions options;
+    options.tolerance = exchange.backend.tolerance;
+    options.max_seconds = exchange.backend.max_seconds;
+    const double slack = std::max(judge.tolerance, certificate.worst_violation);
+    std::optional<DualityProof> proof =
+        relaxed_proof(problem, {result.x, certificate.objective, slack}, options, control);
+    if (!proof || passes(proof->bound)) return;
+    certificate.lower_bound = proof->bound;
+    certificate.gap = relative_gap(certificate.objective, proof->bound);
+    certificate.proof = std::move(proof);
+    certificate.proof_kind = ProofKind::duality;
+    result.proof_source = "structured, limits relaxed by the tolerance";
+}
+
+void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
+    if (!(certificate.worst_violation <= options.tolerance)) {
+        certificate.verdict = Verdict::failed;
+        certificate.reason = was_stopped(termination) ? name_of(termination) : "no_feasible_point";
+        certificate.gap.reset();  // it would be that of a point nobody is given
+    } else if (certificate.gap && *certificate.gap <= options.gap) {
+        certificate.verdict = Verdict::optimal;
+        certificate.reason.clear();
+    } else if (certificate.stationarity && *certificate.stationarity <= options.stationarity) {
+        certificate.verdict = Verdict::local;
+        certificate.reason =
+            was_stopped(termination) ? name_of(termination) : "stationary, not proved optimal";
+    } else {
+        certificate.verdict = Verdict::feasible;
+        certificate.reason = name_of(termination);
+    }
+}
+
+Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point, const Candidate& inside) {
+    if (point.x.size() == 0 || point.violation <= 0.0) return point;
+    if (inside.x.size() == 0 || inside.violation >= 0.0) return point;
+    const double part = point.violation / (point.violation - inside.violation);
+    // A little further than the line says, so that rounding does not leave the last unit in the last place
+    // outside.
+    const Candidate pulled = judged(problem, point.x + std::min(1.0, pull * part) * (inside.x - point.x));
+    return pulled.violation < point.violation ? pulled : point;
+}
+
+ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solver,
+                                  const ExchangeOptions& exchange, const JudgeOptions& judge,
+                                  const SolveControl& control) {
+    const SolveControl timed = control.sooner(exchange.backend.max_seconds);
+    ContinuousResult result;
+    FirstPoint first = first_point(problem, exchange, judge, timed);
+    if (first.infeasible) {
+        report_infeasible(result, std::move(first));
+        return result;
+    }
+    result.inside = first.inside;
+    result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, timed);
+    if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
+    Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
+    const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);
+    if (is_better(latest, best, judge.tolerance)) best = latest;
+    result.certificate.objective = best.objective;
+    result.certificate.worst_violation = best.violation;
+    bool no_room = false;
+    if (best.x.size() > 0) {
+        result.x = best.x;
+        if (best.violation <= judge.tolerance) {
+            prove(result, problem, solver, exchange, judge, timed);
+            const bool had_bound = result.certificate.lower_bound.has_value();
+            settle_passed_bound(result, problem, exchange, judge, timed);
+            no_room = had_bound && !result.certificate.lower_bound;
+        }
+    }
+    settle_verdict(result.certificate, result.exchange.termination, judge);
+    if (no_room && result.certificate.verdict == Verdict::local)
+        result.certificate.verdict = Verdict::feasible;
+    if (no_room && result.certificate.verdict == Verdict::feasible)
+        result.certificate.reason = limits_within_rounding;
+    if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/exchange/elastic.hpp"
+
+#include "core/errors.hpp"
+#include "solvers/certificate/duality.hpp"
+#include "solvers/structured/structured_solver.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace camopt {
+
+class ElasticProblem::Grid final : public Nlp {
+ public:
+    explicit Grid(const Nlp& base) : base_(base), t_(base.shape().variables()) {
+        shape_ = base.shape();
+        shape_.linear_cost = true;
+        shape_.quadratic_cost = true;
+        shape_.x_lower.conservativeResize(t_ + 1);
+        shape_.x_upper.conservativeResize(t_ + 1);
+        shape_.x_lower[t_] = -least_slack;
+        shape_.x_upper[t_] = infinity;
+        leave_out_idle();
+        for (int i = 0; i < shape_.constraints(); ++i) {
+            if (!shape_.rows[i].limit) continue;
+            if (shape_.g_lower[i] > -infinity) throw ModelError(base.row_name(i) + ": a limit has one side");
+            relaxed_.push_back(i);
+            shape_.jacobian.rows.push_back(i);
+            shape_.jacobian.columns.push_back(t_);
+        }
+    }
+    double cost(const ConstVectorRef& x) const override { return x[t_]; }
+    void gradient(const ConstVectorRef&, VectorRef out) const override {
+        out.setZero();
+        out[t_] = 1.0;
+    }
+    void constraints(const ConstVectorRef& x, VectorRef out) const override {
+        base_.constraints(x.head(t_), out);
+        for (const int i : relaxed_) out[i] -= x[t_] * shape_.rows[i].scale;
+    }
+    void jacobian(const ConstVectorRef& x, std::span<double> out) const override {
+        const std::size_t base_size = out.size() - relaxed_.size();
+        base_.jacobian(x.head(t_), out.first(base_size));
+        for (std::size_t k = 0; k < relaxed_.size(); ++k) {
+            out[base_size + k] = -shape_.rows[relaxed_[k]].scale;
+        }
+    }
+    void hessian(const ConstVectorRef& x, double, const ConstVectorRef& lambda,
+                 std::span<double> out) const override {
+        base_.hessian(x.head(t_), 0.0, lambda, out);
+    }
+    std::string variable_name(int index) const override {
+        return index == t_ ? "least common violation" : base_.variable_name(index);
+    }
+    std::string row_name(int index) const override { return base_.row_name(index); }
+
+    /// Peaks that no limit speaks of: they follow any curve, and are taken from it.
+    const std::vector<int>& idle() const { return idle_; }
+
+ private:
+    /// A variable that may grow without end, and only eases the rows it stands in, none of them a limit:
+    /// these rows decide nothing here. They would burden the proof: the boxes of such variables are wide, and
+    /// multiply the rounding of the multipliers.
+    void leave_out_idle() {
+        const SparsityPattern& pattern = shape_.jacobian;
+        std::vector<double> slopes(static_cast<std::size_t>(pattern.size()));
+        base_.jacobian(Eigen::VectorXd::Zero(t_), slopes);
+        std::vector<char> eases(static_cast<std::size_t>(t_), 0), hurts(static_cast<std::size_t>(t_), 0);
+        for (int k = 0; k < pattern.size(); ++k) {
+            const int i = pattern.rows[k], j = pattern.columns[k];
+            const RowKind& row = shape_.rows[i];
+            const bool eased = row.linear && !row.limit && shape_.g_lower[i] == -infinity && slopes[k] < 0.0;
+            (eased ? eases : hurts)[j] = 1;
+        }
+        for (int j = 0; j < t_; ++j)
+            if (eases[j] && !hurts[j] && shape_.x_upper[j] == infinity) idle_.push_back(j);
+        for (int k = 0; k < pattern.size(); ++k)
+            if (std::ranges::binary_search(idle_, pattern.columns[k]))
+                shape_.g_upper[pattern.rows[k]] = infinity;
+    }
+
+    const Nlp& base_;
+    int t_;
+    std::vector<int> relaxed_;
+    std::vector<int> idle_;
+};
+
+ElasticProblem::ElasticProblem(ContinuousProblem& base)
+    : base_(base), grid_(std::make_unique<Grid>(base.grid())) {}
+
+ElasticProblem::~ElasticProblem() = default;
+
+const Nlp& ElasticProblem::grid() const {
+    return *grid_;
+}
+
+Eigen::VectorXd ElasticProblem::start() const {
+    Eigen::VectorXd x(grid_->shape().variables());
+    x << base_.start(), 0.0;
+    return completed(x);
+}
+
+Eigen::VectorXd ElasticProblem::completed(const Eigen::VectorXd& x) const {
+    const Candidate base = judged(base_, x.head(x.size() - 1));
+    Eigen::VectorXd full = x;
+    if (base.x.size() == 0) return full;
+    full << base.x, std::max(base.violation, -least_slack);
+    return full;
+}
+
+double ElasticProblem::objective(const Eigen::VectorXd& x) const {
+    return completed(x)[x.size() - 1];
+}
+
+std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, double slack) const {
+    const double t = x[x.size() - 1];
+    Eigen::VectorXd base = x.head(x.size() - 1);
+    if (!grid_->idle().empty()) {
+        const Eigen::VectorXd complete = base_.completed(base);
+        for (const int j : grid_->idle()) base[j] = complete[j];
+    }
+    std::vector<Violation> found = base_.violations(base, slack + std::max(0.0, -t));
+    for (Violation& violation : found) {
+        if (violation.limit) violation.amount -= t;
+    }
+    std::erase_if(found, [slack](const Violation& violation) { return violation.amount <= -slack; });
+    std::ranges::stable_sort(found, std::greater{}, &Violation::amount);
+    return found;
+}
+
+int ElasticProblem::refine(std::span<const Violation> worst) {
+    const int added = base_.refine(worst);
+    if (added > 0) grid_ = std::make_unique<Grid>(base_.grid());
+    return added;
+}
+
+Box ElasticProblem::box(double incumbent, double) const {
+    const double most = std::max(incumbent, 0.0);
+    const Box base = base_.box(infinity, most);
+    Box box{Eigen::VectorXd(base.lower.size() + 1), Eigen::VectorXd(base.upper.size() + 1)};
+    box.lower << base.lower, -least_slack;
+    box.upper << base.upper, most;
+    return box;
+}
+
+bool ElasticProblem::convex(double) const {
+    return base_.convex(infinity);
+}
+
+namespace {
+
+// A least violation close to the tolerance is proved only by multipliers that are exact beyond it.
+constexpr double second_look = 1e-2;
+
+Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eigen::VectorXd& start,
+                 const ExchangeOptions& options, const SolveControl& control) {
+    const std::unique_ptr<Solver> solver = make_structured_solver();
+    const ExchangeResult result = minimize_by_exchange(elastic, *solver, start, options, control);
+    Feasibility found;
+    found.termination = result.termination;
+    if (result.best.x.size() == 0) return found;
+    const Eigen::VectorXd x = result.best.x;
+    found.point = judged(problem, x.head(x.size() - 1));
+    const bool on_final_grid = result.last.row_multipliers &&
+                               result.last.row_multipliers->size() == elastic.grid().shape().constraints();
+    if (found.point.violation > options.tolerance && on_final_grid && elastic.convex(result.best.objective)) {
+        DualityProof proof = duality_proof(elastic.grid(), x, *result.last.row_multipliers,
+                                           elastic.box(result.best.objective, 0.0), "least_common_violation");
+        if (proof.bound > 0.0) found.proof = std::move(proof);
+    }
+    return found;
+}
+
+}  // namespace
+
+Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
+                          const SolveControl& control) {
+    ElasticProblem elastic(problem);
+    ExchangeOptions own = options;
+    own.backend.native.clear();  // they belong to the backend the user chose
+    Feasibility found = look(problem, elastic, elastic.start(), own, control);
+    const bool open = found.point.violation > options.tolerance && !found.proof;
+    if (found.point.x.size() == 0 || !open || control.stopped()) return found;
+    own.tolerance *= second_look;
+    own.backend.tolerance *= second_look;
+    Eigen::VectorXd start(found.point.x.size() + 1);
+    start << found.point.x, found.point.violation;
+    Feasibility again = look(problem, elastic, start, own, control);
+    if (again.point.violation <= options.tolerance) again.proof.reset();
+    if (again.point.x.size() > 0 && (again.proof || again.point.violation < found.point.violation))
+        return again;
+    return found;
+}
+
+}  // namespace camopt

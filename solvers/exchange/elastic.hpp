@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The least common violation: min t such that every limit, relaxed by t times its scale, can be kept.
+//
+// t* > 0, proved by weak duality, proves the scene infeasible, whichever backend ran. t* < 0 gives a point
+// inside all limits, towards which a slightly violating one is pulled back.
+#pragma once
+
+#include "core/continuous_problem.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/exchange/exchange.hpp"
+
+#include <memory>
+
+namespace camopt {
+
+/// Variables: those of the base problem, then t >= −least_slack. Cost t.
+class ElasticProblem final : public ContinuousProblem {
+ public:
+    /// Slack of half a limit is deep enough inside for every purpose.
+    static constexpr double least_slack = 0.5;
+
+    /// Refining the elastic problem refines `base`, which must outlive it.
+    explicit ElasticProblem(ContinuousProblem& base);
+    ~ElasticProblem() override;
+
+    [[nodiscard]] const Nlp& grid() const override;
+    [[nodiscard]] Eigen::VectorXd start() const override;
+    [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
+    [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    int refine(std::span<const Violation> worst) override;
+    [[nodiscard]] Box box(double incumbent, double relaxation) const override;
+    [[nodiscard]] bool convex(double incumbent) const override;
+
+ private:
+    class Grid;
+    ContinuousProblem& base_;
+    std::unique_ptr<Grid> grid_;
+};
+
+struct Feasibility {
+    Candidate point;                    ///< of the base problem, least violated
+    std::optional<DualityProof> proof;  ///< of infeasibility, where its bound is > 0
+    Termination termination = Termination::not_run;
+};
+
+/// Convex problems only. Uses the structured solver.
+[[nodiscard]] Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& options,
+                                        const SolveControl& control);
+
+}  // namespace camopt

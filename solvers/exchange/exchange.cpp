@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/exchange/exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
+constexpr double adding_part = 0.1;
+
+/// Who cancels before anything was searched for is not given the start for a result.
+bool interrupted_at_once(const ExchangeResult& result) {
+    return result.termination == Termination::interrupted && result.iterations == 0;
+}
+
+}  // namespace
+
+bool was_stopped(Termination termination) {
+    return termination == Termination::time_limit || termination == Termination::interrupted;
+}
+
+Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
+    Candidate candidate{problem.completed(x), infinity, infinity};
+    if (!candidate.x.allFinite()) return {};
+    candidate.objective = problem.grid().cost(candidate.x);
+    candidate.violation = -1.0;
+    for (const Violation& violation : problem.violations(candidate.x, 1.0)) {
+        if (violation.limit) candidate.violation = std::max(candidate.violation, violation.amount);
+    }
+    return candidate;
+}
+
+bool is_better(const Candidate& left, const Candidate& right, double tolerance) {
+    const bool left_feasible = left.violation <= tolerance;
+    const bool right_feasible = right.violation <= tolerance;
+    if (left_feasible != right_feasible) return left_feasible;
+    return left_feasible ? left.objective < right.objective : left.violation < right.violation;
+}
+
+ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
+                                    const Eigen::VectorXd& start, const ExchangeOptions& options,
+                                    const SolveControl& control) {
+    const SolveControl timed = control.sooner(options.backend.max_seconds);
+    ExchangeResult result;
+    result.best = judged(problem, start);
+    Eigen::VectorXd next_start = result.best.x.size() > 0 ? result.best.x : start;
+    while (result.rounds < options.most_rounds) {
+        if (const std::optional<Termination> ending = timed.ending()) {
+            result.termination = *ending;
+            if (interrupted_at_once(result)) result.best = {};
+            return result;
+        }
+        result.last = solver.minimize(problem.grid(), next_start, options.backend, timed);
+        result.termination = result.last.termination;
+        result.iterations += result.last.iterations;
+        ++result.rounds;
+        const Eigen::VectorXd& x = result.last.x;
+        if (x.size() == 0 || !x.allFinite()) return result;
+        const Candidate& found = result.latest = judged(problem, x);
+        if (is_better(found, result.best, options.tolerance)) result.best = found;
+        if (control.progress) {
+            control.progress(fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,
+                                         result.best.objective, problem.grid().shape().constraints()));
+        }
+        if (was_stopped(result.termination) || result.termination == Termination::infeasible ||
+            result.termination == Termination::unsupported) {
+            if (interrupted_at_once(result)) result.best = result.latest = {};
+            return result;
+        }
+        const double unseen = found.objective - problem.grid().cost(x);
+        const bool settled = unseen <= options.tolerance * std::max(1.0, std::abs(found.objective)) &&
+                             found.violation <= options.tolerance;
+        std::vector<Violation> worst = problem.violations(x, 0.0);
+        std::erase_if(worst, [&](const Violation& violation) {
+            return violation.amount <= adding_part * options.tolerance;
+        });
+        // No new row means the backend leaves violated what it was told to keep: nothing more to tell it.
+        if (settled || worst.empty() || problem.refine(worst) == 0) {
+            result.converged = true;
+            return result;
+        }
+        next_start = found.x;
+    }
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The delivered cam as a whole: its motion over the turn, and the check that its points move a follower as
+// designed.
+#pragma once
+
+#include "profiles/sampling.hpp"
+#include "splines/motion_chain.hpp"
+#include "studies/delivered/solution.hpp"
+
+namespace camopt {
+
+/// lift and unit angle of the scene: what the points of a cam are made with.
+[[nodiscard]] MotionScale motion_scale(const Scene& scene);
+
+/// The motion of the whole cam: an RR motion that leaves a part of the turn rests there, which closes the
+/// cam. A DRD motion stays the open sector of its rise. Throws InputError where the solution has no motion.
+[[nodiscard]] MotionChain cam_motion(const Solution& solution);
+
+/// Exports about `points` points of the cam, the motion's breakpoints among them, and runs a follower over
+/// them that knows nothing else (forward_check.hpp). Throws InputError where the solution has no cam, and
+/// where its points cannot be checked at all.
+[[nodiscard]] ForwardCheckReport check_cam(const Solution& solution, int points = 2000);
+
+}  // namespace camopt

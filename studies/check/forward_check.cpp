@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "studies/check/forward_check.hpp"
+
+#include "core/deadline.hpp"
+#include "core/errors.hpp"
+#include "studies/check/point_curve.hpp"
+#include "studies/check/touching_follower.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_between = 64;   // places looked at between two points, however small the roller
+constexpr int section_steps = 34;  // golden sections: to 1e-7 of a distance, of whose square the lift depends
+constexpr int bisections = 60;     // down to neighbouring numbers
+constexpr int search_whole = 16;   // every so many angles the whole curve is searched without need
+constexpr double suspicious = 1e-6;  // relative: a deviation that has the whole curve searched
+
+/// The cam in the fixed frame at one cam angle.
+struct Turn {
+    double cosine, sine;
+    Turn(const DiskCam& cam, double theta)
+        : cosine(std::cos(theta)),
+          sine(cam.rotation == Rotation::counterclockwise ? std::sin(theta) : -std::sin(theta)) {}
+    [[nodiscard]] Vector2d operator()(const Vector2d& point) const {
+        return {cosine * point.x() - sine * point.y(), sine * point.x() + cosine * point.y()};
+    }
+};
+
+/// Where the follower stands: its lift, and whether the contact is the end of an open cam.
+struct Contact {
+    double lift = -infinity;
+    bool at_end = false;
+};
+
+class Simulation {
+ public:
+    explicit Simulation(const ForwardCheckInput& input)
+        : input_(input), curve_(input.points, input.breaks, input.closed), follower_(input.cam) {
+        const std::vector<double>& nodes = curve_.nodes();
+        double widest = 0.0;
+        for (std::size_t i = 1; i < nodes.size(); ++i) widest = std::max(widest, nodes[i] - nodes[i - 1]);
+        const int between =
+            std::clamp(static_cast<int>(std::ceil(widest / follower_.widest_gap())), 1, most_between);
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            for (int k = 0; k < between; ++k)
+                add_place(nodes[i - 1] + (nodes[i] - nodes[i - 1]) * k / between);
+        if (!curve_.closed()) add_place(curve_.length());
+    }
+
+    [[nodiscard]] ForwardCheckResult run() {
+        ForwardCheckResult result;
+        result.points = static_cast<int>(input_.points.size());
+        for (int i = 0; i < input_.angles; ++i) {
+            const double theta = input_.begin + (input_.end - input_.begin) * (i + 0.5) / input_.angles;
+            const Contact contact = contact_at(theta, i % search_whole == 0);
+            if (contact.at_end) {
+                ++result.beyond;
+                continue;
+            }
+            ++result.angles;
+            const double deviation = deviation_of(contact, theta);
+            if (deviation > result.deviation) {
+                result.deviation = deviation;
+                result.theta = theta;
+            }
+        }
+        if (result.angles == 0) result.deviation = infinity;
+        result.relative = relative(result.deviation);
+        return result;
+    }
+
+ private:
+    void add_place(double parameter) {
+        parameters_.push_back(parameter);
+        places_.push_back(curve_.at(parameter));
+    }
+    [[nodiscard]] double deviation_of(const Contact& contact, double theta) const {
+        const double lift = contact.lift - follower_.start();
+        const double found = std::abs((input_.output ? input_.output(lift) : lift) - input_.designed(theta));
+        return found < infinity ? found : infinity;  // NaN is no contact either
+    }
+    [[nodiscard]] double relative(double deviation) const {
+        if (input_.output) return deviation / input_.output_size;
+        const DiskCam& cam = input_.cam;
+        const double roller = has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
+        return deviation * follower_.lever() / (cam[DimensionIndex::base_radius] + roller);
+    }
+    [[nodiscard]] Contact contact_at(double theta, bool whole) {
+        const Turn turn(input_.cam, theta);
+        if (input_.cam.follower == FollowerType::translating_knife) return crossing(turn);
+        if (!whole) {
+            climb(turn);
+            const Contact contact = refined(turn);
+            if (relative(deviation_of(contact, theta)) < suspicious && !cuts_anywhere(turn, contact.lift))
+                return contact;
+        }
+        search(turn);
+        return refined(turn);
+    }
+
+    [[nodiscard]] double lift_at(const Turn& turn, double parameter) const {
+        return follower_.lift_on(turn(curve_.at(parameter)));
+    }
+    [[nodiscard]] std::size_t next(std::size_t index) const {
+        return index + 1 < places_.size() ? index + 1 : curve_.closed() ? 0 : index;
+    }
+    [[nodiscard]] std::size_t previous(std::size_t index) const {
+        return index > 0 ? index - 1 : curve_.closed() ? places_.size() - 1 : index;
+    }
+
+    /// From the place of the angle before to the highest one around.
+    void climb(const Turn& turn) {
+        double best = follower_.lift_on(turn(places_[highest_]));
+        for (std::size_t steps = 0; steps < places_.size(); ++steps) {
+            std::size_t better = highest_;
+            for (const std::size_t neighbour : {next(highest_), previous(highest_)}) {
+                const double lift = follower_.lift_on(turn(places_[neighbour]));
+                if (lift > best) {
+                    best = lift;
+                    better = neighbour;
+                }
+            }
+            if (better == highest_) return;
+            highest_ = better;
+        }
+    }
+    void search(const Turn& turn) {
+        double best = -infinity;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const double lift = follower_.lift_on(turn(places_[i]));
+            if (lift > best) {
+                best = lift;
+                highest_ = i;
+            }
+        }
+    }
+    [[nodiscard]] bool cuts_anywhere(const Turn& turn, double lift) const {
+        const StandingFollower standing = follower_.standing_at(lift);
+        return std::any_of(places_.begin(), places_.end(),
+                           [&](const Vector2d& place) { return standing.cuts(turn(place)); });
+    }
+
+    /// The largest lift between the neighbours of the highest place, by golden section.
+    [[nodiscard]] Contact refined(const Turn& turn) const {
+        static constexpr double golden = 0.6180339887498949;
+        const std::size_t before = previous(highest_), after = next(highest_);
+        const double middle = parameters_[highest_];
+        double low = before == highest_ ? middle : parameters_[before];
+        double high = after == highest_ ? middle : parameters_[after];
+        if (low > middle) low -= curve_.length();
+        if (high < middle) high += curve_.length();
+        double left = high - golden * (high - low), right = low + golden * (high - low);
+        double left_lift = lift_at(turn, left), right_lift = lift_at(turn, right);
+        for (int i = 0; i < section_steps; ++i) {
+            if (left_lift > right_lift) {
+                high = right;
+                right = std::exchange(left, right - golden * (right - low));
+                right_lift = std::exchange(left_lift, lift_at(turn, left));
+            } else {
+                low = left;
+                left = std::exchange(right, left + golden * (high - left));
+                left_lift = std::exchange(right_lift, lift_at(turn, right));
+            }
+        }
+        const double end_lift = lift_at(turn, middle);
+        const double lift = std::max({left_lift, right_lift, end_lift});
+        return {lift, (before == highest_ || after == highest_) && lift == end_lift};
+    }
+
+    /// The highest crossing of the curve with the knife edge's path.
+    [[nodiscard]] Contact crossing(const Turn& turn) const {
+        const auto across = [&](const Vector2d& point) { return turn(point).x() - follower_.path(); };
+        Contact contact;
+        std::optional<double> before;
+        const std::size_t count = places_.size() + (curve_.closed() ? 1 : 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double now = across(places_[i % places_.size()]);
+            if (before && (*before > 0.0) != (now > 0.0)) {
+                double low = parameters_[i - 1], high = i < places_.size() ? parameters_[i] : curve_.length();
+                for (int k = 0; k < bisections; ++k) {
+                    const double middle = 0.5 * (low + high);
+                    ((across(curve_.at(middle)) > 0.0) == (*before > 0.0) ? low : high) = middle;
+                }
+                contact.lift = std::max(contact.lift, turn(curve_.at(low)).y());
+            }
+            before = now;
+        }
+        contact.at_end = !curve_.closed() && contact.lift == -infinity;
+        return contact;
+    }
+
+    const ForwardCheckInput& input_;
+    PointCurve curve_;
+    TouchingFollower follower_;
+    std::vector<double> parameters_;
+    std::vector<Vector2d> places_;
+    std::size_t highest_ = 0;
+};
+
+}  // namespace
+
+void ForwardCheckInput::validate() const {
+    if (!designed) throw InputError("a forward check needs the designed motion");
+    if (angles < 1) throw InputError(fmt::format("a forward check of {} angles: at least 1", angles));
+    if (!(end > begin)) throw InputError(fmt::format("a forward check from {} to {} rad", begin, end));
+    for (const Vector2d& point : points)
+        if (!point.allFinite()) throw InputError("a forward check takes finite points only, and one is not");
+}
+
+ForwardCheckResult forward_check(const ForwardCheckInput& input) {
+    const Stopwatch watch;
+    input.validate();
+    ForwardCheckResult result = Simulation(input).run();
+    result.seconds = watch.seconds();
+    return result;
+}
+
+}  // namespace camopt

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "studies/check/mechanism_check.hpp"
+
+#include "core/errors.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+constexpr double same_angle = 1e-9;  // rad; also of the least radius: two points are one
+
+/// The lever seen as the arm of a disk cam: its pivot on the +x axis, its roller above it.
+struct AsDisk {
+    double turn = 0.0;    ///< angle of the pivot from the cam's centre: the frame is turned back by it
+    double mirror = 1.0;  ///< −1: and mirrored
+    DiskCam cam;
+
+    [[nodiscard]] Eigen::Vector2d point(const Eigen::Vector3d& own) const {
+        const Eigen::Vector2d turned = Eigen::Rotation2Dd(-turn) * own.head<2>();
+        return {turned.x(), mirror * turned.y()};
+    }
+    /// The lever's angle for ψ of the disk cam.
+    [[nodiscard]] double lever_angle(double psi) const { return turn + mirror * (std::numbers::pi - psi); }
+};
+
+AsDisk disk_of(const RollerLever& lever, Rotation rotation) {
+    const Eigen::Vector2d pivot = lever.pivot - lever.center;
+    AsDisk disk;
+    disk.turn = std::atan2(pivot.y(), pivot.x());
+    const double beta = std::remainder(lever.start - disk.turn, 2.0 * std::numbers::pi);
+    disk.mirror = beta < 0.0 ? -1.0 : 1.0;
+    const bool clockwise = (rotation == Rotation::clockwise) == (disk.mirror > 0.0);
+    disk.cam.follower = FollowerType::oscillating_roller;
+    disk.cam.rotation = clockwise ? Rotation::clockwise : Rotation::counterclockwise;
+    const double a = pivot.norm(), l = lever.arm, psi = std::numbers::pi - std::abs(beta);
+    const double prime = std::sqrt(a * a + l * l - 2.0 * a * l * std::cos(psi));
+    const auto set = [&](DimensionIndex which, double value) {
+        disk.cam.dimensions[static_cast<std::size_t>(which)] = value;
+    };
+    set(DimensionIndex::center_distance, a);
+    set(DimensionIndex::arm_length, l);
+    set(DimensionIndex::roller_radius, lever.roller_radius);
+    set(DimensionIndex::base_radius, prime - lever.roller_radius);
+    return disk;
+}
+
+}  // namespace
+
+ForwardCheckInput mechanism_check_input(const DrivenMechanism& mechanism, const Motion& motion,
+                                        const MotionScale& scale, int points) {
+    const auto lever = mechanism.formulas->roller_lever(mechanism.dimensions);
+    if (!lever)
+        throw InputError("the forward check needs a lever that carries the roller, and there is none");
+    const AsDisk disk = disk_of(*lever, mechanism.formulas->rotation());
+    const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, points);
+    ForwardCheckInput input;
+    input.cam = disk.cam;
+    input.breaks = profile.breaks;
+    for (const MechanismPoint& point : profile.points) input.points.push_back(disk.point(point.contact));
+    input.begin = scale.unit_angle * motion.begin();
+    input.end = scale.unit_angle * motion.end();
+    const bool turn = std::abs(input.end - input.begin - 2.0 * std::numbers::pi) < same_angle;
+    const double gap = (input.points.back() - input.points.front()).norm();
+    input.closed = turn && gap < same_angle * disk.cam[DimensionIndex::base_radius];
+    input.designed = [&motion, scale](double theta) {
+        const double x = std::clamp(theta / scale.unit_angle, motion.begin(), motion.end());
+        return scale.lift * motion.at(x).derivative[0];
+    };
+    const double start = rest_position(disk.cam);
+    input.output = [disk, start, run = lever->output](double lift) {
+        return run(disk.lever_angle(start + lift));
+    };
+    input.output_size = scale.lift;
+    return input;
+}
+
+}  // namespace camopt

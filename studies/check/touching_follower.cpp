@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "studies/check/touching_follower.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-10;        // of a length: a cut this deep is none
+constexpr double gaps_in_roller = 0.125;  // of its radius: between points this close a roller sinks by 0.2 %
+
+double start_of(const DiskCam& cam) {
+    using enum DimensionIndex;
+    const double base = cam[base_radius], distance = cam[center_distance];
+    switch (cam.follower) {
+        case FollowerType::translating_flat:
+            return base;
+        case FollowerType::translating_knife:
+            return std::sqrt(base * base - cam[offset] * cam[offset]);
+        case FollowerType::translating_roller: {
+            const double prime = base + cam[roller_radius];
+            return std::sqrt(prime * prime - cam[offset] * cam[offset]);
+        }
+        case FollowerType::oscillating_roller: {
+            const double prime = base + cam[roller_radius], arm = cam[arm_length];
+            return std::acos((distance * distance + arm * arm - prime * prime) / (2.0 * distance * arm));
+        }
+        case FollowerType::oscillating_flat:
+            return std::asin((base + cam[face_offset]) / distance);
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+TouchingFollower::TouchingFollower(const DiskCam& cam)
+    : type_(cam.follower),
+      roller_(has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0),
+      offset_(cam[DimensionIndex::offset]),
+      distance_(cam[DimensionIndex::center_distance]),
+      arm_(cam[DimensionIndex::arm_length]),
+      face_(cam[DimensionIndex::face_offset]),
+      start_(start_of(cam)) {}
+
+double TouchingFollower::lift_on(const Vector2d& point) const {
+    if (type_ == FollowerType::translating_flat) return point.y();
+    if (!is_oscillating(type_)) {
+        const double across = point.x() - offset_, square = roller_ * roller_ - across * across;
+        return square >= 0.0 ? point.y() + std::sqrt(square) : -infinity;
+    }
+    // In the triangle pivot, point, roller centre; seen from the pivot, from the line to the cam centre
+    // upwards.
+    const double away = std::hypot(distance_ - point.x(), point.y());
+    const double point_angle = std::atan2(point.y(), distance_ - point.x());
+    if (type_ == FollowerType::oscillating_flat)
+        return away > std::abs(face_) ? point_angle + std::asin(face_ / away) : -infinity;
+    const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
+    return std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
+}
+
+StandingFollower TouchingFollower::standing_at(double lift) const {
+    if (type_ == FollowerType::translating_flat)
+        return {false, {0.0, lift}, {0.0, 1.0}, {0.0, 0.0}, rounding * lift};
+    const double square = roller_ * roller_ * (1.0 - rounding);
+    if (!is_oscillating(type_)) return {true, {offset_, lift}, {0.0, 0.0}, {0.0, 0.0}, square};
+    const Vector2d pivot(distance_, 0.0), arm(-std::cos(lift), std::sin(lift)), swing(arm.y(), -arm.x());
+    if (type_ == FollowerType::oscillating_flat)
+        return {false, pivot - face_ * swing, swing, arm, rounding * distance_};
+    return {true, pivot + arm_ * arm, {0.0, 0.0}, {0.0, 0.0}, square};
+}
+
+double TouchingFollower::lever() const {
+    if (type_ == FollowerType::oscillating_roller) return arm_;
+    return type_ == FollowerType::oscillating_flat ? distance_ : 1.0;
+}
+
+double TouchingFollower::widest_gap() const {
+    return roller_ > 0.0 ? gaps_in_roller * roller_ : infinity;
+}
+
+}  // namespace camopt

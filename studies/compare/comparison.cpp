@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "studies/compare/comparison.hpp"
+
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/rules/cam_limits.hpp"
+#include "objectives/scene_model.hpp"
+#include "scene/written_limits.hpp"
+#include "studies/compare/law_motion.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_report.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace camopt {
+
+namespace {
+
+/// What every row is judged by.
+struct Bench {
+    const Scene& scene;
+    CamModel model;
+    std::vector<Stroke> strokes;
+    std::optional<DiskCam> cam;
+    bool limits_cam = false;
+    std::vector<double> mechanism_dimensions = {};
+};
+
+double dimension_of(const Bench& bench, int parameter) {
+    for (const CamVariables::Variable& variable : bench.model.cam->variables) {
+        if (variable.parameter == parameter) return (*bench.cam)[variable.dimension] / variable.reference;
+    }
+    return 0.0;
+}
+
+/// A parameter of the optimizer as a given motion sets it.
+double parameter_value(const Bench& bench, const Peaks& peaks, int index) {
+    const Parameter& parameter = bench.model.parameters[static_cast<std::size_t>(index)];
+    switch (parameter.kind) {
+        case Parameter::Kind::peak: {
+            const double peak = parameter.order == 1   ? peaks.velocity.value
+                                : parameter.order == 2 ? peaks.acceleration.value
+                                                       : peaks.jerk.value;
+            return peak / parameter.reference;
+        }
+        case Parameter::Kind::torque:
+            return peaks.torque.value / parameter.reference;
+        case Parameter::Kind::rms:
+            return (parameter.order == 2 ? peaks.rms_acceleration : peaks.rms_jerk) / parameter.reference;
+        case Parameter::Kind::dimension:
+            return dimension_of(bench, index);
+        case Parameter::Kind::magnitude:
+            return std::abs(parameter_value(bench, peaks, parameter.order));
+    }
+    return 0.0;
+}
+
+double objective_of(const Bench& bench, const Peaks& peaks) {
+    double objective = bench.model.cost_constant;
+    for (int i = 0; i < static_cast<int>(bench.model.parameters.size()); ++i) {
+        const double weight = bench.model.parameters[static_cast<std::size_t>(i)].weight;
+        if (weight > 0.0) objective += weight * parameter_value(bench, peaks, i);
+    }
+    return objective;
+}
+
+/// A broken limit that no dimension of the cam has a say in.
+std::string broken_without_cam(const ComparisonRow& row, std::size_t motion_limits) {
+    for (std::size_t i = 0; i < motion_limits; ++i) {
+        if (!row.limits[i].kept) return row.limits[i].reached.key;
+    }
+    return {};
+}
+
+void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_peaks) {
+    const MotionFigures figures{*row.motion, row.peaks, motion_peaks};
+    row.limits = motion_limits(bench.scene, figures);
+    const std::size_t of_motion = row.limits.size();
+    if (bench.cam) {
+        const CamReport report = cam_report(bench.scene, *bench.cam, *row.motion);
+        for (const ConstraintReport& reached : cam_constraints(bench.scene, report))
+            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+    }
+    if (bench.scene.mechanism) {
+        const std::vector<double> dimensions = bench.mechanism_dimensions;
+        const MechanismReport report = mechanism_report(bench.scene, dimensions, *row.motion);
+        for (const ConstraintReport& reached : mechanism_constraints(bench.scene, report))
+            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+    }
+    row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
+    if (!bench.limits_cam) return;
+    std::string broken = broken_without_cam(row, of_motion);
+    row.base = broken.empty() ? needed_base(bench.scene, *bench.cam, *row.motion)
+                              : NeededBase{std::nullopt, std::move(broken)};
+}
+
+ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
+    ComparisonRow row;
+    row.title = "optimum";
+    row.motion = solution.motion;
+    row.peaks = solution.peaks;
+    row.objective = solution.certificate.objective;
+    judge_limits(row, bench, solution.motion_peaks);
+    // The certificate knows better than a second look at limits that are just reached.
+    row.feasible = solution.certificate.verdict != Verdict::infeasible &&
+                   solution.certificate.verdict != Verdict::failed;
+    if (!row.feasible) return row;
+    for (LimitOutcome& limit : row.limits) limit.kept = true;
+    row.loss_percent = 0.0;
+    return row;
+}
+
+ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<double> optimum) {
+    ComparisonRow row;
+    row.key = info.key;
+    row.title = info.title;
+    LawMotion placed =
+        law_motion(bench.strokes, bench.scene.motion.type == MotionType::program && bench.scene.motion.closed,
+                   make_law(info.key));
+    row.misfit = std::move(placed.misfit);
+    if (!placed.motion) {
+        row.objective = infinity;
+        return row;
+    }
+    row.motion = std::move(placed.motion);
+    row.peaks = placed.peaks;
+    row.objective = objective_of(bench, row.peaks);
+    if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
+        row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
+    judge_limits(row, bench, placed.motion_peaks);
+    return row;
+}
+
+}  // namespace
+
+Comparison compare(const Scene& given, const SolveControl& control) {
+    const Scene scene = with_written_limits(given);
+    Comparison comparison;
+    comparison.optimum = solve_without_explaining(scene, control);
+    const Solution& solution = comparison.optimum;
+    if (scene.cam) comparison.cam = solution.cam ? solution.cam->cam : middle_cam(*scene.cam);
+    CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    std::vector<Stroke> strokes = strokes_of(scene, model, solution.motion.get());
+    const bool limits_cam = model.cam && !cam_limits(scene, model.cam).empty();
+    Bench bench{scene, std::move(model), std::move(strokes), comparison.cam, limits_cam};
+    if (scene.mechanism)
+        bench.mechanism_dimensions =
+            solution.mechanism ? solution.mechanism->mechanism.dimensions : scene.mechanism->middle();
+    std::optional<double> optimum;
+    if (solution.motion) {
+        comparison.rows.push_back(optimum_row(bench, solution));
+        if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
+    }
+    for (const LawInfo& info : law_catalogue()) {
+        if (control.progress) control.progress("compares with " + info.title);
+        comparison.rows.push_back(law_row(bench, info, optimum));
+    }
+    std::ranges::stable_sort(comparison.rows, [](const ComparisonRow& one, const ComparisonRow& other) {
+        const auto rank = [](const ComparisonRow& row) {
+            return !row.misfit.empty() ? 2 : row.feasible ? 0 : 1;
+        };
+        if (rank(one) != rank(other)) return rank(one) < rank(other);
+        return one.objective < other.objective;
+    });
+    return comparison;
+}
+
+}  // namespace camopt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Every law of the catalogue on one scene, beside the optimum: what each loses, which limits it breaks, and
+// how large its cam would have to be.
+//
+// A law stands where the scene's spline stands (law_motion.hpp). Objective, peaks and limits are the scene's
+// own; where a dimension of the cam is variable the laws get the optimum's (without an optimum the middle of
+// its range). Units as in Solution; infinite peaks are infinite.
+#pragma once
+
+#include "studies/compare/needed_base.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+struct ComparisonRow {
+    std::string key;     ///< of the law; empty: the optimum
+    std::string title;   ///< for people
+    std::string misfit;  ///< why the law cannot make this motion at all; then nothing below is set
+    std::shared_ptr<const MotionChain> motion;
+    Peaks peaks;
+    double objective = 0.0;              ///< infinite where an infinite peak has a weight
+    std::optional<double> loss_percent;  ///< against the optimum; none where infinite or without an optimum
+    std::vector<LimitOutcome> limits;    ///< the same ones, in the same order, in every row
+    bool feasible = false;               ///< every limit is kept
+    std::optional<NeededBase> base;      ///< where the scene limits its cam
+
+    [[nodiscard]] bool is_optimum() const { return key.empty(); }
+};
+
+struct Comparison {
+    Solution optimum;
+    std::optional<DiskCam> cam;  ///< whose dimensions the laws were judged with
+    /// By objective: first what keeps every limit, then what breaks one or cannot touch its cam, last the
+    /// laws that do not fit. The optimum is among them where there is a motion.
+    std::vector<ComparisonRow> rows;
+};
+
+/// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum; its relaxation
+/// is not looked for.
+[[nodiscard]] Comparison compare(const Scene& scene, const SolveControl& control = {});
+
+}  // namespace camopt

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The smallest base radius at which a given motion keeps every limit of the scene's cam, the other dimensions
+// as they are.
+//
+// The limits are the rules the optimizer keeps (objectives/rules/cam_limits.hpp), judged by their continuous
+// maxima along the motion. From the smallest cam that can be built upwards, radii are tried in steps
+// (translating: ten a decade of the distance from that smallest; oscillating: 1/400 of what the mechanism
+// allows); the first that keeps all limits is bisected against its forerunner. A radius that helps only
+// within one step, between two that do not, may be missed.
+#pragma once
+
+#include "core/motion.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "scene/scene.hpp"
+
+#include <optional>
+#include <string>
+
+namespace camopt {
+
+struct NeededBase {
+    std::optional<double> radius;  ///< m; none: no base radius helps
+    std::string broken;            ///< then a limit that stays broken: its key, or why no cam can be built
+};
+
+/// cam: its base radius is not looked at. Throws InputError for a limit the follower cannot have.
+[[nodiscard]] NeededBase needed_base(const Scene& scene, const DiskCam& cam, const Motion& motion);
+
+}  // namespace camopt

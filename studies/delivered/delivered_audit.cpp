@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/delivered_audit.hpp"
+
+#include "splines/basis.hpp"
+#include "splines/extrema.hpp"
+#include "studies/delivered/delivered_conditions.hpp"
+#include "studies/delivered/delivered_objective.hpp"
+#include "studies/delivered/extremes_along.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace camopt {
+
+namespace {
+
+struct Fault {
+    const char* reason;
+    std::string note;
+};
+
+std::vector<const SplineCurve*> curves_of(const Solution& solution) {
+    std::vector<const SplineCurve*> curves;
+    if (solution.curve) curves.push_back(&*solution.curve);
+    for (const SegmentReport& segment : solution.segments)
+        if (segment.curve) curves.push_back(&*segment.curve);
+    return curves;
+}
+
+std::optional<Fault> joint_fault(const Solution& solution) {
+    JointJump worst;
+    for (const SplineCurve* curve : curves_of(solution)) {
+        const JointJump jump = worst_joint_jump(*curve, solution.motion_peaks);
+        if (!(jump.relative <= worst.relative)) worst = jump;
+    }
+    if (worst.relative <= largest_joint_jump) return {};
+    return Fault{
+        "breakpoints_too_close",
+        fmt::format("the breakpoints lie too close for double precision: derivative {} of the motion "
+                    "jumps by {:.2g} of its largest value at x = {:.10g}",
+                    worst.order, worst.relative, worst.at)};
+}
+
+// Control points are sums of products over a whole support, and sums of them give the curve back: each way
+// rounds some hundred times where neighbours differ much in width.
+constexpr double roundings_of_a_coefficient = 4096.0;
+// Joints that jump by largest_joint_jump at both ends of a segment, and of its neighbours: coefficients
+// cannot say so, and miss the curve by as much.
+constexpr double largest_coefficient_miss = 10.0 * largest_joint_jump;
+
+/// Σ_m size_m m! / (m − order)! width^(m − order): the most a derivative can be on a segment whose local
+/// coefficients have these sizes.
+double most_of_derivative(const Eigen::VectorXd& sizes, int order, double width) {
+    double most = 0.0, power = 1.0;
+    for (Eigen::Index m = order; m < sizes.size(); ++m) {
+        double factor = power;
+        for (int r = 0; r < order; ++r) factor *= static_cast<double>(m - r);
+        most += factor * sizes[m];
+        power *= width;
+    }
+    return most;
+}
+
+/// The published coefficients give the curve back, as well as doubles of displacements up to the lift can: at
+/// the top they are of its size, and a motion and its mirror image are treated alike.
+std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& peaks) {
+    const SplineSpace& space = curve.space();
+    const Eigen::VectorXd coefficients = curve.coefficients();
+    const std::array<double, 4> size = {1.0, peaks.velocity.value, peaks.acceleration.value,
+                                        peaks.jerk.value};
+    constexpr double rounding = roundings_of_a_coefficient * std::numeric_limits<double>::epsilon();
+    for (int i = 0; i < space.segments(); ++i) {
+        const Eigen::MatrixXd basis = monomials_of_basis(space, i);
+        const auto own = coefficients.segment(space.first_basis_function(i), space.degree() + 1);
+        const Eigen::VectorXd missed = (basis * own - curve.pieces().col(i)).cwiseAbs();
+        for (int order = 0; order <= 3; ++order) {
+            const double found = most_of_derivative(missed, order, space.width(i));
+            if (found <= largest_coefficient_miss * size[static_cast<std::size_t>(order)]) continue;
+            const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs().cwiseMax(1.0);
+            if (found <= rounding * most_of_derivative(met, order, space.width(i))) continue;
+            return Fault{"coefficients_too_coarse",
+                         fmt::format("the coefficients do not give back derivative {} of the curve between "
+                                     "x = {:.10g} and {:.10g}: it is off by {:.2g} of its peak",
+                                     order, space.breakpoints()[i], space.breakpoints()[i + 1],
+                                     found / size[static_cast<std::size_t>(order)])};
+        }
+    }
+    return {};
+}
+
+std::optional<Fault> condition_fault(const Solution& solution) {
+    const double tolerance = std::max(solution.scene.solver.tolerance, condition_rounding);
+    const std::vector<ConditionMiss> missed = missed_conditions(solution, tolerance);
+    if (missed.empty()) return {};
+    return Fault{"condition_not_met", "the delivered motion misses a condition: " + missed.front().condition};
+}
+
+/// A cam whose figures would have no value: the follower does not reach all of its motion.
+std::optional<Fault> cam_fault(const Solution& solution) {
+    if (!solution.cam && !solution.mechanism) return {};
+    const FigureAlong displacement = [&](double x, Side side) {
+        return solution.scene.motion.lift * solution.motion->at(x, side).derivative[0];
+    };
+    const std::vector<double> breakpoints = solution.motion->breakpoints();
+    const double least = least_along(breakpoints, displacement).value;
+    const double most = largest_along(breakpoints, displacement).value;
+    std::string fault;
+    if (solution.cam) {
+        fault = geometry_fault(solution.cam->cam, least, most);
+    } else {
+        const DrivenMechanism& mechanism = solution.mechanism->mechanism;
+        fault = mechanism.formulas->fault(mechanism.dimensions, least, most);
+    }
+    if (fault.empty()) return {};
+    return Fault{"cam_cannot_be_built", "the cam of this motion cannot be built: " + fault};
+}
+
+/// What a limit is measured by: itself, and where it may be 0 the cam's own size, in the unit of the report.
+double size_of_limit(const Solution& solution, const ConstraintReport& report) {
+    const LimitSpec& limits = solution.scene.limits;
+    double size = std::abs(report.limit);
+    const auto radius = [&](const std::optional<WrittenLimit>& limit) {
+        if (!limit) return;
+        const double base = solution.cam         ? solution.cam->cam[DimensionIndex::base_radius]
+                            : solution.mechanism ? solution.mechanism->summary.base_radius
+                                                 : 0.0;
+        if (std::isfinite(base)) size = std::max(size, base / limit->unit_value);
+    };
+    if (report.name == "cam_radius_min") radius(limits.cam_radius_min);
+    if (report.name == "concave_radius_min") radius(limits.concave_radius_min);
+    if (report.name == "undercut_margin") size = 1.0;
+    if (report.name == "contact_force_min" || report.name == "contact_moment_min")
+        if (solution.cam && solution.cam->summary.forces)
+            size = std::max(size, solution.cam->summary.forces->largest_force.value /
+                                      limits.contact_force_min->unit_value);
+    return size;
+}
+
+std::optional<Fault> limit_fault(const Solution& solution) {
+    for (const ConstraintReport& report : solution.constraints) {
+        const bool least = report.name.ends_with("_min") || report.name == "undercut_margin";
+        const double excess = least ? report.limit - report.worst : report.worst - report.limit;
+        const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
+        const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);
+        if (has_value && excess <= tolerance * size_of_limit(solution, report)) continue;
+        const std::string unit = report.unit.empty() ? "" : " " + report.unit;
+        return Fault{"limit_not_kept",
+                     fmt::format("{} = {:.9g}{} is not kept: {} reaches {:.9g}{} at x = {:.6g}", report.key,
+                                 report.limit, unit, report.name, report.worst, unit, report.at)};
+    }
+    return {};
+}
+
+std::optional<Fault> objective_fault(double believed, double found) {
+    if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
+    return Fault{
+        "objective_not_of_the_curve",
+        fmt::format("the solver's objective {:.9g} is not that of the curve, {:.9g}", believed, found)};
+}
+
+/// The last word on bounds: one that passes the objective is none of this motion.
+void drop_passed_bound(Certificate& certificate, double tolerance) {
+    if (!certificate.lower_bound || !bound_passes(certificate.objective, *certificate.lower_bound,
+                                                  std::max(tolerance, objective_rounding)))
+        return;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+    if (certificate.verdict != Verdict::optimal) return;
+    certificate.verdict = Verdict::feasible;
+    certificate.reason = limits_within_rounding;
+}
+
+std::string active_limits(const Solution& solution) {
+    std::string text;
+    for (const ConstraintReport& report : solution.constraints)
+        if (report.active)
+            text += fmt::format("{}{} = {:.9g}", text.empty() ? "" : ", ", report.key, report.limit);
+    return text.empty() ? "the limits" : text;
+}
+
+/// Says what a proof with relaxed limits is a proof of, and why there is none where there is none.
+void tell_of_rounding(Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    const bool relaxed = certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
+    if (!relaxed && certificate.reason != limits_within_rounding) return;
+    std::string note =
+        fmt::format("{}: within rounding of infeasible. Only the tolerance leaves any room, and ",
+                    active_limits(solution));
+    if (relaxed)
+        note +=
+            fmt::format("the bound is of every motion that keeps the limits to within {:.2g} of their size",
+                        certificate.proof->limits_relaxed_by);
+    else
+        note += "a bound for the limits as written passes the objective: none is shown";
+    solution.notes.push_back(std::move(note));
+}
+
+void fail(Certificate& certificate, const char* reason) {
+    certificate.verdict = Verdict::failed;
+    certificate.reason = reason;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.stationarity.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+}
+
+}  // namespace
+
+namespace {
+
+// Of the motion's peaks: a curve that moves less than this is measured by the motion, not by its own
+// rounding.
+constexpr double standstill = 1e-3;
+
+double peak_of(const SplineCurve& curve, int order) {
+    const Peaks peaks = peaks_of(curve);
+    return order == 0   ? curve.pieces().row(0).cwiseAbs().maxCoeff()
+           : order == 1 ? peaks.velocity.value
+           : order == 2 ? peaks.acceleration.value
+                        : peaks.jerk.value;
+}
+
+}  // namespace
+
+JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
+    const std::vector<double>& breakpoints = curve.space().breakpoints();
+    const std::array<double, 4> whole = {1.0, motion.velocity.value, motion.acceleration.value,
+                                         motion.jerk.value};
+    JointJump worst;
+    for (int order = 0; order <= std::min(curve.continuity(), 3); ++order) {
+        double largest = 0.0;
+        JointJump jump{0.0, 0.0, order};
+        for (int joint = 0; joint < static_cast<int>(breakpoints.size()); ++joint) {
+            const double left = curve.derivative(breakpoints[joint], order, Side::left);
+            const double right = curve.derivative(breakpoints[joint], order, Side::right);
+            largest = std::max({largest, std::abs(left), std::abs(right)});
+            // NaN counts as the worst.
+            if (!(std::abs(left - right) <= jump.relative))
+                jump = {std::abs(left - right), breakpoints[joint], order};
+        }
+        // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
+        // between.
+        if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, peak_of(curve, order));
+        largest = std::max(largest, standstill * whole[static_cast<std::size_t>(order)]);
+        jump.relative /= largest > 0.0 ? largest : 1.0;
+        if (!(jump.relative <= worst.relative)) worst = jump;
+    }
+    return worst;
+}
+
+void drop_idle_bound(Certificate& certificate) {
+    if (certificate.verdict == Verdict::optimal) return;
+    if (!certificate.lower_bound || *certificate.lower_bound >= 0.0) return;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+}
+
+void audit_delivered(Solution& solution) {
+    Certificate& certificate = solution.certificate;
+    if (!solution.motion) {
+        certificate.objective = infinity;
+        return;
+    }
+    const double believed = certificate.objective;
+    certificate.objective = defined_objective(solution);
+    if (certificate.lower_bound && certificate.gap)
+        certificate.gap =
+            std::max(*certificate.gap, relative_gap(certificate.objective, *certificate.lower_bound));
+    std::optional<Fault> fault = joint_fault(solution);
+    for (const SplineCurve* curve : curves_of(solution))
+        if (!fault) fault = coefficient_fault(*curve, solution.motion_peaks);
+    if (!fault) fault = condition_fault(solution);
+    if (!fault) fault = cam_fault(solution);
+    if (!fault) fault = limit_fault(solution);
+    if (!fault) fault = objective_fault(believed, certificate.objective);
+    if (!fault) {
+        drop_passed_bound(certificate, solution.scene.solver.tolerance);
+        drop_idle_bound(certificate);
+        return tell_of_rounding(solution);
+    }
+    fail(certificate, fault->reason);
+    solution.notes.push_back(std::move(fault->note));
+}
+
+}  // namespace camopt

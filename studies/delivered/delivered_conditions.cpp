@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/delivered_conditions.hpp"
+
+#include "splines/extrema.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/scene_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace camopt {
+
+namespace {
+
+constexpr std::array<const char*, 4> derivative = {"y", "y'", "y''", "y'''"};
+constexpr std::array<const char*, 3> via_member = {"displacement", "velocity", "acceleration"};
+
+class Audit {
+ public:
+    Audit(const Solution& solution, double tolerance)
+        : scene_(solution.scene), motion_(*solution.motion), tolerance_(tolerance) {
+        const Peaks& peaks = solution.motion_peaks;
+        size_ = {1.0, peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value};
+        for (const SegmentReport& segment : solution.segments)  // where a law has an impulse
+            if (segment.curve && !std::isfinite(size_[3])) size_[3] = peaks_of(*segment.curve).jerk.value;
+        for (double& size : size_)  // a motion that stands still
+            if (!(size > 0.0 && std::isfinite(size))) size = 1.0;
+    }
+
+    void look_at_ends() {
+        const MotionType type = scene_.motion.type;
+        rests(motion_.begin(), Side::right, 0.0);
+        if (type == MotionType::drd) rests(motion_.end(), Side::left, 1.0);
+        if (type == MotionType::rr) {
+            rests(motion_.end(), Side::left, 0.0);
+            wants({1.0, Side::right}, 0, 1.0, "top of the rise");
+            wants({1.0, Side::right}, 1, 0.0, "top of the rise");
+        }
+    }
+
+    void look_at_program() {
+        const std::vector<ProgramSegment>& segments = scene_.motion.segments;
+        const std::size_t count = segments.size();
+        wants({motion_.begin(), Side::right}, 0, 0.0, "start");
+        for (std::size_t i = 0; i < count; ++i) {
+            const ChainPart& part = motion_.parts()[i];
+            const std::string name = fmt::format("motion.segments[{}]", i);
+            if (segments[i].to) wants({part.end, Side::left}, 0, *segments[i].to, name + ".to");
+            const bool last = i + 1 == count;
+            if (!last || scene_.motion.closed)
+                joins(name, {part.end, last ? motion_.begin() : part.end},
+                      continuity(segments[i], segments[last ? 0 : i + 1]));
+        }
+        if (scene_.motion.closed) return;
+        if (segments.front().kind == SegmentKind::spline) rests(motion_.begin(), Side::right, 0.0);
+        if (segments.back().kind == SegmentKind::spline)
+            rests(motion_.end(), Side::left, motion_.at(motion_.end(), Side::left).derivative[0]);
+    }
+
+    void look_at_via_points() {
+        for (std::size_t i = 0; i < scene_.motion.via.size(); ++i) {
+            const SetPoint& via = scene_.motion.via[i];
+            const std::array<const std::optional<double>*, 3> wanted = {&via.displacement, &via.velocity,
+                                                                        &via.acceleration};
+            for (std::size_t order = 0; order < 3; ++order) {
+                if (!*wanted[order]) continue;
+                const std::string name = fmt::format("motion.via[{}].{}", i, via_member[order]);
+                for (const Side side : {Side::left, Side::right})
+                    wants({via.at, side}, order, **wanted[order], name);
+            }
+        }
+    }
+
+    /// Polynomials on mirrored segments: where they agree at degree + 1 places, they are the same.
+    void look_at_symmetry() {
+        if (!scene_.motion.symmetric) return;
+        const bool rise = scene_.motion.type == MotionType::drd;
+        const std::vector<double> points = motion_.breakpoints();
+        const int places = scene_.spline.degree + 1;
+        for (std::size_t i = 0; 2 * i + 1 < points.size(); ++i) {
+            for (int k = 0; k < places; ++k) {
+                const double x = points[i] + (points[i + 1] - points[i]) * k / places;
+                const double here = motion_.at(x).derivative[0];
+                const double there = motion_.at(motion_.end() - x).derivative[0];
+                keep({"motion.symmetric", rise ? here + there - 1.0 : here - there, x});
+            }
+        }
+    }
+
+    void look_at_end_jerk() {
+        if (scene_.spline.end_jerk != EndJerk::zero) return;
+        for (const auto& [x, side] : quiet_places(scene_, motion_))
+            wants({x, side}, 3, 0.0, "spline.end_jerk");
+    }
+
+    [[nodiscard]] std::vector<ConditionMiss> missed() && {
+        std::ranges::stable_sort(missed_, std::greater{}, &ConditionMiss::relative);
+        return std::move(missed_);
+    }
+
+ private:
+    const Scene& scene_;
+    const MotionChain& motion_;
+    double tolerance_;
+    std::array<double, 4> size_{};
+    std::vector<ConditionMiss> missed_;
+
+    struct Place {
+        double x = 0.0;
+        Side side = Side::right;
+    };
+
+    /// y''' is a difference over the cube of the segments' width: judged as the joints inside the spline are.
+    [[nodiscard]] double tolerance(std::size_t order) const {
+        return order < 3 ? tolerance_ : std::max(tolerance_, largest_joint_jump);
+    }
+
+    void keep(ConditionMiss miss, std::size_t order = 0) {
+        miss.relative = std::abs(miss.relative);
+        if (!(miss.relative <= tolerance(order))) missed_.push_back(std::move(miss));  // NaN is missed
+    }
+
+    void wants(const Place& place, std::size_t order, double value, const std::string& name) {
+        const double found = motion_.at(place.x, place.side).derivative[order];
+        const double size = std::max(size_[order], std::abs(value));
+        if (std::abs(found - value) <= tolerance(order) * size) return;
+        keep({fmt::format("{} = {:.6g} at x = {:.6g} ({}): it is {:.9g}", derivative[order], value, place.x,
+                          name, found),
+              (found - value) / size, place.x},
+             order);
+    }
+
+    void rests(double x, Side side, double displacement) {
+        const char* name = side == Side::right ? "beginning" : "end";
+        wants({x, side}, 0, displacement, name);
+        wants({x, side}, 1, 0.0, name);
+        wants({x, side}, 2, 0.0, name);
+    }
+
+    /// The highest derivative that two neighbours share; laws promise their displacement.
+    [[nodiscard]] int continuity(const ProgramSegment& one, const ProgramSegment& next) const {
+        const bool spline = one.kind == SegmentKind::spline, more = next.kind == SegmentKind::spline;
+        if (spline && more) return std::min(scene_.spline.smoothness(), 3);
+        return spline || more ? 2 : 0;
+    }
+
+    void joins(const std::string& name, const std::array<double, 2>& x, int highest) {
+        const MotionPoint before = motion_.at(x[0], Side::left), after = motion_.at(x[1], Side::right);
+        for (std::size_t order = 0; static_cast<int>(order) <= highest; ++order)
+            keep({fmt::format("{} continuous at the end of {}", derivative[order], name),
+                  (before.derivative[order] - after.derivative[order]) / size_[order], x[0]},
+                 order);
+    }
+};
+
+}  // namespace
+
+std::vector<ConditionMiss> missed_conditions(const Solution& solution, double tolerance) {
+    if (!solution.motion) return {};
+    Audit audit(solution, tolerance);
+    if (solution.scene.motion.type == MotionType::program)
+        audit.look_at_program();
+    else
+        audit.look_at_ends();
+    audit.look_at_via_points();
+    audit.look_at_symmetry();
+    audit.look_at_end_jerk();
+    return std::move(audit).missed();
+}
+
+}  // namespace camopt

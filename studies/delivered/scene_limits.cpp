@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/scene_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// A limit that is just reached is kept: figures agree to rounding only. Relative; of exact points absolute,
+// in lifts.
+constexpr double just_reached = 1e-7;
+constexpr int symmetry_samples = 64;  // between two breakpoints
+
+bool is_least(const ConstraintReport& reached) {
+    return reached.name.ends_with("_min") || reached.name == "undercut_margin";
+}
+
+void add_peak_limit(std::vector<LimitOutcome>& all, const std::pair<const char*, Extremum Peaks::*>& peak,
+                    const std::optional<PeakLimit>& limit, const Scene& scene, const MotionFigures& figures) {
+    if (!limit) return;
+    const Extremum& found = (limit->in_time() ? figures.motion_peaks : figures.peaks).*peak.second;
+    all.push_back(outcome_of({peak.first, limit->key, limit->given,
+                              found.value * limit->unit_per_normalised(), limit->unit, found.at, false},
+                             scene.solver.tolerance));
+}
+
+/// A value that must be `wanted`, found to be `found` at x.
+LimitOutcome exact_point(std::string name, std::string key, double wanted, double found, double x) {
+    const double distance = std::abs(found - wanted);
+    return {{std::move(name), std::move(key), wanted, found, "", x, true},
+            distance <= just_reached * std::max(1.0, std::abs(wanted)),
+            distance};
+}
+
+void add_via_points(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
+    const std::array<const char*, 3> names = {"displacement", "velocity", "acceleration"};
+    for (std::size_t i = 0; i < scene.motion.via.size(); ++i) {
+        const SetPoint& via = scene.motion.via[i];
+        const std::array<const std::optional<double>*, 3> wanted = {&via.displacement, &via.velocity,
+                                                                    &via.acceleration};
+        const MotionPoint left = motion.at(via.at, Side::left), right = motion.at(via.at, Side::right);
+        for (std::size_t order = 0; order < 3; ++order) {
+            if (!*wanted[order]) continue;
+            const double value = **wanted[order];
+            // Where the value jumps: the farther side.
+            const bool takes_left =
+                std::abs(left.derivative[order] - value) > std::abs(right.derivative[order] - value);
+            all.push_back(exact_point(fmt::format("via_{}", names[order]),
+                                      fmt::format("motion.via[{}].{}", i, names[order]), value,
+                                      (takes_left ? left : right).derivative[order], via.at));
+        }
+    }
+}
+
+void add_symmetry(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
+    if (!scene.motion.symmetric) return;
+    const bool rise = scene.motion.type == MotionType::drd;
+    double worst = 0.0, at = 0.0;
+    const std::vector<double> points = motion.breakpoints();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (int k = 0; k <= symmetry_samples; ++k) {
+            const double x = points[i] + (points[i + 1] - points[i]) * k / symmetry_samples;
+            const double here = motion.at(x).derivative[0];
+            const double there = motion.at(motion.end() - x).derivative[0];
+            const double off = std::abs(rise ? here + there - 1.0 : here - there);
+            if (off > worst) {
+                worst = off;
+                at = x;
+            }
+        }
+    }
+    all.push_back(exact_point("symmetric", "motion.symmetric", 0.0, worst, at));
+}
+
+void add_end_jerk(std::vector<LimitOutcome>& all, const Scene& scene, const MotionChain& motion) {
+    if (scene.spline.end_jerk != EndJerk::zero) return;
+    double worst = 0.0, at = motion.begin();
+    for (const auto& [x, side] : quiet_places(scene, motion)) {
+        const double jerk = std::abs(motion.at(x, side).derivative[3]);
+        if (jerk <= worst) continue;
+        worst = jerk;
+        at = x;
+    }
+    all.push_back(exact_point("end_jerk", "spline.end_jerk", 0.0, worst, at));
+}
+
+}  // namespace
+
+std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const MotionChain& motion) {
+    if (scene.motion.type != MotionType::program)
+        return {{motion.begin(), Side::right}, {motion.end(), Side::left}};
+    std::vector<std::pair<double, Side>> places;
+    const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    const std::size_t count = segments.size();
+    const auto dwells = [&](std::size_t i) { return segments[i % count].kind == SegmentKind::dwell; };
+    for (std::size_t i = 0; i < count; ++i) {
+        if (segments[i].kind != SegmentKind::spline) continue;
+        const ChainPart& part = motion.parts()[i];
+        const bool inner_begin = i > 0 || scene.motion.closed;
+        const bool inner_end = i + 1 < count || scene.motion.closed;
+        if (inner_begin && dwells(i + count - 1)) places.emplace_back(part.begin, Side::right);
+        if (inner_end && dwells(i + 1)) places.emplace_back(part.end, Side::left);
+    }
+    return places;
+}
+
+LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance) {
+    const double excess = is_least(reached) ? reached.limit - reached.worst : reached.worst - reached.limit;
+    const double size = std::max(std::abs(reached.limit), std::min(std::abs(reached.worst), 1e300));
+    return {reached, excess <= std::max(just_reached, 10.0 * tolerance) * size, excess};
+}
+
+std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {
+    std::vector<LimitOutcome> all;
+    const LimitSpec& limits = scene.limits;
+    add_peak_limit(all, {"velocity", &Peaks::velocity}, limits.velocity, scene, figures);
+    add_peak_limit(all, {"acceleration", &Peaks::acceleration}, limits.acceleration, scene, figures);
+    add_peak_limit(all, {"jerk", &Peaks::jerk}, limits.jerk, scene, figures);
+    add_via_points(all, scene, figures.motion);
+    add_symmetry(all, scene, figures.motion);
+    add_end_jerk(all, scene, figures.motion);
+    return all;
+}
+
+}  // namespace camopt

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Everything known after a scene was solved: what output/ writes and what an embedder reads.
+#pragma once
+
+#include "core/counting_nlp.hpp"
+#include "core/peaks.hpp"
+#include "scene/scene.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "solvers/solver.hpp"
+#include "splines/curve.hpp"
+#include "splines/motion_chain.hpp"
+#include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/mechanism_summary.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// One user limit, as written and as kept. worst, limit in `unit`; at: x.
+struct ConstraintReport {
+    std::string name;  ///< "velocity", "pressure_angle", …
+    std::string key;   ///< "limits.velocity_mm_s"
+    double limit = 0.0, worst = 0.0;
+    std::string unit;
+    double at = 0.0;
+    bool active = false;
+    bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
+};
+
+/// The least change of one number alone, the others kept, that makes the scene feasible; none where none was
+/// found.
+struct Relaxation {
+    std::string key;
+    double given = 0.0;
+    std::optional<double> needed = {};  ///< on the edge of what is feasible
+    /// `needed` as people read it: rounded to the side that does, a little farther off. A solve of the scene
+    /// with this number found a motion.
+    std::optional<double> solved = {};
+    /// Without `needed`: it is proved that no value helps, not only that none of those tried does.
+    bool ruled_out = false;
+};
+
+/// What was found out about a scene without a motion, beside the changes of one number alone.
+struct Explanation {
+    /// Changes that do together, where no limit alone can be relaxed far enough: all by the same part of
+    /// themselves, but those that need none.
+    std::vector<Relaxation> together;
+    std::vector<std::string> any_motion;  ///< keys of limits that no motion whatever keeps, spline or not
+    std::vector<std::string> alone;       ///< keys of limits that no motion keeps even without the others
+    int finest = 0;                       ///< segments of the finest spline that was tried in vain; 0: none
+    std::vector<std::string> unsettled;   ///< keys of changes whose search did not end
+    double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given of solver.max_seconds
+};
+
+/// One rule of a contradiction and where on the cam it bites.
+struct ConflictReport {
+    std::string key;      ///< "limits.pressure_angle_deg"
+    double at = 0.0;      ///< x
+    double weight = 0.0;  ///< its part in the proof, in (0, 1]
+};
+
+/// One segment of a program. `peaks`, `curve`: of spline segments, normalised by its own angle and
+/// displacement.
+struct SegmentReport {
+    SegmentKind kind = SegmentKind::dwell;
+    std::string law;
+    double begin = 0.0, end = 0.0;  ///< x
+    double from = 0.0, to = 0.0;    ///< displacements, in lifts
+    std::optional<Peaks> peaks;
+    std::optional<SplineCurve> curve;  ///< over x
+    /// The highest derivative that is continuous at its beginning; -1 at the open beginning of a motion.
+    int continuity = 0;
+};
+
+/// The smallest cam that any motion whatever would allow (motions/bounds/smallest_cam.hpp), and the stroke
+/// that asks for it: of all strokes whose pressure angle is limited the one that needs most.
+struct SmallestCamReport {
+    double prime_radius = 0.0;    ///< m, not reached
+    double given = 0.0;           ///< that of the delivered cam (or asked for), m
+    double pressure_angle = 0.0;  ///< of that stroke, rad
+    bool rises = true;
+    double begin = 0.0, end = 0.0;  ///< of the stroke, x
+    std::string key = {};           ///< of its limit
+};
+
+/// A follower was run over the exported points: how far it was from the designed motion (forward_check.hpp).
+struct ForwardCheckReport {
+    double deviation = 0.0;  ///< largest |s found − s designed|, m or rad
+    double relative = 0.0;   ///< by the prime radius (a swing times the arm)
+    double at = 0.0;         ///< x
+    int points = 0;
+    double seconds = 0.0;
+};
+
+/// A cam that was made: its numbers and figures.
+struct CamReport {
+    DiskCam cam;
+    CamSummary summary;
+    std::optional<SmallestCamReport> smallest;
+    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
+};
+
+/// A cam of any other mechanism that was made.
+struct MechanismReport {
+    DrivenMechanism mechanism;
+    MechanismSummary summary;
+    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
+};
+
+/// The free entries of the design vector: the numbers a user would type into another tool.
+struct DesignReport {
+    DesignKind kind = DesignKind::automatic;
+    std::vector<std::string> names;
+    Eigen::VectorXd values;
+};
+
+struct SolverReport {
+    std::string name;    ///< the backend that ran
+    std::string choice;  ///< why "auto" took it; empty where the user named it
+    Termination termination = Termination::not_run;
+    std::string native_status;
+    int iterations = 0;
+    int exchange_rounds = 0;
+    bool convex = true;        ///< every rule is linear or convex: the optimum is the global one
+    int starts = 1;            ///< searches from different starts
+    std::string proof_source;  ///< whose multipliers proved the bound
+};
+
+struct LimitCurve {  ///< the limit no curve can pass (motions/bounds/any_curve_limit.hpp)
+    double objective = 0.0;
+    std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
+};
+
+struct Solution {
+    Scene scene;
+    Certificate certificate;
+    /// The delivered motion; none where nothing feasible was found.
+    std::shared_ptr<const MotionChain> motion;
+    std::optional<SplineCurve> curve;          ///< the same as one spline: DRD and RR
+    std::vector<SegmentReport> segments;       ///< of a program
+    std::optional<CamReport> cam;              ///< where the scene has a disk cam and there is a motion
+    std::optional<MechanismReport> mechanism;  ///< the same for any other mechanism
+    Peaks peaks;                               ///< of the delivered motion, exact, normalised
+    /// Of the motion in lifts and units of x: what physical peaks come from. The same but for a program.
+    Peaks motion_peaks;
+    Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
+    std::optional<LimitCurve> any_curve_limit;
+    std::vector<ConstraintReport> constraints;
+    std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
+    std::optional<Explanation> explanation;
+    std::vector<ConflictReport> conflict;  ///< what the proof of infeasibility rests on, heaviest first
+    DesignReport design;
+    SolverReport solver;
+    EvaluationCounts evaluations;
+    double seconds_total = 0.0, seconds_solve = 0.0;
+    std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
+};
+
+}  // namespace camopt

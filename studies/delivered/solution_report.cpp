@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/solution_report.hpp"
+
+#include "core/number_parsing.hpp"
+#include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/rules/cam_limits.hpp"
+#include "splines/extrema.hpp"
+#include "studies/compare/peak_arithmetic.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+#include "studies/explain/smallest_of_any_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// A limit counts as active when the motion comes this close to it, relative.
+constexpr double active_limit = 1e-6;
+// Rows of a proof that carry less than this part of its weight do not explain anything.
+constexpr double telling_weight = 1e-3;
+// A derivative that jumps by less than this part of the motion's peak is continuous.
+constexpr double same_derivative = 1e-7;
+
+void report_peak_limit(Solution& solution, const char* name, const std::optional<PeakLimit>& limit,
+                       const Extremum& peak) {
+    if (!limit) return;
+    const double unit = limit->unit_per_normalised();
+    solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
+                                    peak.value >= limit->normalised * (1.0 - active_limit)});
+}
+
+/// The highest derivative that is continuous at x, to rounding.
+int continuity_at(const Motion& motion, double left_x, double right_x) {
+    const MotionPoint left = motion.at(left_x, Side::left);
+    const MotionPoint right = motion.at(right_x, Side::right);
+    int order = -1;
+    while (order < 3) {
+        const double jump = std::abs(left.derivative[order + 1] - right.derivative[order + 1]);
+        const double size = std::max({1.0, std::abs(left.derivative[order + 1])});
+        if (jump > same_derivative * size) break;
+        ++order;
+    }
+    return order;
+}
+
+/// Peaks of a law that takes `width` of x and `rise` lifts, in units of the whole motion.
+Peaks peaks_of_law(const std::string& key, double begin, double width, double rise) {
+    Peaks peaks = scaled_peaks(make_law(key)->peaks(), std::abs(rise), width);
+    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+        (peaks.*peak).at = begin + width * (peaks.*peak).at;
+    }
+    return peaks;
+}
+
+void report_segments(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    const CamModel& model = problem.model();
+    const MotionFamily& family = model.design;
+    const MotionChain& motion = *solution.motion;
+    JoinedMeans means;
+    for (int s = 0; s < static_cast<int>(family.stretches().size()); ++s) {
+        const MotionFamily::Stretch& stretch = family.stretches()[s];
+        const ProgramSegment& written = solution.scene.motion.segments[s];
+        SegmentReport report{written.kind,
+                             written.law,
+                             stretch.begin,
+                             stretch.end,
+                             motion.at(stretch.begin, Side::right).derivative[0],
+                             motion.at(stretch.end, Side::left).derivative[0],
+                             {},
+                             {},
+                             0};
+        const bool first = s == 0;
+        report.continuity = first && !solution.scene.motion.closed
+                                ? -1
+                                : continuity_at(motion, first ? motion.end() : stretch.begin, stretch.begin);
+        if (written.kind == SegmentKind::spline) {
+            report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
+            const Peaks own = peaks_of(*report.curve);
+            report.peaks = normalised_peaks(
+                own, {stretch.end - stretch.begin, measured_displacement(report.to - report.from)});
+            raise_peaks(solution.peaks, *report.peaks);
+            raise_peaks(solution.motion_peaks, own);
+            means.add(*report.peaks, stretch.end - stretch.begin);
+        }
+        if (written.kind == SegmentKind::law) {
+            raise_peaks(
+                solution.motion_peaks,
+                peaks_of_law(written.law, report.begin, report.end - report.begin, report.to - report.from));
+        }
+        solution.segments.push_back(std::move(report));
+    }
+    means.set(solution.peaks);
+}
+
+void report_peak_limits(Solution& solution) {
+    const LimitSpec& limits = solution.scene.limits;
+    const auto report = [&](const char* name, const std::optional<PeakLimit>& limit, Extremum Peaks::*peak) {
+        const bool in_time = limit && limit->in_time();
+        report_peak_limit(solution, name, limit, (in_time ? solution.motion_peaks : solution.peaks).*peak);
+    };
+    report("velocity", limits.velocity, &Peaks::velocity);
+    report("acceleration", limits.acceleration, &Peaks::acceleration);
+    report("jerk", limits.jerk, &Peaks::jerk);
+}
+
+void report_cam(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    const CamModel& model = problem.model();
+    const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
+    if (model.mechanism) {
+        solution.mechanism =
+            mechanism_report(solution.scene, model.mechanism->dimensions_at(parameters), *solution.motion);
+        const auto limits = mechanism_constraints(solution.scene, *solution.mechanism);
+        solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
+    }
+    if (!model.cam) return;
+    solution.cam = cam_report(solution.scene, model.cam->cam_at(parameters), *solution.motion);
+    const std::vector<ConstraintReport> constraints = cam_constraints(solution.scene, *solution.cam);
+    solution.constraints.insert(solution.constraints.end(), constraints.begin(), constraints.end());
+}
+
+/// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
+std::string plain_name(const std::string& key) {
+    for (const char* name : {"rise_pressure_angle", "return_pressure_angle", "pressure_angle",
+                             "cam_radius_min", "concave_radius_min", "undercut_margin", "contact_force_min",
+                             "contact_moment_min", "torque_max", "hertz_pressure_max"}) {
+        if (key.find(name) != std::string::npos) return name;
+    }
+    return key;
+}
+
+const CamExtreme& larger(const CamExtreme& one, const CamExtreme& other) {
+    return one.value >= other.value ? one : other;
+}
+
+/// What the general limit on the pressure angle speaks of: all, or the stroke that has none of its own, and
+/// always where the follower rests.
+CamExtreme general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
+    const bool rise = limits.rise_pressure_angle.has_value(), back = limits.return_pressure_angle.has_value();
+    if (!rise && !back) return summary.pressure_angle;
+    if (rise && back) return summary.rest_pressure_angle;
+    return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
+                  summary.rest_pressure_angle);
+}
+
+}  // namespace
+
+SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
+    std::vector<double> breakpoints;
+    std::vector<int> segments;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (piece.stretch != stretch) continue;
+        if (breakpoints.empty()) breakpoints.push_back(piece.begin);
+        breakpoints.push_back(piece.end);
+        segments.push_back(piece.segment);
+    }
+    return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
+            run.pieces()(Eigen::all, segments)};
+}
+
+ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
+    const double slack = sign * (limit.value - worst.value);
+    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
+    return {plain_name(limit.key),          limit.key,  limit.given(),
+            worst.value / limit.unit_value, limit.unit, worst.at,
+            slack <= active_limit * size};
+}
+
+CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
+    return {cam, cam_summary(cam, motion, scene), smallest_of_any_motion(scene, cam), {}};
+}
+
+std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report) {
+    const LimitSpec& limits = scene.limits;
+    const CamSummary& summary = report.summary;
+    std::vector<ConstraintReport> all;
+    const auto add = [&](const std::optional<WrittenLimit>& limit, const CamExtreme& worst, int sign) {
+        if (limit) all.push_back(limit_report(*limit, worst, sign));
+    };
+    add(limits.pressure_angle, general_pressure_angle(limits, summary), 1);
+    add(limits.rise_pressure_angle, larger(summary.rise_pressure_angle, summary.rest_pressure_angle), 1);
+    add(limits.return_pressure_angle, larger(summary.return_pressure_angle, summary.rest_pressure_angle), 1);
+    add(limits.cam_radius_min, summary.convex_radius, -1);
+    if (limits.concave_radius_min) {
+        all.push_back(limit_report(*limits.concave_radius_min,
+                                   summary.concave_radius.value_or(CamExtreme{infinity, 0.0}), -1));
+    }
+    add(limits.undercut_margin, summary.regularity, -1);
+    if (scene.cam->face_half_width) {
+        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
+                                 "mm"};
+        all.push_back(limit_report(width, summary.contact_offset, 1));
+        all.back().name = "face_half_width";
+    }
+    if (summary.forces) {
+        add(limits.contact_force_min, summary.forces->least_force, -1);
+        add(limits.torque_max, summary.forces->torque, 1);
+        if (summary.forces->hertz_pressure)
+            add(limits.hertz_pressure_max, *summary.forces->hertz_pressure, 1);
+        // A torque can be computed without a contact, but not exerted.
+        for (ConstraintReport& row : all) {
+            const bool needs_contact = row.name == "torque_max" || row.name == "hertz_pressure_max";
+            if (needs_contact && summary.no_contact) row.worst = infinity;
+        }
+    }
+    // A cam that is nowhere concave has an infinite concave radius; anything else infinite is no figure.
+    for (ConstraintReport& row : all)
+        row.no_contact = summary.no_contact && std::isinf(row.worst) && row.name != "concave_radius_min";
+    return all;
+}
+
+void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    solution.motion = std::make_shared<MotionChain>(problem.motion(x));
+    if (solution.scene.motion.type == MotionType::program) {
+        report_segments(solution, problem, x);
+    } else {
+        solution.curve = problem.curve(x);
+        solution.peaks = solution.motion_peaks = peaks_of(*solution.curve);
+    }
+    report_peak_limits(solution);
+    report_cam(solution, problem, x);
+    const MotionFamily& design = problem.model().design;
+    const Eigen::VectorXd values = problem.design_values(x);
+    const std::vector<int> reported = design.reported_entries();
+    solution.design.values = values(reported);
+    for (const int entry : reported) solution.design.names.push_back(design.name(entry));
+}
+
+void report_conflict(Solution& solution) {
+    if (!solution.certificate.proof) return;
+    const DualityProof& proof = *solution.certificate.proof;
+    constexpr const char* separator = " at x = ";
+    double whole = 0.0;
+    std::vector<ConflictReport> found;
+    for (std::size_t i = 0; i < proof.rows.size(); ++i) {
+        const std::string& row = proof.rows[i];
+        const bool limit = row.starts_with("limits.") || row.starts_with("cam.");
+        const double weight = std::abs(proof.multipliers[static_cast<Eigen::Index>(i)]);
+        if (!limit || weight == 0.0) continue;
+        whole += weight;
+        const std::size_t at = row.find(separator);
+        const double x =
+            at == std::string::npos
+                ? 0.0
+                : number_at_start(std::string_view(row).substr(at + std::string_view(separator).size()))
+                      .value_or(0.0);
+        found.push_back({row.substr(0, at), x, weight});
+    }
+    for (ConflictReport& conflict : found) conflict.weight /= whole;
+    std::erase_if(found, [](const ConflictReport& conflict) { return conflict.weight < telling_weight; });
+    std::ranges::stable_sort(found, std::greater{}, &ConflictReport::weight);
+    solution.conflict = std::move(found);
+}
+
+}  // namespace camopt

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "studies/explain/feasibility_question.hpp"
+
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/scene_model.hpp"
+#include "solvers/exchange/elastic.hpp"
+#include "solvers/structured/structured_solver.hpp"
+#include "studies/solve/rest_conflict.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace camopt {
+
+namespace {
+
+constexpr int most_rounds = 40;
+
+/// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is
+/// a bound from below and a judged motion's one from above. The value is whichever of the two decided.
+double least_violation(const CamModel& model, double tolerance, const Budget& budget) {
+    CamProblem problem(model);
+    const Candidate start = judged(problem, problem.start());
+    if (start.violation <= 0.0) return start.violation;
+    ElasticProblem elastic(problem);
+    const std::unique_ptr<Solver> solver = make_structured_solver();
+    Eigen::VectorXd x = elastic.start();
+    double violation = start.violation;
+    for (int round = 0; round < most_rounds && !budget.spent(); ++round) {
+        BackendOptions options;
+        options.tolerance = tolerance;
+        const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
+        if (result.x.size() == 0 || !result.x.allFinite()) break;
+        const double on_grid = result.x[result.x.size() - 1];
+        if (on_grid > tolerance) return on_grid;
+        const Candidate found = judged(problem, result.x.head(result.x.size() - 1));
+        violation = std::min(violation, found.violation);
+        if (violation <= 0.0) return violation;
+        std::vector<Violation> worst = elastic.violations(result.x, 0.0);
+        if (worst.empty() || elastic.refine(worst) == 0) break;
+        x = elastic.completed(result.x);
+    }
+    return violation <= tolerance ? 0.0 : violation;
+}
+
+/// The scene as it is solved to answer: what decides which of its motions is best plays no part.
+Solution answer(Scene scene, const Budget& budget) {
+    scene.solver.name = "auto";
+    scene.solver.options.clear();
+    scene.objective.tie_break = TieBreak::none;
+    return solve_without_explaining(scene, budget.control());
+}
+
+bool has_motion(const Solution& solution) {
+    const Verdict verdict = solution.certificate.verdict;
+    const bool kept =
+        verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+    return solution.motion && kept;
+}
+
+}  // namespace
+
+double least_violation(const Scene& scene, const Budget& budget) {
+    if (find_fault(scene)) return infinity;
+    const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    if (!model.design.contradictions().empty()) return infinity;
+    if (const auto rest = rest_conflict(model, scene.solver.tolerance)) return rest->violation;
+    const CamModel convex = convex_part(model, ConvexOver::every_motion);
+    const double tolerance = scene.solver.tolerance;
+    const double necessary = least_violation(convex, tolerance, budget);
+    if (necessary > 0.0 || convex.rules.size() == model.rules.size()) return necessary;
+    return least_violation(model, tolerance, budget);
+}
+
+bool is_solved(const Scene& scene, const Budget& budget) {
+    if (budget.spent() || find_fault(scene)) return false;
+    // The first of several starts is one of those of the scene itself: what it finds is found with all.
+    Scene first = scene;
+    first.solver.starts = 1;
+    if (has_motion(answer(first, budget))) return true;
+    if (budget.spent() || scene.solver.starts == 1) return false;
+    const Solution all = answer(scene, budget);
+    return has_motion(all);
+}
+
+bool is_proved_infeasible(const Scene& scene, const Budget& budget) {
+    if (budget.spent() || find_fault(scene)) return false;
+    Scene first = scene;
+    first.solver.starts = 1;
+    return answer(first, budget).certificate.verdict == Verdict::infeasible;
+}
+
+}  // namespace camopt

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Has a scene a motion? Asked in two ways: quickly, by the least common violation, to close in on a value;
+// and by a solve, before that value is told to anyone.
+#pragma once
+
+#include "scene/scene.hpp"
+#include "studies/explain/relaxation_budget.hpp"
+
+namespace camopt {
+
+/// <= 0: the scene is feasible. Infinite where the cam cannot be built or the conditions contradict each
+/// other. The limits that are linear or convex come first: they are quick, and may settle it. For the others
+/// it is what one search found.
+[[nodiscard]] double least_violation(const Scene& scene, const Budget& budget);
+
+/// A solve of the scene ended with a motion: optimal, local or feasible. By the backend that "auto" takes.
+[[nodiscard]] bool is_solved(const Scene& scene, const Budget& budget);
+
+/// A solve of the scene ended with a proof that it has no motion.
+[[nodiscard]] bool is_proved_infeasible(const Scene& scene, const Budget& budget);
+
+}  // namespace camopt

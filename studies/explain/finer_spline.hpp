@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Whether more segments would help a scene without a motion.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+#include "studies/explain/relaxation_budget.hpp"
+
+#include <optional>
+
+namespace camopt {
+
+[[nodiscard]] int segments_of(const SplineSpec& spline);
+
+/// Uniform breakpoints: any number of segments. Given breakpoints are kept and their intervals halved until
+/// there are at least so many.
+[[nodiscard]] Scene with_segments(const Scene& scene, int segments);
+
+struct FinerSpline {
+    std::optional<Relaxation> row;  ///< key spline.segments: the fewest that were solved
+    int finest = 0;                 ///< without a row: the most that were tried; 0: the time did not reach
+};
+
+/// Twice, four times, eight times the segments (and on to 64 where these are fewer, never above 512); between
+/// the last that fails and the first that does bisection. Each halves the intervals of the one before, so it
+/// keeps all motions of it. Told is a number that was solved, and the next one too: with an odd number a
+/// breakpoint lies in the middle where with an even one there is none.
+[[nodiscard]] FinerSpline finer_spline(const Scene& scene, const Budget& budget);
+
+}  // namespace camopt

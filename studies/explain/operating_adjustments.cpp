@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Caps on peaks, springs, speed: what a user could change beside the cam.
+#include "core/units.hpp"
+#include "studies/explain/adjustment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// The first change tried, relative; then it doubles.
+constexpr double first_change = 0.02;
+// No spring is that much stronger than asked for, no machine that much slower, no cap that much looser.
+constexpr double farthest = 1e3;
+
+using PeakMember = std::optional<PeakLimit> LimitSpec::*;
+
+Adjustment peak_adjustment(const PeakLimit& limit, PeakMember member) {
+    Adjustment adjustment;
+    adjustment.key = limit.key;
+    adjustment.given = limit.given;
+    adjustment.step = first_change * limit.given;
+    adjustment.may_shrink = false;
+    adjustment.least = limit.given;
+    adjustment.most = farthest * limit.given;
+    adjustment.limit = true;
+    adjustment.with = [member](const Scene& scene, double value) {
+        Scene changed = scene;
+        PeakLimit& own = *(changed.limits.*member);
+        own.normalised = value / own.unit_per_normalised();
+        own.given = value;
+        return changed;
+    };
+    return adjustment;
+}
+
+/// One number of the forces. size: what a change of it is measured by, in the unit of the key.
+struct ForceNumber {
+    const char* key;
+    double ForceSpec::*member;
+    double unit;  ///< SI value of one unit of the key
+    double size;
+};
+
+Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
+    Adjustment adjustment;
+    adjustment.key = number.key;
+    adjustment.given = as_written((*scene.forces).*number.member / number.unit);
+    const double size = std::max(std::abs(adjustment.given), number.size);
+    adjustment.step = first_change * size;
+    adjustment.least = std::min(0.0, adjustment.given);
+    adjustment.most = farthest * size;
+    adjustment.with = [number](const Scene& one, double value) {
+        Scene changed = one;
+        (*changed.forces).*number.member = value * number.unit;
+        return changed;
+    };
+    return adjustment;
+}
+
+void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
+    const ForceSpec& forces = *scene.forces;
+    const bool swings = scene.motion.lift_is_angle;
+    const double lift = scene.motion.lift;
+    // A follower without spring or preload has forces of the size of its limit, or of one N.
+    const double limit = scene.limits.contact_force_min ? std::abs(scene.limits.contact_force_min->value) : 0;
+    const double force =
+        std::max({std::abs(forces.preload), forces.spring_rate * lift, limit, limit > 0.0 ? 0.0 : 1.0});
+    all.push_back(force_adjustment(
+        scene, {swings ? "forces.preload_nm" : "forces.preload_n", &ForceSpec::preload, 1.0, force}));
+    const double rate_unit = swings ? 1.0 : 1.0 / units::millimetre;
+    all.push_back(force_adjustment(scene, {swings ? "forces.spring_rate_nm_rad" : "forces.spring_rate_n_mm",
+                                           &ForceSpec::spring_rate, rate_unit, force / lift / rate_unit}));
+}
+
+void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
+    if (!scene.forces->contact_width || !scene.limits.hertz_pressure_max) return;
+    const double given = as_written(*scene.forces->contact_width / units::millimetre);
+    Adjustment adjustment{"forces.contact_width_mm", given, first_change * given, true, false, given,
+                          farthest * given,          {}};
+    adjustment.with = [](const Scene& one, double value) {
+        Scene changed = one;
+        changed.forces->contact_width = value * units::millimetre;
+        return changed;
+    };
+    all.push_back(std::move(adjustment));
+}
+
+bool goes_by_time(const Scene& scene) {
+    const LimitSpec& limits = scene.limits;
+    for (const auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
+        if (*limit && (*limit)->in_time()) return true;
+    return scene.forces && (limits.contact_force_min || limits.torque_max || limits.hertz_pressure_max);
+}
+
+void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
+    if (!scene.motion.speed || !goes_by_time(scene)) return;
+    const double unit = units::revolution_per_minute;
+    const double given = as_written(*scene.motion.speed / unit);
+    Adjustment adjustment{
+        "motion.speed_rpm", given, first_change * given, false, true, given / farthest, given, {}};
+    adjustment.with = [unit](const Scene& one, double value) {
+        Scene changed = one;
+        changed.motion.speed = value * unit;
+        rescale_limits_in_time(changed, *one.motion.speed / *changed.motion.speed);
+        return changed;
+    };
+    all.push_back(std::move(adjustment));
+}
+
+}  // namespace
+
+void rescale_limits_in_time(Scene& scene, double ratio) {
+    int order = 0;
+    for (auto* limit : {&scene.limits.velocity, &scene.limits.acceleration, &scene.limits.jerk}) {
+        ++order;
+        if (*limit && (*limit)->in_time()) (*limit)->normalised *= std::pow(ratio, order);
+    }
+}
+
+std::vector<Adjustment> peak_adjustments(const Scene& scene) {
+    std::vector<Adjustment> all;
+    constexpr std::array<PeakMember, 3> members = {&LimitSpec::velocity, &LimitSpec::acceleration,
+                                                   &LimitSpec::jerk};
+    for (const PeakMember member : members)
+        if (const auto& limit = scene.limits.*member) all.push_back(peak_adjustment(*limit, member));
+    return all;
+}
+
+std::vector<Adjustment> operating_adjustments(const Scene& scene) {
+    std::vector<Adjustment> all;
+    if (scene.forces &&
+        (scene.limits.contact_force_min || scene.limits.torque_max || scene.limits.hertz_pressure_max)) {
+        add_springs(all, scene);
+        add_contact_width(all, scene);
+    }
+    add_speed(all, scene);
+    return all;
+}
+
+}  // namespace camopt

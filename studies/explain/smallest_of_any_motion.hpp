@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What no motion whatever can keep, spline or not: from the smallest cam of each stroke
+// (motions/bounds/smallest_cam.hpp) and the limit of any curve (motions/bounds/any_curve_limit.hpp).
+//
+// A stroke is a stretch of the motion between two displacements that the scene gives: the rise, the return,
+// and of a program every segment with a given displacement at both ends. Each is held against the pressure
+// angle of its own direction.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Of all strokes the one that needs the largest prime radius. None unless a roller or a knife edge
+/// translates and the pressure angle of some stroke is limited.
+[[nodiscard]] std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DiskCam& cam);
+
+/// The keys of the limits that no motion keeps, each by itself. A range of dimensions counts with its most
+/// favourable end.
+[[nodiscard]] std::vector<std::string> kept_by_no_motion(const Scene& scene);
+
+/// The caps on peaks cannot be kept together by any motion.
+[[nodiscard]] bool no_motion_keeps_all_caps(const Scene& scene);
+
+}  // namespace camopt

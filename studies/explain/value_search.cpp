@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "studies/explain/value_search.hpp"
+
+#include "studies/explain/feasibility_question.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+// A value is found to this part of itself; a solve with that much to spare is feasible.
+constexpr double value_accuracy = 1e-8;
+constexpr int most_doublings = 24;
+constexpr int most_root_steps = 60;
+// Digits of a value that is told, and how far from the edge it lies at least, both of its size: a solve that
+// ends within its tolerance of the edge would prove nothing.
+constexpr int told_digits = 5;
+constexpr double least_margin = 1e-6;
+// Where the search's word was too good: how much farther off a solve is tried, of the size.
+constexpr double farther_off[] = {0.0, 1e-4, 1e-3, 1e-2, 5e-2};
+
+class ValueSearch {
+ public:
+    ValueSearch(const Scene& scene, const Adjustment& adjustment, double given, const Budget& budget)
+        : scene_(scene), adjustment_(adjustment), given_(given), budget_(budget) {}
+
+    /// The nearest feasible value in one direction, ±1.
+    [[nodiscard]] std::optional<double> nearest(int direction) const {
+        double outside = adjustment_.given;  // still infeasible
+        double violation = given_;
+        double step = adjustment_.step;
+        for (int k = 0; k < most_doublings && !budget_.spent(); ++k, step *= 2.0) {
+            const double end = direction > 0 ? adjustment_.most : adjustment_.least;
+            double next = adjustment_.given + direction * step;
+            const bool last = direction > 0 ? next >= end : next <= end;
+            if (last) next = end;
+            const double there = violation_at(next);
+            if (there <= 0.0) return between(outside, violation, next, there);
+            if (last) return {};
+            outside = next;
+            violation = there;
+        }
+        return {};
+    }
+
+ private:
+    const Scene& scene_;
+    const Adjustment& adjustment_;
+    double given_;
+    const Budget& budget_;
+
+    [[nodiscard]] double violation_at(double value) const {
+        return least_violation(adjustment_.with(scene_, value), budget_);
+    }
+
+    /// The boundary between an infeasible and a feasible value, from the feasible side.
+    [[nodiscard]] double between(double outside, double violation, double inside, double slack) const {
+        const double accuracy = value_accuracy * std::max(std::abs(inside), adjustment_.step);
+        for (int k = 0; k < most_root_steps && std::abs(inside - outside) > accuracy; ++k) {
+            if (budget_.spent()) break;
+            double value = 0.5 * (inside + outside);
+            // A slack of zero stands for all slack (a start that already keeps everything has its own).
+            const bool usable = std::isfinite(violation) && slack < 0.0 && k % 3 != 2;
+            if (usable) value = inside + (outside - inside) * slack / (slack - violation);
+            value = std::clamp(value, std::min(inside, outside) + 0.1 * accuracy,
+                               std::max(inside, outside) - 0.1 * accuracy);
+            const double there = violation_at(value);
+            if (there <= 0.0) {
+                inside = value;
+                slack = there;
+            } else {
+                outside = value;
+                violation = there;
+            }
+        }
+        return inside;
+    }
+};
+
+}  // namespace
+
+std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjustment, double given,
+                                    const Budget& budget) {
+    const ValueSearch search(scene, adjustment, given, budget);
+    std::optional<double> nearest;
+    for (const int direction : {1, -1}) {
+        if (!(direction > 0 ? adjustment.may_grow : adjustment.may_shrink)) continue;
+        const std::optional<double> found = search.nearest(direction);
+        const bool nearer = found && (!nearest || std::abs(*found - adjustment.given) <
+                                                      std::abs(*nearest - adjustment.given));
+        if (nearer) nearest = found;
+    }
+    return nearest;
+}
+
+double safe_value(double needed, bool up, double size) {
+    size = std::max(size, std::abs(needed));
+    if (!(size > 0.0) || !std::isfinite(size)) return needed;
+    const int decimals = told_digits - 1 - static_cast<int>(std::floor(std::log10(size)));
+    const double moved = needed + (up ? least_margin : -least_margin) * size;
+    // Dividing by a power of ten gives the double nearest to the decimal number.
+    const double power = std::pow(10.0, std::abs(decimals));
+    const double scaled = decimals >= 0 ? moved * power : moved / power;
+    const double steps = up ? std::ceil(scaled) : std::floor(scaled);
+    return decimals >= 0 ? steps / power : steps * power;
+}
+
+std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment& adjustment, double needed,
+                                            const Budget& budget) {
+    const bool up = needed > adjustment.given;
+    const double size = std::max(std::abs(needed), adjustment.step);
+    for (const double margin : farther_off) {
+        if (budget.spent()) return {};
+        const double edge = needed + (up ? margin : -margin) * size;
+        // The end of a range needs no margin: there is nothing beyond it.
+        const double told =
+            std::clamp(safe_value(edge, up, size), std::min(adjustment.least, adjustment.given),
+                       std::max(adjustment.most, adjustment.given));
+        if (!is_solved(adjustment.with(scene, told), budget)) continue;
+        return Relaxation{adjustment.key, adjustment.given, margin == 0.0 ? needed : told, told};
+    }
+    return {};
+}
+
+}  // namespace camopt

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The nearest value of one number that makes a scene feasible.
+//
+// The least violation t(v) of the scene with the value v is brought to zero, first by steps that double, then
+// by regula falsi; v is taken from the feasible side. What is told of it is rounded away from the edge and
+// solved.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/explain/relaxation_budget.hpp"
+
+#include <optional>
+
+namespace camopt {
+
+/// given: least_violation() of the scene as it is. Of two directions the nearer value.
+[[nodiscard]] std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjustment,
+                                                  double given, const Budget& budget);
+
+/// `needed` as it is told: to five digits of itself, or of `size` where that is larger, on the side away from
+/// the edge, and a millionth of that size beyond it at least.
+[[nodiscard]] double safe_value(double needed, bool up, double size);
+
+/// The row of a needed value: rounded, solved, and where the solve fails, tried again farther off. None
+/// where no solve succeeded.
+[[nodiscard]] std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment& adjustment,
+                                                          double needed, const Budget& budget);
+
+}  // namespace camopt

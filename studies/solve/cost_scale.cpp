@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve/cost_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace camopt {
+
+namespace {
+
+// Peaks and root mean squares of good motions, to a factor of ten or so: those of the modified sine.
+constexpr std::array<double, 6> typical = {1.76, 5.53, 69.5, 5.46, 3.91, 23.0};
+// References this far from them, and objectives this far from one, are scaled.
+constexpr int idle_reference_exponent = 7;
+constexpr double least_idle_cost = 0.25, most_idle_cost = 64.0;
+// Scaled costs lie below 1 where they were small (the gap is then no looser) and above it where they were
+// large.
+constexpr double large_cost = 8.0;
+
+struct Term {
+    double* weight;
+    std::optional<double>* number;  ///< of a numeric reference
+    double reference;
+};
+
+std::array<Term, 6> terms_of(Scene& scene, const Peaks& reference) {
+    ObjectiveSpec& objective = scene.objective;
+    Reference& numbers = objective.reference;
+    return {{{&objective.velocity, &numbers.velocity, reference.velocity.value},
+             {&objective.acceleration, &numbers.acceleration, reference.acceleration.value},
+             {&objective.jerk, &numbers.jerk, reference.jerk.value},
+             {&objective.torque, &numbers.torque, reference.torque.value},
+             {&objective.rms_acceleration, &numbers.rms_acceleration, reference.rms_acceleration},
+             {&objective.rms_jerk, &numbers.rms_jerk, reference.rms_jerk}}};
+}
+
+double power_of_two(double exponent) {
+    return std::ldexp(1.0, static_cast<int>(exponent));
+}
+
+}  // namespace
+
+CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
+    if (scene.objective.reference.numeric) scale_references(reference);
+    scale_weights(reference);
+}
+
+void CostScale::scale_references(const Peaks& reference) {
+    const std::array<Term, 6> terms = terms_of(scaled_, reference);
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+        if (!*terms[k].number) continue;
+        const double exponent = std::round(std::log2(**terms[k].number / typical[k]));
+        if (std::abs(exponent) <= idle_reference_exponent) continue;
+        **terms[k].number /= power_of_two(exponent);
+        *terms[k].weight /= power_of_two(exponent);
+        idle_ = false;
+    }
+}
+
+void CostScale::scale_weights(const Peaks& reference) {
+    double cost = 0.0;
+    const std::array<Term, 6> terms = terms_of(scaled_, reference);
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+        const double by = terms[k].number->value_or(terms[k].reference);
+        if (*terms[k].weight > 0.0) cost += *terms[k].weight * typical[k] / by;
+    }
+    for (const double weight : scaled_.objective.dimensions) cost += weight;
+    if (cost >= least_idle_cost && cost <= most_idle_cost) return;
+    idle_ = false;
+    factor_ =
+        power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
+    for (const Term& term : terms) *term.weight /= factor_;
+    for (double& weight : scaled_.objective.dimensions) weight /= factor_;
+}
+
+namespace {
+
+void scale_proof(DualityProof& proof, double factor) {
+    if (proof.statement != "objective") return;
+    proof.cost *= factor;
+    proof.constant *= factor;
+    proof.multipliers *= factor;
+    proof.bound *= factor;
+}
+
+/// Cases that share a proof share it still.
+void scale_cases(std::vector<CaseProof>& cases, double factor) {
+    std::map<const DualityProof*, std::shared_ptr<const DualityProof>> scaled;
+    for (CaseProof& part : cases) {
+        part.bound *= factor;
+        if (!part.proof) continue;
+        std::shared_ptr<const DualityProof>& known = scaled[part.proof.get()];
+        if (!known) {
+            auto proof = std::make_shared<DualityProof>(*part.proof);
+            scale_proof(*proof, factor);
+            known = std::move(proof);
+        }
+        part.proof = known;
+    }
+}
+
+}  // namespace
+
+void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
+    solution.scene = scene;
+    solution.reference_peaks = reference;
+    if (solution.any_curve_limit) solution.any_curve_limit->objective *= factor_;
+    Certificate& certificate = solution.certificate;
+    certificate.objective *= factor_;
+    if (certificate.stationarity) *certificate.stationarity *= factor_;
+    scale_cases(certificate.cases, factor_);
+    if (!certificate.lower_bound) return;
+    *certificate.lower_bound *= factor_;
+    if (certificate.gap)
+        certificate.gap =
+            std::max(*certificate.gap, relative_gap(certificate.objective, *certificate.lower_bound));
+    if (certificate.proof) scale_proof(*certificate.proof, factor_);
+}
+
+}  // namespace camopt

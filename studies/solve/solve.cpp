@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve/solve.hpp"
+
+#include "core/errors.hpp"
+#include "motions/bounds/any_curve_limit.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/scene_model.hpp"
+#include "scene/written_limits.hpp"
+#include "solvers/counting_solver.hpp"
+#include "solvers/exchange/continuous_solve.hpp"
+#include "solvers/registry.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/solution_report.hpp"
+#include "studies/explain/relaxation.hpp"
+#include "studies/solve/contradiction.hpp"
+#include "studies/solve/cost_scale.hpp"
+#include "studies/solve/rest_conflict.hpp"
+#include "studies/solve/solve_free_displacements.hpp"
+#include "studies/solve/solve_free_knots.hpp"
+#include "studies/solve/solve_from_starts.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/solve/tie_break.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// Part of the time after which starts that found nothing within the limits end: the rest is for explaining
+// it.
+constexpr double searched_in_vain = 0.6;
+
+std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
+    const ObjectiveSpec& objective = scene.objective;
+    // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
+    // nothing approaches.
+    if (scene.motion.type == MotionType::program) return {};
+    if (objective.torque > 0.0 || objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
+    if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
+    const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
+    const auto cap = [](const std::optional<PeakLimit>& limit) {
+        return limit ? std::optional(limit->normalised) : std::nullopt;
+    };
+    const AnyCurveLimit limit = any_curve_limit(
+        {scene.motion.type, scene.motion.length(), over(objective.velocity, reference.velocity.value),
+         over(objective.acceleration, reference.acceleration.value),
+         over(objective.jerk, reference.jerk.value), cap(scene.limits.velocity),
+         cap(scene.limits.acceleration), cap(scene.limits.jerk)});
+    if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
+        return {};
+    return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
+}
+
+FreeDisplacements displacements_left_free(const Scene& scene) {
+    if (scene.motion.type != MotionType::program) return {};
+    return free_displacements(scene, scene_family(scene, DesignKind::states));
+}
+
+/// Who solves a problem that is not convex: Ipopt where this build has it.
+std::string general_solver() {
+    for (const SolverEntry& entry : solver_entries()) {
+        if (entry.name == "ipopt" && entry.available) return entry.name;
+    }
+    return "structured";
+}
+
+bool is_general(const Scene& scene) {
+    return (scene.cam || scene.mechanism || scene.objective.torque > 0.0) &&
+           needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+}
+
+ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
+                               const SolveControl& control) {
+    const Scene& scene = solution.scene;
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
+    if (!needs_starts(problem.model())) {
+        ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+        if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
+        return result;
+    }
+    StartsResult all =
+        solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
+                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
+    solution.solver.convex = false;
+    solution.solver.starts = all.starts;
+    const int planned = scene.solver.starts.value_or(default_starts);
+    if (all.starts > 0 && all.starts < planned && control.stopped())
+        solution.notes.push_back(
+            fmt::format("interrupted in the search: {} of {} starts were begun", all.starts, planned));
+    if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
+    if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
+        if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
+        solution.notes.emplace_back(
+            "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
+            "optimum of the whole");
+    }
+    return std::move(all.result);
+}
+
+}  // namespace
+
+BackendChoice choose_backend(const Scene& scene) {
+    BackendChoice choice{scene.solver.name, {}, scene.spline.design};
+    const bool general = choice.solver == "auto" && is_general(scene);
+    if (choice.solver == "auto") {
+        choice.solver = general ? general_solver() : "structured";
+        choice.reason =
+            general
+                ? "a limit or the torque term of this scene is not convex: a convex relaxation settles it or "
+                  "gives a bound, and then several starts search for the best motion"
+                : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
+                  "so the structured interior point finds and proves the global optimum";
+    }
+    if (!displacements_left_free(scene).stretches.empty()) {
+        choice.reason =
+            "displacements are free, and peaks are measured by them: relaxations bound them case by "
+            "case, and ordinary solves try them" +
+            (choice.reason.empty() ? std::string() : "; for given ones: " + choice.reason);
+    }
+    if (choice.design == DesignKind::automatic) {
+        // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
+        const bool dense = choice.solver.starts_with("nlopt.");
+        choice.design = dense ? DesignKind::coefficients : DesignKind::states;
+    }
+    return choice;
+}
+
+namespace {
+
+/// A scene whose objective is near one (CostScale).
+Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
+                      GridMemory* memory) {
+    const Stopwatch watch;
+    Solution solution;
+    solution.scene = scene;
+    const BackendChoice choice = choose_backend(scene);
+    CountingSolver solver(make_solver(choice.solver));
+    check_native_options(choice.solver, scene.solver.options);
+    solution.reference_peaks = reference;
+    solution.any_curve_limit = limit_of(scene, solution.reference_peaks);
+    solution.solver.name = choice.solver;
+    solution.solver.choice = choice.reason;
+    solution.design.kind = choice.design;
+
+    CamModel model = scene_model(scene, choice.design, solution.reference_peaks);
+    CamProblem problem = memory != nullptr ? memory->problem(std::move(model)) : CamProblem(std::move(model));
+    const MotionFamily& design = problem.model().design;
+    for (const ConditionConflict& conflict : design.redundant()) {
+        solution.notes.push_back(conflict.condition + " follows from the other conditions" +
+                                 (conflict.others.empty() ? "" : ": " + list_of(conflict)));
+    }
+    if (!design.contradictions().empty()) {
+        report_contradictions(solution, design);
+        solution.seconds_total = watch.seconds();
+        return solution;
+    }
+    if (report_rest_conflict(solution, problem.model())) {
+        solution.seconds_total = watch.seconds();
+        return solution;
+    }
+    if (!free_displacements(scene, design).stretches.empty()) {
+        const auto given = [&](const Scene& fixed) {
+            return solve_scaled(fixed, reference, control, nullptr);
+        };
+        Solution found = solve_free_displacements(scene, reference, given, control);
+        found.solver.choice = choice.reason;
+        found.notes.insert(found.notes.begin(), solution.notes.begin(), solution.notes.end());
+        if (found.certificate.verdict == Verdict::infeasible) report_conflict(found);
+        return found;
+    }
+    const Stopwatch solve_watch;
+    ContinuousResult result = solve_problem(problem, solver, solution, control);
+    solution.seconds_solve = solve_watch.seconds();
+    if (memory != nullptr) memory->keep(problem);
+
+    solution.certificate = std::move(result.certificate);
+    solution.solver.termination = result.exchange.termination;
+    solution.solver.native_status = result.exchange.last.native_status;
+    solution.solver.iterations = result.exchange.iterations;
+    solution.solver.exchange_rounds = result.exchange.rounds;
+    solution.solver.proof_source = result.proof_source;
+    solution.evaluations = solver.counts();
+    if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
+    if (problem.model().mechanism)
+        solution.evaluations.profile_points = *problem.model().mechanism->profile_points;
+    if (result.x.size() > 0) report_motion(solution, problem, result.x);
+    if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
+    solution.seconds_total = watch.seconds();
+    return solution;
+}
+
+/// What the clock ended depends on the machine: that must be told.
+void note_time_limit(Solution& solution) {
+    const std::string note = fmt::format(
+        "the time (solver.max_seconds = {:g}) ran out: how far this came depends on the machine, "
+        "and more time may change the result",
+        solution.scene.solver.max_seconds);
+    if (std::ranges::find(solution.notes, note) == solution.notes.end()) solution.notes.push_back(note);
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
+    const Scene scene = with_written_limits(given);
+    validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    const Peaks reference = reference_peaks(scene);
+    const CostScale scale(scene, reference);
+    Solution solution =
+        scene.spline.free_knots
+            ? solve_free_knots(scale.scaled(), timed)
+            : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
+                           timed, memory);
+    if (!scale.is_idle()) scale.restore(solution, scene, reference);
+    audit_delivered(solution);
+    if (timed.deadline.was_felt()) note_time_limit(solution);
+    return solution;
+}
+
+Solution solve(const Scene& scene, const SolveControl& control) {
+    const Stopwatch watch;
+    SolveControl timed = control.sooner(scene.solver.max_seconds);
+    timed.in_vain = timed.deadline.sooner(searched_in_vain * timed.deadline.seconds_left());
+    Solution solution = solve_without_explaining(scene, timed);
+    const Certificate& certificate = solution.certificate;
+    const bool to_explain = certificate.verdict == Verdict::infeasible ||
+                            certificate.reason == "no_feasible_point" ||
+                            (certificate.verdict == Verdict::failed && certificate.reason == "time_limit");
+    if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
+        timed.in_vain = {};
+        explain(solution, timed);
+    }
+    const bool unsettled = solution.explanation && !solution.explanation->unsettled.empty();
+    if (to_explain && (unsettled || timed.deadline.passed()))
+        solution.notes.push_back(fmt::format(
+            "the time (solver.max_seconds = {:g}) ran out before every remedy was looked for: what is "
+            "not named may help too",
+            scene.solver.max_seconds));
+    solution.seconds_total = watch.seconds();
+    return solution;
+}
+
+}  // namespace camopt

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Scenes whose breakpoints are free: a search over breakpoints, then the ordinary solve on the best ones.
+//
+// Several starts, the scene's own breakpoints first; each goes downhill (free_knot_descent.hpp). What is
+// delivered is the ordinary solution for the breakpoints found, never worse than that of the start. Its
+// multipliers prove it for those breakpoints only. Over all breakpoints the limit no curve can pass is a
+// bound: within `solver.gap` of it the verdict is optimal, else local.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+namespace camopt {
+
+[[nodiscard]] Solution solve_free_knots(const Scene& scene, const SolveControl& control);
+
+}  // namespace camopt

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve/solve_sequence.hpp"
+
+#include "studies/solve/solve_without_explaining.hpp"
+
+namespace camopt {
+
+Solution SolveSequence::solve(const Scene& scene, const SolveControl& control) {
+    return solve_without_explaining(scene, control, &memory_);
+}
+
+}  // namespace camopt

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "studies/sweep/sweep_plan.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace camopt {
+
+namespace {
+
+/// Where a weight stands in the objective; nullptr for what is no weight there.
+double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
+    if (key == "objective.velocity") return &objective.velocity;
+    if (key == "objective.acceleration") return &objective.acceleration;
+    if (key == "objective.jerk") return &objective.jerk;
+    if (key == "objective.torque") return &objective.torque;
+    if (key == "objective.rms_acceleration") return &objective.rms_acceleration;
+    if (key == "objective.rms_jerk") return &objective.rms_jerk;
+    for (std::size_t i = 0; i < objective.dimensions.size(); ++i)
+        if (key == fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i))))
+            return &objective.dimensions[i];
+    return nullptr;
+}
+
+void check_keys(std::span<const SweepAxis> axes) {
+    std::vector<std::string> seen;
+    for (const SweepAxis& axis : axes) {
+        for (const std::string& key : axis.keys) {
+            if (std::ranges::find(seen, key) != seen.end())
+                throw InputError(fmt::format("{}: found twice among what varies; allowed: once", key));
+            seen.push_back(key);
+        }
+    }
+}
+
+long row_count(std::span<const SweepAxis> axes) {
+    long rows = 1;
+    for (const SweepAxis& axis : axes) {
+        if (axis.points() == 0) throw InputError("found an axis without points; allowed: at least one");
+        rows *= axis.points();
+        if (rows > most_sweep_rows)
+            throw InputError(fmt::format("the grid has more rows than allowed: at most {}", most_sweep_rows));
+    }
+    return rows;
+}
+
+}  // namespace
+
+SweepPlan sweep_grid(std::span<const SweepAxis> axes) {
+    if (axes.empty()) throw InputError("found nothing that varies; allowed: --weights, --vary, or both");
+    check_keys(axes);
+    const long rows = row_count(axes);
+    SweepPlan plan;
+    for (const SweepAxis& axis : axes) plan.keys.insert(plan.keys.end(), axis.keys.begin(), axis.keys.end());
+    plan.values.reserve(static_cast<std::size_t>(rows) * plan.keys.size());
+    for (long row = 0; row < rows; ++row) {
+        long block = rows;
+        for (const SweepAxis& axis : axes) {
+            const long pass = row / block;  // how often the axis has been run through
+            const int points = std::max(axis.points(), 1);
+            block = std::max(block / points, 1L);
+            const int along = static_cast<int>(row / block % points);
+            const auto point = axis.point(pass % 2 == 0 ? along : points - 1 - along);
+            plan.values.insert(plan.values.end(), point.begin(), point.end());
+        }
+    }
+    return plan;
+}
+
+std::string fingerprint(const SweepPlan& plan) {
+    // FNV-1a, 64 bits: to tell plans apart, not to withstand an attack.
+    std::uint64_t hash = 14695981039346656037ULL;
+    const auto add = [&](std::uint64_t bits) {
+        for (int byte = 0; byte < 8; ++byte) {
+            hash ^= bits >> (8 * byte) & 0xFFU;
+            hash *= 1099511628211ULL;
+        }
+    };
+    for (const std::string& key : plan.keys) {
+        for (const char letter : key) add(static_cast<unsigned char>(letter));
+        add(0);
+    }
+    for (const double value : plan.values) add(std::bit_cast<std::uint64_t>(value));
+    return fmt::format("{:016x}", hash);
+}
+
+std::string setting_text(const std::string& key, double value) {
+    constexpr double exact_integers = 1e15;
+    if (value == std::round(value) && std::abs(value) < exact_integers)
+        return fmt::format("{}={}", key, static_cast<long long>(value));
+    return fmt::format("{}={}", key, value);
+}
+
+namespace {
+
+std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
+    const std::span<const double> values = plan.row(row);
+    std::vector<std::string> settings;
+    for (std::size_t i = 0; i < values.size(); ++i) settings.push_back(setting_text(plan.keys[i], values[i]));
+    return settings;
+}
+
+}  // namespace
+
+std::string row_text(const SweepPlan& plan, int row) {
+    return fmt::format("row {} ({})", row, fmt::join(settings_of(plan, row), ", "));
+}
+
+bool SweepScenes::only_weights_differ(int row) const {
+    const std::span<const double> now = plan_->row(row), before = plan_->row(*row_);
+    ObjectiveSpec probe;
+    for (std::size_t i = 0; i < plan_->keys.size(); ++i)
+        if (now[i] != before[i] && !weight_slot(probe, plan_->keys[i])) return false;
+    return true;
+}
+
+bool SweepScenes::set_weights(int row) {
+    const std::span<const double> values = plan_->row(row);
+    for (std::size_t i = 0; i < plan_->keys.size(); ++i)
+        if (double* weight = weight_slot(scene_.objective, plan_->keys[i])) *weight = values[i];
+    return !find_fault(scene_);
+}
+
+void SweepScenes::read(int row) {
+    try {
+        scene_ = read_(settings_of(*plan_, row));
+    } catch (const UnavailableError& error) {
+        throw UnavailableError(fmt::format("{}: {}", row_text(*plan_, row), error.what()));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", row_text(*plan_, row), error.what()));
+    }
+}
+
+const Scene& SweepScenes::scene(int row) {
+    if (row_ == row) return scene_;
+    const bool cheap = row_ && only_weights_differ(row);
+    row_.reset();  // until it is there: whatever throws below leaves no half-made scene
+    if (!cheap || !set_weights(row)) read(row);
+    row_ = row;
+    return scene_;
+}
+
+}  // namespace camopt

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What a sweep finds: one row a solve, and the table of them.
+//
+// Peaks are normalised as in core/peaks.hpp, dimensions in m. What does not exist (the peaks of an infeasible
+// row) is absent, never a NaN.
+#pragma once
+
+#include "core/counting_nlp.hpp"
+#include "scene/cam_spec.hpp"
+#include "solvers/certificate/certificate.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// The figures of a motion that an objective can weigh, in the order of the columns.
+enum class SweepFigure { velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk };
+inline constexpr int sweep_figure_count = 6;
+[[nodiscard]] const char* name_of(SweepFigure value);  ///< "velocity", …: the weight's name too
+
+struct SweepRow {
+    int number = 0;                ///< from 0, by the plan
+    std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
+    Verdict verdict = Verdict::failed;
+    std::string reason;  ///< why it is not better; empty where nothing is to be said
+    std::optional<double> objective, lower_bound, gap, any_curve_limit;
+    std::array<std::optional<double>, sweep_figure_count> figures{};  ///< by SweepFigure
+    std::array<std::optional<double>, dimension_count> dimensions{};  ///< by DimensionIndex; variable ones
+    std::vector<std::string> active_limits;  ///< keys as written, in the scene's order
+    int iterations = 0, exchange_rounds = 0;
+    EvaluationCounts evaluations;
+    double seconds_solve = 0.0, seconds_total = 0.0;
+    bool on_front = false;  ///< set by mark_front (studies/pareto/sweep_front.hpp), over all rows
+
+    [[nodiscard]] const std::optional<double>& figure(SweepFigure which) const {
+        return figures[static_cast<std::size_t>(which)];
+    }
+    [[nodiscard]] const std::optional<double>& dimension(DimensionIndex which) const {
+        return dimensions[static_cast<std::size_t>(which)];
+    }
+    /// It has a motion that keeps every limit.
+    [[nodiscard]] bool is_feasible() const {
+        return verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
+    }
+};
+
+/// What the rows of one sweep have in common; known before anything is solved.
+struct SweepColumns {
+    std::vector<std::string> keys;           ///< varied, as the plan has them
+    std::vector<DimensionIndex> dimensions;  ///< variable in at least one row
+    /// What the Pareto front weighs against one another: the names of all figures and dimensions that carry a
+    /// weight > 0 in at least one row.
+    std::vector<std::string> criteria;
+};
+
+struct SweepTable {
+    SweepColumns columns;
+    std::vector<SweepRow> rows;  ///< by number, ascending
+};
+
+}  // namespace camopt

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "studies/sweep/sweep_run.hpp"
+
+#include "studies/solve/solve_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+std::optional<double> finite(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+void set_figures(SweepRow& row, const Peaks& peaks) {
+    const std::array values = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value,
+                               peaks.torque.value,   peaks.rms_acceleration,   peaks.rms_jerk};
+    static_assert(values.size() == sweep_figure_count);
+    for (std::size_t i = 0; i < values.size(); ++i) row.figures[i] = finite(values[i]);
+}
+
+void set_dimensions(SweepRow& row, const Solution& solution) {
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        if ((*solution.scene.cam)[index].is_variable())
+            row.dimensions[static_cast<std::size_t>(i)] = finite(solution.cam->cam[index]);
+    }
+}
+
+}  // namespace
+
+SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    SweepRow row;
+    row.number = number;
+    row.settings.assign(settings.begin(), settings.end());
+    row.verdict = certificate.verdict;
+    row.reason = certificate.reason;
+    row.lower_bound = finite(certificate.lower_bound);
+    row.gap = finite(certificate.gap);
+    if (solution.any_curve_limit) row.any_curve_limit = finite(solution.any_curve_limit->objective);
+    if (solution.motion && row.is_feasible()) {
+        row.objective = finite(certificate.objective);
+        set_figures(row, solution.peaks);
+        if (solution.cam) set_dimensions(row, solution);
+        for (const ConstraintReport& limit : solution.constraints)
+            if (limit.active) row.active_limits.push_back(limit.key);
+    }
+    row.iterations = solution.solver.iterations;
+    row.exchange_rounds = solution.solver.exchange_rounds;
+    row.evaluations = solution.evaluations;
+    row.seconds_solve = solution.seconds_solve;
+    row.seconds_total = solution.seconds_total;
+    return row;
+}
+
+SweepRow failed_row(int number, std::span<const double> settings, std::string_view reason) {
+    SweepRow row;
+    row.number = number;
+    row.settings.assign(settings.begin(), settings.end());
+    row.reason = reason;
+    return row;
+}
+
+std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows, const SolveControl& control,
+                                  const std::function<void(const SweepRow&)>& row_done) {
+    std::vector<SweepRow> solved;
+    std::optional<SolveSequence> sequence(std::in_place);
+    for (int number = rows.begin; number < rows.end && !control.stopped(); ++number) {
+        const std::span<const double> settings = scenes.plan().row(number);
+        try {
+            solved.push_back(sweep_row(number, settings, sequence->solve(scenes.scene(number), control)));
+        } catch (const std::exception& error) {
+            solved.push_back(failed_row(number, settings, fmt::format("error: {}", error.what())));
+            sequence.emplace();
+        }
+        if (row_done) row_done(solved.back());
+    }
+    return solved;
+}
+
+}  // namespace camopt

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Solving the rows of a sweep, chunk by chunk.
+//
+// The unit of work is a chunk: so many rows in a row, fixed by their numbers alone. Each chunk starts cold
+// and solves its rows in order, every one from what the row before found (studies/solve/solve_sequence.hpp).
+// So a row's result depends on the plan and the size of the chunks, and on nothing else: not on who solves
+// which chunk, nor when.
+#pragma once
+
+#include "solvers/solver.hpp"
+#include "studies/delivered/solution.hpp"
+#include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/sweep_row.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// Long enough for warm starts to pay, short enough to lose little where a run is stopped.
+inline constexpr int default_chunk_size = 25;
+/// The chunks a small sweep is cut into at least, so that several workers find something to do.
+inline constexpr int least_chunks = 16;
+
+/// Rows begin … end − 1.
+struct RowRange {
+    int begin = 0, end = 0;
+    [[nodiscard]] int size() const { return end - begin; }
+};
+
+/// How rows are cut into chunks; the last one may be shorter.
+struct Chunking {
+    int rows = 0;
+    int size = default_chunk_size;
+
+    [[nodiscard]] int count() const { return (rows + size - 1) / size; }
+    [[nodiscard]] RowRange range(int chunk) const {
+        return {chunk * size, chunk == count() - 1 ? rows : (chunk + 1) * size};
+    }
+};
+
+/// By the number of rows alone: default_chunk_size, or fewer where that makes less than least_chunks chunks.
+[[nodiscard]] constexpr int chunk_size_for(int rows) {
+    return std::clamp((rows + least_chunks - 1) / least_chunks, 1, default_chunk_size);
+}
+
+/// What a solution says, as a row.
+[[nodiscard]] SweepRow sweep_row(int number, std::span<const double> settings, const Solution& solution);
+
+/// A row without a solution.
+[[nodiscard]] SweepRow failed_row(int number, std::span<const double> settings, std::string_view reason);
+
+/// One row a number, in order; `row_done` (may be empty) is called after each. A row whose solve throws is
+/// failed with the message as its reason, and the next starts cold. Where control stops it the rows so far
+/// come back, the last one perhaps stopped halfway: fewer than asked for, or not to be kept.
+[[nodiscard]] std::vector<SweepRow> solve_chunk(SweepScenes& scenes, RowRange rows,
+                                                const SolveControl& control = {},
+                                                const std::function<void(const SweepRow&)>& row_done = {});
+
+}  // namespace camopt
