@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Branch and bound along one piece. A stretch holds no maximum worth naming where the enclosure of the rule
 // lies below the floor, where that of its slope does not hold 0, or where that of its second derivative is
-// positive; it holds at most one where that is negative. Otherwise it is halved.
+// positive; it holds at most one where that is negative. The value and the slope are also enclosed from the
+// middle, by what lies between. Otherwise the stretch is halved.
 #include "objectives/rules/piece_maxima.hpp"
 
 #include <algorithm>
@@ -77,7 +78,9 @@ class Search {
                 continue;
             }
             const double middle = 0.5 * (stretch.begin + stretch.end);
-            const bool flat = range.value.width() <= accuracy_;
+            const Closer closer = from_middle(stretch, range);
+            if (closer.most <= floor_ || closer.rises || closer.falls) continue;
+            const bool flat = range.value.width() <= accuracy_ || closer.above_middle <= accuracy_;
             if (flat || stretch.end - stretch.begin <= narrowest * length) {
                 add(middle);
                 continue;
@@ -92,6 +95,22 @@ class Search {
  private:
     [[nodiscard]] RangeAlong over(double left, double right) const {
         return *subject_.rule.range_along(derivative_ranges(piece_.y, left, right), subject_.q);
+    }
+    /// From the middle by its slope and the bend around it. A rule that hugs its limit has hardly any slope
+    /// and bend, and a stretch a thousand times as long is known to the same accuracy.
+    struct Closer {
+        double most = 0.0, above_middle = 0.0;
+        bool rises = false, falls = false;
+    };
+    [[nodiscard]] Closer from_middle(const Stretch& stretch, const RangeAlong& range) const {
+        const double middle = 0.5 * (stretch.begin + stretch.end);
+        const double half = 0.5 * (stretch.end - stretch.begin);
+        const RangeAlong here = over(middle, middle);
+        const double steepest = std::max(std::abs(here.slope.lower), std::abs(here.slope.upper));
+        const double bend = std::max(std::abs(range.bend.lower), std::abs(range.bend.upper));
+        const double rise = half * (steepest + 0.5 * half * std::max(0.0, range.bend.upper));
+        return {here.value.upper + rise, here.value.width() + rise, here.slope.lower > half * bend,
+                here.slope.upper < -half * bend};
     }
     [[nodiscard]] double slope(double t) const {
         const Interval range = over(t, t).slope;

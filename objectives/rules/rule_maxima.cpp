@@ -224,6 +224,8 @@ std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, c
 Extremum largest_of(const std::vector<Extremum>& maxima) {
     Extremum largest{-infinity, 0.0, Side::right};
     for (const Extremum& maximum : maxima) {
+        // What has no value is as broken as can be.
+        if (std::isnan(maximum.value)) return {infinity, maximum.at, maximum.side};
         if (maximum.value > largest.value) largest = maximum;
     }
     return largest;

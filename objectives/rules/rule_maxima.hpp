@@ -25,7 +25,7 @@ namespace camopt {
 [[nodiscard]] std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion,
                                                 const Eigen::VectorXd& q);
 
-/// The largest of them; value -infinity where there is none.
+/// The largest of them; value -infinity where there is none, infinity at one that has no value.
 [[nodiscard]] Extremum largest_of(const std::vector<Extremum>& maxima);
 
 }  // namespace camopt

@@ -6,6 +6,7 @@
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace camopt {
@@ -104,12 +105,15 @@ Eigen::VectorXd ElasticProblem::completed(const Eigen::VectorXd& x) const {
     const Candidate base = judged(base_, x.head(x.size() - 1));
     Eigen::VectorXd full = x;
     if (base.x.size() == 0) return full;
-    full << base.x, std::max(base.violation, -least_slack);
+    full.head(base.x.size()) = base.x;
+    // Where a limit has no value (an arm that does not reach) no t would do: it stays what it was, and the
+    // limit violated.
+    if (std::isfinite(base.violation)) full[x.size() - 1] = std::max(base.violation, -least_slack);
     return full;
 }
 
 double ElasticProblem::objective(const Eigen::VectorXd& x) const {
-    return completed(x)[x.size() - 1];
+    return std::max(judged(base_, x.head(x.size() - 1)).violation, -least_slack);
 }
 
 std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, double slack) const {
@@ -158,7 +162,7 @@ Feasibility look(ContinuousProblem& problem, ElasticProblem& elastic, const Eige
     const ExchangeResult result = minimize_by_exchange(elastic, *solver, start, options, control);
     Feasibility found;
     found.termination = result.termination;
-    if (result.best.x.size() == 0) return found;
+    if (result.best.x.size() == 0 || !std::isfinite(result.best.violation)) return found;
     const Eigen::VectorXd x = result.best.x;
     found.point = judged(problem, x.head(x.size() - 1));
     const bool on_final_grid = result.last.row_multipliers &&

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/piece_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/quantity_along.hpp"
 
@@ -146,6 +147,92 @@ TEST(Intervals, HoldWhatTheyStandFor) {
     const Interval third = Interval(1.0) / Interval(3.0);
     EXPECT_LT(third.lower, third.upper);
     EXPECT_TRUE((third * Interval(3.0)).holds(1.0));
+}
+
+/// y up to a half; no value beyond it, as of an arm that does not reach.
+class OutOfReach final : public PointRule {
+ public:
+    explicit OutOfReach(double beyond) : beyond_(beyond) {}
+    [[nodiscard]] std::string name() const override { return "out of reach"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
+        RuleValue value{-1.0, Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
+        if (point.derivative[0] > beyond_) value.value = std::nan("");
+        return value;
+    }
+
+ private:
+    double beyond_;
+    std::vector<int> parameters_;
+};
+
+TEST(RuleMaxima, WhatHasNoValueIsAsBrokenAsCanBe) {
+    const Scene scene = small_cam(FollowerType::translating_roller, Rotation::clockwise);
+    CamModel model = scene_model(scene, DesignKind::coefficients, reference_peaks(scene));
+    const auto worst = [&](double beyond) {
+        CamModel with = model;
+        with.rules.clear();
+        with.rules.emplace_back(std::make_shared<OutOfReach>(beyond));
+        const CamProblem problem(with);
+        const Eigen::VectorXd x = problem.start();
+        double amount = -infinity;
+        for (const Violation& violation : problem.violations(x, 2.0))
+            if (violation.limit && violation.rule == 0) amount = std::max(amount, violation.amount);
+        const double largest =
+            largest_of(rule_maxima(with.rules[0], with.design, problem.motion(x), {})).value;
+        const MotionChain motion = problem.motion(x);
+        EXPECT_EQ(largest, largest_of(rule_maxima(*with.rules[0], motion, {})).value);
+        EXPECT_EQ(largest, amount);
+        return amount;
+    };
+    for (const double beyond : {0.1, 0.5, 0.9}) EXPECT_EQ(worst(beyond), infinity) << beyond;
+    EXPECT_EQ(worst(1.5), -1.0);
+}
+
+/// y' / (1 + y): 1 everywhere along y = e^x − 1, so that a quintic close to it hugs the limit of 1.
+class Hugging final : public PointRule {
+ public:
+    [[nodiscard]] std::string name() const override { return "hugging"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& y,
+                                                        const Eigen::VectorXd&) const override {
+        ++looks_;
+        const RangeAlong displacement(y[0], y[1], y[2]), velocity(y[1], y[2], y[3]);
+        return velocity / (displacement + 1.0) - 1.0;
+    }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
+        return {point.derivative[1] / (1.0 + point.derivative[0]) - 1.0, Eigen::VectorXd::Zero(4),
+                Eigen::MatrixXd::Zero(4, 4)};
+    }
+    [[nodiscard]] int looks() const { return looks_; }
+
+ private:
+    mutable int looks_ = 0;
+    std::vector<int> parameters_;
+};
+
+/// Thousands of stretches a piece, and given up, where only the first order enclosed the rule.
+TEST(RuleMaxima, OfARuleThatHugsItsLimitAreFoundQuickly) {
+    Eigen::VectorXd y(6);
+    y << 0.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0;
+    const SplineCurve curve(SplineSpace(5, 4, {0.0, 0.02}), y);
+    const Hugging rule;
+    const Eigen::VectorXd none;
+    const piece_maxima::Subject subject{rule, curve, none};
+    const auto found = piece_maxima::enclosed(subject, {{0.0, 0.02}, y}, -1.0, 1e-10);
+    ASSERT_TRUE(found);
+    EXPECT_LT(rule.looks(), 500);
+    // y'/(1 + y) − 1 = −x⁵/120 / (1 + y): largest at the beginning.
+    for (const Extremum& maximum : *found) {
+        EXPECT_LE(maximum.value, 1e-15);
+        EXPECT_GE(maximum.value, -1e-7);
+    }
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace camopt {
 namespace {
 
@@ -144,6 +146,26 @@ TEST(Verdict, EachHasItsCondition) {
 
 TEST(Elastic, FindsTheDeepestPointWhereThereIsRoom) {
     DiscProblem problem;
+    const Feasibility found = find_feasible(problem, {}, {});
+    EXPECT_LT(found.point.violation, -0.4);
+    EXPECT_FALSE(found.proof);
+}
+
+/// The disc, looked at from where nothing has a value, as of an arm that does not reach.
+class DiscFromNowhere final : public DiscProblem {
+ public:
+    Eigen::VectorXd start() const override { return Eigen::Vector2d(3.0, 0.0); }
+    std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override {
+        if (x.norm() > 2.0) return {{0, {std::nan(""), 0.0, Side::right}, infinity, true}};
+        return DiscProblem::violations(x, slack);
+    }
+};
+
+TEST(Elastic, AStartWithoutAValueIsLeft) {
+    DiscFromNowhere problem;
+    const ElasticProblem elastic(problem);
+    EXPECT_TRUE(elastic.start().allFinite());
+    EXPECT_EQ(elastic.objective(elastic.start()), infinity);
     const Feasibility found = find_feasible(problem, {}, {});
     EXPECT_LT(found.point.violation, -0.4);
     EXPECT_FALSE(found.proof);

@@ -51,7 +51,7 @@ class DiscGrid final : public Nlp {
     std::vector<double> angles_;
 };
 
-class DiscProblem final : public ContinuousProblem {
+class DiscProblem : public ContinuousProblem {
  public:
     explicit DiscProblem(double radius = 1.0, double least_x0 = -10.0)
         : radius_(radius), least_x0_(least_x0) {

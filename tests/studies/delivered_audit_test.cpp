@@ -199,6 +199,43 @@ TEST(DeliveredAudit, ARelaxationWithAMarginHasAMotionThoughOnlyOneCurveIsLeft) {
     EXPECT_EQ(solve(scene).certificate.verdict, Verdict::optimal);
 }
 
+Scene program_that_may_stand() {
+    constexpr double degree = 3.14159265358979323846 / 180.0;
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.closed = false;
+    scene.motion.lift = 1e-3;
+    scene.motion.segments = {{SegmentKind::spline, 36 * degree, {}, 0.75},
+                             {SegmentKind::spline, 47 * degree, {}, 1.0},
+                             {SegmentKind::spline, 83 * degree, {}, 0.25},
+                             {SegmentKind::law, 88 * degree, "cycloidal", 0.5},
+                             {SegmentKind::spline, 88 * degree, {}, {}}};
+    scene.spline.degree = 3;
+    scene.spline.segments = 9;
+    scene.spline.design = DesignKind::ordinates;
+    scene.objective.velocity = 0.92755760495873008;
+    scene.objective.acceleration = 0.42980311885134909;
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.5);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.8260514135870967);
+    scene.limits.jerk = normalised_limit("limits.jerk", 64.829192483396525);
+    scene.solver.starts = 2;
+    return scene;
+}
+
+/// The last run, which may end where it likes, stands: what is left there is rounding, and no measure of
+/// itself.
+TEST(DeliveredAudit, ARunThatStandsStillIsMeasuredByTheWholeMotion) {
+    const Solution solution = solve(program_that_may_stand());
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    ASSERT_FALSE(solution.segments.empty());
+    const SegmentReport& last = solution.segments.back();
+    ASSERT_TRUE(last.curve);
+    EXPECT_LT(std::abs(last.to - last.from), 1e-6);
+    EXPECT_LE(worst_joint_jump(*last.curve, solution.motion_peaks).relative, largest_joint_jump);
+    // By itself it is no motion at all.
+    EXPECT_GT(worst_joint_jump(*last.curve).relative, largest_joint_jump);
+}
+
 /// A flat face on an arm, whose Hertz pressure grows without end where the cam comes to a cusp.
 Scene pressed_flat_arm() {
     Scene scene;
