@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Branch and bound along one piece. A stretch holds no maximum worth naming where the enclosure of the rule
 // lies below the floor, where that of its slope does not hold 0, or where that of its second derivative is
-// positive; it holds at most one where that is negative. The value and the slope are also enclosed from the
-// middle, by what lies between. Otherwise the stretch is halved.
+// positive; it holds at most one where that is negative. Otherwise it is halved. Where that goes on, the
+// value and the slope are enclosed from the middle too, by the bend around it.
 #include "objectives/rules/piece_maxima.hpp"
 
 #include <algorithm>
@@ -15,6 +15,8 @@ namespace {
 
 // Halvings of one piece. Smooth rules need about ten; beyond this something is singular, and samples must do.
 constexpr int most_stretches = 2000;
+// After so many a rule is suspected of hugging a limit, and looked at from the middle too.
+constexpr int usual_stretches = 16;
 // Narrower than this part of its piece a stretch is a place.
 constexpr double narrowest = 1e-12;
 // Rounding of a polynomial's values, in its terms' sizes: each is shifted and added up degree times.
@@ -78,9 +80,12 @@ class Search {
                 continue;
             }
             const double middle = 0.5 * (stretch.begin + stretch.end);
-            const Closer closer = from_middle(stretch, range);
-            if (closer.most <= floor_ || closer.rises || closer.falls) continue;
-            const bool flat = range.value.width() <= accuracy_ || closer.above_middle <= accuracy_;
+            bool flat = range.value.width() <= accuracy_;
+            if (!flat && count > usual_stretches) {
+                const Closer closer = from_middle(stretch, range);
+                if (closer.most <= floor_ || closer.rises || closer.falls) continue;
+                flat = closer.above_middle <= accuracy_;
+            }
             if (flat || stretch.end - stretch.begin <= narrowest * length) {
                 add(middle);
                 continue;
