@@ -159,6 +159,39 @@ TEST(SoakChecks, WrongCamsAreNoticed) {
     expect_broken(check_dimensions(outside));
 }
 
+/// Its formulas pass through infinity; what is published is how far it turns.
+TEST(SoakChecks, AFaceThatTurnsBackIsJudgedByItsTurning) {
+    const Solved result = solved(R"(
+[motion]
+type = "RR"
+lift_deg = 23.3
+rise_deg = 40.3
+return_deg = 36.7
+[spline]
+segments = 8
+[objective]
+acceleration = 1.0
+[cam]
+type = "disk"
+follower = "oscillating_flat"
+center_distance_mm = 244.7
+base_radius_mm = 96.9
+[limits]
+pressure_angle_deg = 2.6
+)");
+    EXPECT_EQ(check_cam_figures(result).value_or("none"), "");
+    Solved wrong = result;
+    ASSERT_LT(wrong.outcome.cam.at("regularity"), 0.0);
+    wrong.outcome.cam["regularity"] *= 1 + 1e-4;
+    expect_broken(check_cam_figures(wrong));
+    wrong = result;
+    wrong.outcome.cam["contact_offset_mm"] = 300.0;
+    expect_broken(check_cam_figures(wrong));
+    wrong = result;
+    wrong.numbers.limits["undercut_margin"] = 0.0;
+    expect_broken(check_cam_limits(wrong));
+}
+
 TEST(SoakChecks, MissingNumbersAndLostTimeAreNoticed) {
     const Solved result = solved(motion_scene);
     Solved missing = result;

@@ -60,7 +60,8 @@ Contact swing_face(const Cam& cam, const std::array<double, 3>& state, CamPoint&
     const double a2 = -state[2];
     point.cam_radius = p + (p2 * a1 - p1 * a2) / (a1 * a1 * a1);
     point.curvature = 1.0 / point.cam_radius;
-    point.regularity = (1.0 + cam.sense * state[1]) * point.cam_radius / cam.base;
+    point.turning = 1.0 + cam.sense * state[1];
+    point.regularity = point.turning * point.cam_radius / cam.base;
     const double lever = p1 / a1 + cam.center * std::cos(psi);  // from the pivot's foot to the contact
     point.contact_offset = std::abs(lever);
     // A contact behind the pivot is irregular; the angle is the one between the lines.

@@ -37,6 +37,7 @@ struct CamPoint {
     double pressure_angle = 0.0;  ///< rad, >= 0
     double curvature = 0.0;       ///< of the pitch curve; flat: of the cam
     double cam_radius = 0.0, regularity = 1.0, contact_offset = 0.0;
+    double turning = 1.0;  ///< of a face on an arm against the cam, by the cam's own; <= 0: it turns back
     double force = 0.0, torque = 0.0, normal_force = 0.0;
     double hertz = 0.0;  ///< Pa; infinite where the cam is undercut
 };

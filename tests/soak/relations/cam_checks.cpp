@@ -34,17 +34,26 @@ double pressure(const CamPoint& point) {
     return point.pressure_angle;
 }
 
+/// Where the face turns back the formula passes through infinity: how far it turns stands for it.
+double regular(const CamPoint& point) {
+    return point.turning <= 0.0 ? point.turning : point.regularity;
+}
+
 std::vector<Figure> figures_of(const Cam& cam, const CamSurvey& survey) {
     constexpr double degree = std::numbers::pi / 180.0;
     const bool flat = cam.follower.ends_with("flat");
-    const double least = survey.least([](const CamPoint& p) { return p.regularity; });
+    const double turning = survey.least([](const CamPoint& p) { return p.turning; });
+    const double least =
+        turning <= 0.0 ? turning : survey.least([](const CamPoint& p) { return p.regularity; });
     std::vector<Figure> all;
     if (cam.follower != "translating_flat")
         all.push_back({"pressure_angle_deg", degree, survey.largest(pressure), 0.1});
     all.push_back({"regularity", 1.0, least, 1.0});
     if (flat) {
-        all.push_back({"contact_offset_mm", 1e-3,
-                       survey.largest([](const CamPoint& p) { return p.contact_offset; }), cam.base});
+        all.push_back(
+            {"contact_offset_mm", 1e-3,
+             turning <= 0.0 ? HUGE_VAL : survey.largest([](const CamPoint& p) { return p.contact_offset; }),
+             cam.base});
     } else {
         const double sharp = survey.largest([](const CamPoint& p) { return p.curvature; });
         if (sharp > 0.0) all.push_back({"convex_radius_mm", 1e-3, 1.0 / sharp - cam.roller, cam.base});
@@ -108,7 +117,7 @@ std::vector<Passed> force_limits_passed(const SceneNumbers& scene, const Cam& ca
         all.push_back(
             {"torque", survey.largest([](const CamPoint& p) { return std::abs(p.torque); }) / *most - 1.0});
     if (const auto most = limit_of(scene, "hertz_pressure_max")) {
-        if (survey.least([](const CamPoint& p) { return p.regularity; }) <= 0.0)
+        if (survey.least(regular) <= 0.0)
             all.push_back({"Hertz pressure (undercut)", HUGE_VAL});
         else
             all.push_back(
@@ -137,8 +146,7 @@ std::vector<Passed> limits_passed(const SceneNumbers& scene, const Cam& cam, con
     }
     if (const auto margin = limit_of(scene, "undercut_margin");
         margin && scene.follower != "translating_knife")
-        all.push_back(
-            {"undercut_margin", *margin - survey.least([](const CamPoint& p) { return p.regularity; })});
+        all.push_back({"undercut_margin", *margin - survey.least(regular)});
     if (scene.face_half_width)
         all.push_back({"face_half_width", survey.largest([](const CamPoint& p) { return p.contact_offset; }) /
                                                   *scene.face_half_width -
@@ -158,6 +166,8 @@ Finding check_cam_figures(const Solved& solved) {
     for (const Figure& figure : figures_of(cam, survey)) {
         const auto published = solved.outcome.cam.find(figure.name);
         const double own = figure.value / figure.unit;
+        if (published != solved.outcome.cam.end() && std::isinf(own))
+            return fmt::format("{} {:.12g} published, infinite of the cam", figure.name, published->second);
         if (published == solved.outcome.cam.end()) {
             if (std::isinf(own) || std::isnan(own)) continue;
             return fmt::format("{} is missing, {:.9g} of the cam", figure.name, own);
