@@ -224,6 +224,7 @@ DesignForm ordinates_form(const DesignRequest& request) {
                         p, space.continuity()));
     }
     DesignForm form;
+    form.dense = true;
     for (int i = 1; i < space.segments(); ++i) form.entries.push_back({fmt::format("y[{}]", i), 0, i});
     const Interpolation interpolation = interpolation_of(request);
     const std::vector<int> all = consecutive(0, space.segments() - 1);

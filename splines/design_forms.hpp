@@ -22,6 +22,9 @@ struct DesignForm {
     std::vector<LocalMap> maps;            ///< one a segment, columns count all entries
     std::vector<Equality> rows;            ///< continuity and symmetry: independent by construction
     std::vector<PointCondition> leftover;  ///< end states the form could not build in
+    /// Every entry moves every segment: beside a narrow one the weights of the others are small, and their
+    /// entries are not.
+    bool dense = false;
 };
 
 /// Dispatches on request.kind.

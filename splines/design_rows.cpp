@@ -128,7 +128,7 @@ AffineRow condition_row(const DesignForm& form, const SplineSpace& space, const 
     const int segment = space.segment_of(condition.at, condition.side);
     const double t = condition.at - space.breakpoints()[segment];
     AffineRow row = functional_of(form.maps[segment], t, condition.order);
-    const double rounding = negligible_weight * largest(row);
+    const double rounding = form.dense ? 0.0 : negligible_weight * largest(row);
     for (double& weight : row.weights)
         if (std::abs(weight) <= rounding) weight = 0.0;
     row = without_fixed(row, form, new_index);

@@ -111,9 +111,10 @@ void DesignVector::add_equality(AffineRow row, std::string name) {
     double largest = 0.0;
     for (const double weight : row.weights) largest = std::max(largest, std::abs(weight));
     if (largest == 0.0) return;  // all its entries are fixed: nothing left to ask
+    const double rounding = kind_ == DesignKind::ordinates ? 0.0 : negligible * largest;
     AffineRow kept{row.offset, {}, {}};
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        if (std::abs(row.weights[k]) <= negligible * largest) continue;
+        if (std::abs(row.weights[k]) <= rounding) continue;
         kept.columns.push_back(row.columns[k]);
         kept.weights.push_back(row.weights[k]);
     }

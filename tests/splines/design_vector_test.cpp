@@ -99,6 +99,39 @@ TEST(DesignVector, CurvesMeetEndStatesAndContinuity) {
     }
 }
 
+/// Beside a segment of 1/2000 the weights of the far ordinates are 1e-13 of the largest in the row, but
+/// their ordinates are 1e10 times as large: none is rounding.
+TEST(DesignVector, RowsOfOrdinatesSayWhatTheCurveDoes) {
+    DesignRequest request = rise(DesignKind::ordinates, 3, 12);
+    std::vector<double> points = {0.0, 0.0005};
+    for (int i = 1; i <= 20; ++i) points.push_back(i / 20.0);
+    request.space = SplineSpace(3, 2, points);
+    const DesignVector design = DesignVector::make(request);
+    ASSERT_EQ(design.equalities().size(), 2u);
+    Eigen::VectorXd x(design.size());
+    for (int j = 0; j < design.size(); ++j) {
+        const double at = points[static_cast<std::size_t>(j) + 1];
+        x[j] = at * at * at * (10.0 - at * (15.0 - 6.0 * at));
+    }
+    const SplineCurve curve = design.curve(x);
+    for (const auto& [at, side] : {std::pair(0.0, Side::right), std::pair(1.0, Side::left)}) {
+        const double bend = curve.derivative(at, 2, side);
+        double nearest = 1.0;
+        for (const Equality& equality : design.equalities()) {
+            const AffineRow& row = equality.row;
+            const AffineRow own = design.functional(at, 2, side);
+            double factor = 0.0;
+            for (std::size_t k = 0; k < row.columns.size(); ++k)
+                if (std::abs(row.weights[k]) > std::abs(factor)) factor = row.weights[k];
+            double most = 0.0;
+            for (const double weight : own.weights)
+                if (std::abs(weight) > std::abs(most)) most = weight;
+            nearest = std::min(nearest, std::abs(row.value(x) * most / factor - bend));
+        }
+        EXPECT_LT(nearest, 1e-9) << at;
+    }
+}
+
 TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
     for (const DesignKind kind : kinds) {
         for (const int degree : {3, 5}) {
