@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A cam that cannot be built (an arm that does not reach) is never delivered under a verdict.
 #include "cam_scenes.hpp"
-#include "profiles/disk_cam.hpp"
-#include "studies/delivered_audit.hpp"
-#include "studies/solve_without_explaining.hpp"
+#include "profiles/disk/disk_cam.hpp"
+#include "studies/delivered/delivered_audit.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
 
 #include <gtest/gtest.h>
 
