@@ -2,7 +2,7 @@
 // Pictures of cams say what the report says, and are to scale where they claim it.
 #include "output/report/text_file.hpp"
 #include "program.hpp"
-#include "tests/output/dxf_text.hpp"
+#include "tests/output/drawing/dxf_text.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

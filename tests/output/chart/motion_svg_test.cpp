@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "output/chart/motion_svg.hpp"
+
+#include "core/errors.hpp"
+#include "output/chart/axis_ticks.hpp"
+#include "output/chart/reference_motion.hpp"
+#include "output/report/report.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/solution_text.hpp"
+#include "tests/output/sample_solution.hpp"
+#include "tests/support/refusal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using testing_support::refusal;
+
+int count_of(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+/// Every tag is closed in order, and no bare & or < stands in the text: enough for XML as we write it.
+bool well_formed(const std::string& text) {
+    std::vector<std::string> open;
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+        const std::size_t end = text.find('>', at);
+        if (end == std::string::npos) return false;
+        const std::string tag = text.substr(at + 1, end - at - 1);
+        if (tag.find('<') != std::string::npos) return false;
+        if (tag.front() == '?' || tag.back() == '/') continue;
+        if (tag.front() != '/') {
+            open.push_back(tag.substr(0, tag.find(' ')));
+        } else {
+            if (open.empty() || open.back() != tag.substr(1)) return false;
+            open.pop_back();
+        }
+    }
+    return open.empty() && count_of(text, "&") == count_of(text, "&amp;") + count_of(text, "&lt;") +
+                                                      count_of(text, "&gt;") + count_of(text, "&quot;");
+}
+
+TEST(MotionSvg, IsWellFormedAndComplete) {
+    const std::string svg = motion_svg(test::sample_solution());
+    EXPECT_TRUE(well_formed(svg));
+    EXPECT_EQ(count_of(svg, "<path"), 8);  // four panels, optimum and reference
+    EXPECT_NE(svg.find("Four segments &amp; &lt;one&gt; title"), std::string::npos);
+    EXPECT_NE(svg.find("V = 2 "), std::string::npos);
+    EXPECT_NE(svg.find("limit 500 mm/s"), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(MotionSvg, ALawWithImpulsesIsDrawnWithoutThem) {
+    Solution solution = test::sample_solution();
+    solution.scene.objective.jerk = 0.0;
+    for (const char* law : {"parabolic", "simple_harmonic", "mcv_50"}) {
+        solution.scene.objective.reference.law = law;
+        const std::string svg = motion_svg(solution);
+        EXPECT_TRUE(well_formed(svg)) << law;
+        EXPECT_EQ(svg.find("inf "), std::string::npos) << law;
+        EXPECT_EQ(svg.find("nan"), std::string::npos) << law;
+    }
+}
+
+TEST(MotionSvg, AProgramShowsItsSegmentsAndNoLaw) {
+    Solution solution = test::program_solution();
+    solution.scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
+    const std::string svg = motion_svg(solution);
+    EXPECT_TRUE(well_formed(svg));
+    EXPECT_EQ(count_of(svg, "<path"), 4);                      // no reference
+    EXPECT_EQ(count_of(svg, "class=\"segment\""), 4 * 3 + 1);  // three boundaries a panel, one in the legend
+    for (const char* part :
+         {">dwell<", ">spline<", "modified sine V = 1.7596", "V = 2 of the spline segments", "22.404 mm/rad",
+          "limit 2.5 by the segment", "angle of the first spline segment"})
+        EXPECT_NE(svg.find(part), std::string::npos) << part;
+}
+
+TEST(MotionSvg, ALimitInTimeHoldsForTheWholeProgram) {
+    Solution solution = test::program_solution();
+    solution.scene.limits.velocity = PeakLimit{4.0, "limits.velocity_mm_s", 800.0, "mm/s"};
+    EXPECT_NE(motion_svg(solution).find(">limit 800 mm/s<"), std::string::npos);
+}
+
+TEST(ReferenceMotion, AProgramHasPeaksToCompareWithAndNoCurve) {
+    const ReferenceMotion reference = reference_motion(test::program_solution().scene);
+    EXPECT_EQ(reference.motion, nullptr);
+    EXPECT_EQ(reference.title, "modified sine");
+    EXPECT_NEAR(reference.peaks.acceleration.value, 5.527957070544091, 1e-12);
+}
+
+TEST(MotionSvg, NeedsACurve) {
+    EXPECT_EQ(refusal([&] { (void)motion_svg(test::infeasible_solution()); }),
+              "motion.svg needs a motion, and this solution has none");
+}
+
+TEST(ReferenceMotion, TheReturnMirrorsTheRiseOnItsOwnAngle) {
+    Scene scene = test::sample_solution().scene;
+    scene.motion.type = MotionType::rr;
+    scene.motion.return_angle = scene.motion.rise / 2;
+    const ReferenceMotion reference = reference_motion(scene);
+    const Motion& motion = *reference.motion;
+    EXPECT_DOUBLE_EQ(motion.end(), 1.5);
+    const MotionPoint rise = motion.at(0.3), fall = motion.at(1.5 - 0.5 * 0.3);
+    EXPECT_NEAR(fall.derivative[0], rise.derivative[0], 1e-14);
+    EXPECT_NEAR(fall.derivative[1], -2 * rise.derivative[1], 1e-13);
+    EXPECT_NEAR(fall.derivative[2], 4 * rise.derivative[2], 1e-12);
+    EXPECT_NEAR(fall.derivative[3], -8 * rise.derivative[3], 1e-11);
+    EXPECT_NEAR(reference.peaks.jerk.value, 8 * 69.46635728872427, 1e-9);
+    // The mean square over the motion, recomputed on the return's stretched copy.
+    EXPECT_NEAR(reference.peaks.rms_acceleration, 3.9088559306898487 * std::sqrt((1 + 0.5 * 16) / 1.5), 1e-9);
+    EXPECT_NEAR(motion.at(1.5, Side::left).derivative[0], 0.0, 1e-15);
+    EXPECT_EQ(motion.breakpoints().back(), 1.5);
+}
+
+TEST(AxisTicks, AreRoundAndInside) {
+    EXPECT_EQ(round_ticks(-0.1, 1.05, 6), (std::vector<double>{0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0}));
+    EXPECT_EQ(degree_ticks(0, 180, 14).size(), 13U);
+    EXPECT_TRUE(round_ticks(1, 1, 5).empty());
+    EXPECT_EQ(tick_text(-0.5, 0.5), "−0.5");
+    EXPECT_EQ(tick_text(20, 10), "20");
+}
+
+TEST(NumberText, RoundTripsAndStaysSilentOnInfinity) {
+    for (const double value : {1.0 / 3.0, 5e-324, -1.7976931348623157e308, 0.1})
+        EXPECT_EQ(std::strtod(round_trip_text(value).c_str(), nullptr), value);
+    EXPECT_EQ(round_trip_text(-0.0), "0");
+    EXPECT_EQ(round_trip_text(infinity), "");
+    EXPECT_EQ(short_text(infinity), "∞");
+    EXPECT_EQ(change_text(0.974, 1.0), "−2.6 %");
+    EXPECT_EQ(change_text(1.0, 1.0), "±0.0 %");
+    EXPECT_EQ(change_text(1.0, infinity), "–");
+}
+
+TEST(Report, SaysWhatACamEngineerAsks) {
+    const std::string text = report_markdown(test::sample_solution(), {"a.toml", "camopt solve a.toml"});
+    for (const char* part :
+         {"Proved optimal", "| velocity V | 2 |", "modified sine", "curve of least objective",
+          "`limits.velocity_mm_s`", "![Displacement", "how_to_check", "camopt solve a.toml",
+          "via point 1 follows from symmetry", "0.08333333333333333"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    const std::string infeasible = report_markdown(test::infeasible_solution());
+    EXPECT_NE(infeasible.find("312.5 is needed"), std::string::npos);
+    EXPECT_EQ(infeasible.find("motion.svg"), std::string::npos);
+}
+
+TEST(SolutionText, HasASentenceForEveryVerdict) {
+    Certificate certificate;
+    certificate.reason = "time_limit";
+    const auto sentence = [&](Verdict verdict) {
+        certificate.verdict = verdict;
+        return verdict_sentence(certificate);
+    };
+    EXPECT_TRUE(sentence(Verdict::optimal).starts_with("Proved optimal"));
+    EXPECT_TRUE(sentence(Verdict::local).starts_with("Local optimum"));
+    certificate.gap = 6.7e-7;
+    EXPECT_NE(sentence(Verdict::local).find("a gap of 6.7e-07"), std::string::npos);
+    EXPECT_EQ(sentence(Verdict::feasible),
+              "Feasible: every limit is kept; that it is optimal is not shown (time limit).");
+    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Infeasible, and proved so"));
+    EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "output/drawing/profile_svg.hpp"
+
+#include "core/units.hpp"
+#include "output/chart/profile_diagrams_svg.hpp"
+#include "tests/studies/cam_samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+int count_of(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+/// Elements are closed and numbers are numbers.
+void expect_sound(const std::string& svg) {
+    EXPECT_EQ(count_of(svg, "<"), count_of(svg, ">"));
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    for (const char* broken : {"nan", "inf", "-0°"}) EXPECT_EQ(svg.find(broken), std::string::npos) << broken;
+}
+
+TEST(ProfileSvg, ShowsEveryPartOfEveryCam) {
+    for (const FollowerType follower : test::all_followers)
+        for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
+            const MotionChain motion = test::turn_motion("modified_sine");
+            const ProfileShape shape =
+                profile_shape(test::sample_cam(follower, rotation), motion, test::sample_scale(follower));
+            const std::string svg = profile_svg(shape, "A <cam> & its follower");
+            expect_sound(svg);
+            EXPECT_NE(svg.find("A &lt;cam&gt; &amp; its follower"), std::string::npos);
+            EXPECT_EQ(count_of(svg, "class=\"cam\""), 2);    // outline and legend
+            EXPECT_EQ(count_of(svg, "class=\"mark\""), 13);  // every 30° and legend
+            EXPECT_EQ(count_of(svg, "class=\"pitch\""), has_roller(follower) ? 2 : 0);
+            EXPECT_EQ(count_of(svg, "class=\"bearing\""), is_oscillating(follower) ? 1 : 0);
+            EXPECT_NE(svg.find(name_of(rotation)), std::string::npos);
+            EXPECT_EQ(svg.find("UNDERCUT"), std::string::npos);
+        }
+}
+
+TEST(ProfileSvg, AnUndercutCamSaysSo) {
+    DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
+    const MotionChain motion = test::turn_motion("polynomial_4567");
+    const std::string svg = profile_svg(profile_shape(cam, motion, {10 * units::degree, 1.0}), "Undercut");
+    expect_sound(svg);
+    EXPECT_NE(svg.find("UNDERCUT"), std::string::npos);
+    EXPECT_GE(count_of(svg, "class=\"undercut\""), 2);
+}
+
+TEST(ProfileSvg, ASectorIsOpen) {
+    const MotionChain motion = test::turn_motion("modified_sine");
+    ProfileShape shape = profile_shape(test::sample_cam(FollowerType::translating_roller), motion,
+                                       test::sample_scale(FollowerType::translating_roller));
+    shape.knots = {shape.knots[1], shape.knots.back()};
+    shape.closed = false;
+    const std::string svg = profile_svg(shape, "Sector");
+    expect_sound(svg);
+    EXPECT_NE(svg.find("open: θ from 60° to 360°"), std::string::npos);
+    EXPECT_EQ(count_of(svg, "class=\"cam\""), 0);
+}
+
+TEST(ProfileDiagramsSvg, ShowLimitsAndExtremes) {
+    for (const FollowerType follower : test::all_followers) {
+        const MotionChain motion = test::turn_motion("modified_sine");
+        const ProfileShape shape =
+            profile_shape(test::sample_cam(follower), motion, test::sample_scale(follower));
+        ProfileDiagramLimits limits;
+        limits.pressure = {{shape.begin(), shape.end(), 30 * units::degree}};
+        limits.convex_radius_min = 20e-3;
+        const std::string svg = profile_diagrams_svg(shape, limits, "Cam");
+        expect_sound(svg);
+        EXPECT_EQ(count_of(svg, "class=\"curve\""), 2);
+        EXPECT_NE(svg.find("least convex radius 20 mm"), std::string::npos);
+        EXPECT_EQ(count_of(svg, "ρ = "), 2);
+        // A translating flat face presses straight down.
+        EXPECT_EQ(svg.find("φ = ") == std::string::npos, follower == FollowerType::translating_flat);
+    }
+}
+
+TEST(ProfileDiagramsSvg, ACurvatureWithoutBoundLeavesTheFrame) {
+    DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
+    const MotionChain motion = test::turn_motion("polynomial_4567");
+    expect_sound(profile_diagrams_svg(profile_shape(cam, motion, {10 * units::degree, 1.0}), {}, "Undercut"));
+}
+
+}  // namespace
+}  // namespace camopt

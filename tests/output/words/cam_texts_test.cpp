@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// What terminal summary and report say about cams, programs and scenes that have no motion.
+#include "output/report/report.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/solution_text.hpp"
+#include "studies/check/check_cam.hpp"
+#include "tests/output/sample_solution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace camopt {
+namespace {
+
+bool says(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+}
+
+std::string remarks_of(const Solution& solution) {
+    std::string text;
+    for (const std::string& remark : cam_remarks(solution)) text += remark + "\n";
+    return text;
+}
+
+TEST(KeyWords, NamesAndUnitsOfKeys) {
+    const KeyWords angle = key_words("limits.pressure_angle_deg");
+    EXPECT_EQ(angle.words, "pressure angle");
+    EXPECT_EQ(angle.unit, "deg");
+    EXPECT_TRUE(angle.limit);
+    EXPECT_EQ(key_words("limits.cam_radius_min_mm (face turns back)").words, "cam radius (face turns back)");
+    EXPECT_EQ(key_words("limits.acceleration_mm_s2").unit, "mm/s²");
+    EXPECT_EQ(key_words("limits.contact_moment_min_nm").unit, "N m");
+    EXPECT_EQ(key_words("limits.velocity").unit, "");
+    EXPECT_FALSE(key_words("cam.base_radius_mm").limit);
+    EXPECT_EQ(key_words("cam.base_radius_mm.max").words, "largest base radius");
+    EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
+}
+
+TEST(KeyWords, AChangeIsSaidOnTheSideThatStillDoes) {
+    EXPECT_EQ(needed_words({"cam.base_radius_mm", 30.0, 31.41231}), "base radius >= 31.413 mm");
+    EXPECT_EQ(needed_words({"cam.offset_mm", 0.0, -1.25}), "offset <= −1.25 mm");
+    EXPECT_EQ(needed_words({"limits.pressure_angle_deg", 30.0, 33.1}), "pressure angle <= 33.1 deg");
+    EXPECT_EQ(needed_words({"limits.cam_radius_min_mm", 4.0, 2.50009}), "cam radius >= 2.5 mm");
+    EXPECT_EQ(needed_words({"cam.base_radius_mm", 30.0, std::nullopt}), "");
+}
+
+TEST(CamWords, DimensionsOfTheFollowerAndThePrimeRadius) {
+    EXPECT_EQ(dimensions_text(test::cam_solution()),
+              "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm");
+    Solution free = test::infeasible_cam_solution();
+    (*free.scene.cam)[DimensionIndex::base_radius] = Dimension(0.02, 0.06);
+    EXPECT_EQ(dimensions_text(free), "base radius free, roller radius 10 mm, offset 0 mm, prime radius free");
+}
+
+TEST(CamRemarks, SayWhetherTheCamIsUndercut) {
+    EXPECT_TRUE(says(remarks_of(test::cam_solution()), "No undercut: "));
+    const std::string undercut = remarks_of(test::undercut_solution());
+    EXPECT_TRUE(says(undercut, "UNDERCUT at "));
+    EXPECT_TRUE(says(undercut, "or a smaller roller helps"));
+}
+
+TEST(CamRemarks, SayWhatLimitsTheCamAndHowSmallItCouldBe) {
+    Solution solution = test::cam_solution();
+    EXPECT_TRUE(says(remarks_of(solution), "No limit shapes it"));
+    EXPECT_TRUE(says(remarks_of(solution), "any motion whatever needs a prime radius above "));
+    EXPECT_TRUE(says(remarks_of(solution), "this cam has 40 mm"));
+    EXPECT_TRUE(says(remarks_of(solution), "the sector of the motion, 90 deg"));
+    solution.constraints.back().active = true;
+    EXPECT_TRUE(says(remarks_of(solution), "What limits it: the pressure angle at "));
+    (*solution.scene.cam)[DimensionIndex::base_radius] = Dimension(0.03, 0.06);
+    EXPECT_TRUE(says(remarks_of(solution), "; the base radius is the least allowed."));
+}
+
+TEST(CamRemarks, SayWhenTheFollowerLiftsOff) {
+    Solution solution = test::cam_solution();
+    EXPECT_FALSE(says(remarks_of(solution), "LIFTS OFF"));
+    solution.cam->summary.forces->least_force = {-3.0, 0.75};
+    EXPECT_TRUE(
+        says(remarks_of(solution), "LIFTS OFF the cam at 67.5 deg: it needs a stiffer spring or more"));
+    solution.cam->summary.forces->least_force = {-3.0, 0.0};  // a spring has nothing to press with there
+    EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 0 deg: it needs more preload."));
+}
+
+TEST(CamRemarks, TellTheForwardCheck) {
+    Solution solution = test::cam_solution();
+    EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
+    solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
+    EXPECT_TRUE(says(remarks_of(solution),
+                     "over 2001 points of the cam, and nothing else, moves as designed within 1.2e-06 mm "
+                     "(3e-08 of the prime radius, at 45 deg)"));
+    solution.cam->forward_check->relative = 0.02;
+    EXPECT_TRUE(says(remarks_of(solution), "DEPARTS from the designed motion by"));
+    solution.cam->forward_check->deviation = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(says(remarks_of(solution), "no place was found where the follower touches the cam"));
+}
+
+TEST(CheckCam, TheSampleMovesItsFollowerAsDesigned) {
+    const Solution solution = test::cam_solution();
+    const ForwardCheckReport check = check_cam(solution);
+    EXPECT_LT(check.deviation, 1e-9);
+    EXPECT_GE(check.points, 2000);
+    EXPECT_GT(check_cam(test::undercut_solution()).relative, 1e-3);
+}
+
+TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
+    Solution solution = test::cam_solution();
+    EXPECT_EQ(cam_motion(solution).end(), 1.0);
+    solution.scene.motion.type = MotionType::rr;
+    EXPECT_DOUBLE_EQ(cam_motion(solution).end(), 4.0);
+    EXPECT_EQ(cam_motion(solution).at(3.0).derivative[0], 0.0);
+}
+
+TEST(SolutionText, TellsTheCamInASection) {
+    const std::string text = summary_text(test::cam_solution(), {});
+    for (const char* part :
+         {"cam: translating roller, the cam turning counterclockwise", "dimensions: base radius 30 mm",
+          "largest pressure angle", "least convex radius of the cam", "least force on the follower",
+          "largest Hertz pressure", "No undercut"})
+        EXPECT_TRUE(says(text, part)) << part;
+}
+
+TEST(SolutionText, ASceneWithoutACamIsToldAsBefore) {
+    const std::string text = summary_text(test::sample_solution(), {});
+    for (const char* part : {"cam:", "joint", "undercut", "starts"}) EXPECT_FALSE(says(text, part)) << part;
+    EXPECT_TRUE(says(summary_text(test::infeasible_solution(), {}),
+                     "relax: limits.velocity_mm_s = 100: 312.5 is needed, if nothing else changes"));
+}
+
+TEST(SolutionText, IsHonestAboutALocalOptimum) {
+    Solution solution = test::cam_solution();
+    solution.solver.convex = false;
+    solution.solver.starts = 8;
+    solution.certificate.verdict = Verdict::local;
+    const std::string text = summary_text(solution, {});
+    EXPECT_TRUE(says(text, "Local optimum, the best of 8 starts: no small change improves it."));
+    EXPECT_TRUE(says(text, "bound of the convex relaxation 1.1259609"));
+    EXPECT_TRUE(says(report_markdown(solution), "(bound of the convex relaxation): 1.1259609"));
+    solution.certificate.verdict = Verdict::feasible;
+    EXPECT_TRUE(says(summary_text(solution, {}), "Feasible, the best of 8 starts"));
+    solution.certificate.verdict = Verdict::optimal;  // proved is proved
+    EXPECT_TRUE(says(summary_text(solution, {}), "Proved optimal"));
+    solution.certificate.verdict = Verdict::failed;
+    solution.certificate.reason = "no_feasible_point";
+    solution.motion.reset();
+    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
+}
+
+TEST(SolutionText, AProgramHasATableOfItsSegments) {
+    const Solution solution = test::program_solution();
+    const TextTable table = segment_table(solution);
+    ASSERT_EQ(table.rows.size(), 4U);
+    EXPECT_EQ(table.rows[1],
+              (std::vector<std::string>{"spline", "60", "150", "90", "0", "10", "2", "8", "32", "C2"}));
+    EXPECT_EQ(table.rows[0][6], "–");
+    EXPECT_EQ(table.rows[3][0], "modified sine");
+    EXPECT_EQ(table.rows[3][6], "1.7596");
+    const std::string text = summary_text(solution, {});
+    EXPECT_TRUE(says(text, "modified sine"));
+    // The normalised peak is the spline's; the physical one the law's: 3.5192 · 10 mm / (π/2 rad).
+    EXPECT_TRUE(says(text, "V = 2 "));
+    EXPECT_TRUE(says(text, "22.4039 mm/rad"));
+}
+
+TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
+    EXPECT_EQ(
+        conflict_sentence(test::infeasible_cam_solution()),
+        "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg fights the cam radius limit at 81 "
+        "deg: no spline of 4 cubic segments keeps all limits.");
+    EXPECT_EQ(conflict_sentence(test::cam_solution()), "");
+    Solution alone = test::infeasible_cam_solution();
+    alone.conflict.resize(1);
+    EXPECT_EQ(
+        conflict_sentence(alone),
+        "The pressure angle limit at 23.4 deg cannot be kept: no spline of 4 cubic segments that makes the "
+        "lift in its angle does.");
+    alone.explanation = Explanation{.together = {},
+                                    .any_motion = {"limits.pressure_angle_deg"},
+                                    .alone = {},
+                                    .finest = 0,
+                                    .unsettled = {},
+                                    .seconds = 0.0,
+                                    .allowed = 30.0};
+    EXPECT_EQ(conflict_sentence(alone),
+              "The pressure angle limit at 23.4 deg cannot be kept by any motion that makes the lift in its "
+              "angle.");
+}
+
+TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
+    Solution solution = test::infeasible_cam_solution();
+    solution.explanation.emplace();
+    solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
+    const std::string text = conflict_sentence(solution);
+    EXPECT_FALSE(says(text, "fight")) << text;
+    EXPECT_TRUE(
+        says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
+    EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
+}
+
+TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
+    Solution solution = test::infeasible_cam_solution();
+    solution.explanation.emplace();
+    solution.explanation->seconds = 30.0;
+    solution.explanation->allowed = 30.0;
+    solution.explanation->finest = 32;
+    solution.explanation->unsettled = {"cam.offset_mm"};
+    std::string text;
+    for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
+    EXPECT_TRUE(says(text,
+                     "The search for what helps took 30 s; solver.max_seconds leaves it 30 s. It did not "
+                     "settle: offset."))
+        << text;
+    EXPECT_TRUE(says(text, "More segments were tried in vain, up to 32.")) << text;
+}
+
+TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
+    Solution solution = test::program_solution();
+    solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
+    EXPECT_EQ(conflict_sentence(solution),
+              "The velocity limit at 338 deg cannot be kept: the motion there is the law modified sine, "
+              "whatever the splines do.");
+    solution.conflict.front().at = 1.0;
+    EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
+}
+
+TEST(InfeasibleWords, ALawBetweenFreeDisplacementsIsNotToBlame) {
+    Solution solution = test::program_solution();
+    solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
+    solution.scene.motion.segments[1].to.reset();  // then the spline decides how far the law moves
+    EXPECT_FALSE(says(conflict_sentence(solution), "whatever the splines do"));
+}
+
+TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
+    const Solution solution = test::infeasible_cam_solution();
+    EXPECT_EQ(sufficient_changes(solution.relaxation),
+              "base radius >= 31.413 mm, or rise >= 68.15 deg, or pressure angle <= 33.1 deg, or cam radius "
+              ">= 2.5 mm");
+    EXPECT_EQ(hopeless_changes(solution.relaxation), "roller radius");
+    const std::string report = report_markdown(solution);
+    EXPECT_TRUE(says(report, "## Why this spline has no motion, and what would have to change"));
+    Solution sure = solution;
+    sure.explanation.emplace();
+    sure.explanation->any_motion = {"limits.pressure_angle_deg"};
+    EXPECT_TRUE(says(report_markdown(sure), "## Why no motion exists, and what would have to change"));
+    sure.certificate.verdict = Verdict::failed;
+    EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
+    EXPECT_TRUE(says(report, "One of these alone would do: base radius >= 31.413 mm"));
+    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no value tried helps"));
+    EXPECT_FALSE(says(report, "profile.svg"));
+}
+
+TEST(Report, TellsTheCamWithItsPictures) {
+    const std::string text = report_markdown(test::cam_solution());
+    for (const char* part :
+         {"## The cam", "base radius 30 mm", "| largest pressure angle |", "- No undercut",
+          "![The cam to scale](profile.svg)", "(profile_diagrams.svg)", "- Cam: translating roller"})
+        EXPECT_TRUE(says(text, part)) << part;
+    EXPECT_FALSE(says(report_markdown(test::sample_solution()), "The cam"));
+}
+
+TEST(Report, TellsAProgramBySegments) {
+    const std::string text = report_markdown(test::program_solution());
+    for (const char* part : {"a program of 4 segments over 360 deg", "## Segments", "| modified sine |",
+                             "spline segments | at (deg)", "22.4039 mm/rad | 337.5"})
+        EXPECT_TRUE(says(text, part)) << part;
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Quantities against the points, and their partials against fourth-order central differences, at random
+// states.
+#include "core/errors.hpp"
+#include "tests/profiles/test_turn.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace camopt {
+namespace {
+
+using namespace test;
+using enum DimensionIndex;
+
+constexpr Quantity every_quantity[] = {Quantity::pressure_numerator, Quantity::pressure_denominator,
+                                       Quantity::pitch_curvature,    Quantity::cam_radius,
+                                       Quantity::regularity,         Quantity::contact_offset,
+                                       Quantity::normal_lever};
+
+bool has_quantity(FollowerType follower, Quantity which) {
+    if (which == Quantity::pitch_curvature) return !has_flat_face(follower);
+    if (which == Quantity::cam_radius || which == Quantity::contact_offset) return has_flat_face(follower);
+    return true;
+}
+
+struct Situation {
+    DiskCam cam;
+    FollowerState state;
+
+    /// By the index of QuantityValue's partials.
+    [[nodiscard]] double& variable(int index) {
+        double* const states[] = {&state.s, &state.velocity, &state.acceleration};
+        return index < 3 ? *states[index] : cam.dimensions[static_cast<std::size_t>(index - 3)];
+    }
+};
+
+/// A cam that can be built, dimensions around 50 mm, in a state of a lively motion.
+Situation random_situation(FollowerType follower, Rotation rotation, std::mt19937& generator) {
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution(low, high)(generator);
+    };
+    Situation situation{{follower, rotation, {}}, {}};
+    const std::array<std::array<double, 2>, dimension_count> ranges = {
+        {{0.03, 0.06}, {0.005, 0.02}, {-0.02, 0.02}, {0.09, 0.11}, {0.07, 0.085}, {-0.01, 0.02}}};
+    for (int i = 0; i < dimension_count; ++i)
+        if (has_dimension(follower, static_cast<DimensionIndex>(i)))
+            situation.variable(3 + i) = between(ranges[i][0], ranges[i][1]);
+    const double size = is_oscillating(follower) ? 0.4 : 0.03;
+    situation.state = {between(0.0, size), between(-size, size), between(-2.0 * size, 2.0 * size)};
+    EXPECT_EQ(geometry_fault(situation.cam, 0.0, situation.state.s), "");
+    return situation;
+}
+
+/// Typical size of each variable, for steps and for tolerances.
+double size_of(const Situation& situation, int variable) {
+    return variable < 3 && is_oscillating(situation.cam.follower) ? 0.4 : 0.03;
+}
+
+/// Fourth-order central difference of any function of the situation by one variable.
+template <class Function>
+auto difference(const Function& function, const Situation& situation, int variable) {
+    const double step = 5e-4 * size_of(situation, variable);
+    const auto at = [&](double steps) {
+        Situation moved = situation;
+        moved.variable(variable) += steps * step;
+        return function(moved);
+    };
+    using Result = decltype(function(situation));
+    return Result((8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12.0 * step));
+}
+
+struct Case {
+    FollowerType follower;
+    Rotation rotation;
+};
+
+class QuantityOf : public ::testing::TestWithParam<Case> {
+ protected:
+    /// `body` at seeded random situations of the case.
+    static void repeat(const std::function<void(const Situation&)>& body) {
+        std::mt19937 generator(20240717U);
+        for (int i = 0; i < 25; ++i)
+            body(random_situation(GetParam().follower, GetParam().rotation, generator));
+    }
+};
+
+QuantityValue value_of(const Situation& situation, Quantity which) {
+    return quantity(situation.cam, situation.state, which);
+}
+
+TEST_P(QuantityOf, AgreesWithThePoint) {
+    repeat([](const Situation& situation) {
+        const ProfilePoint point = profile_point(situation.cam, 0.3, situation.state);
+        const auto value = [&](Quantity which) { return value_of(situation, which).value; };
+        EXPECT_NEAR(value(Quantity::pressure_numerator) / value(Quantity::pressure_denominator),
+                    std::tan(point.pressure_angle), 1e-14);
+        EXPECT_NEAR(value(Quantity::regularity), point.regularity, 1e-14);
+        if (has_flat_face(situation.cam.follower)) {
+            EXPECT_NEAR(value(Quantity::cam_radius), point.cam_radius, 1e-14 * std::abs(point.cam_radius));
+            EXPECT_NEAR(value(Quantity::contact_offset), point.contact_offset, 1e-16);
+        } else {
+            EXPECT_NEAR(value(Quantity::pitch_curvature), point.pitch_curvature, 1e-12);
+        }
+    });
+}
+
+/// The lever is what the principle of virtual work says: the normal's part along the follower's velocity.
+TEST_P(QuantityOf, LeverIsTheVelocityOfTheContactAlongTheNormal) {
+    repeat([](const Situation& situation) {
+        const ProfilePoint point = profile_point(situation.cam, 0.0, situation.state);
+        Eigen::Vector2d velocity(0.0, 1.0);
+        if (is_oscillating(situation.cam.follower)) {
+            const Eigen::Vector2d arm = point.contact - Eigen::Vector2d(situation.cam[center_distance], 0.0);
+            velocity = Eigen::Vector2d(arm.y(), -arm.x());
+        }
+        EXPECT_NEAR(value_of(situation, Quantity::normal_lever).value, point.normal.dot(velocity), 1e-15);
+    });
+}
+
+TEST_P(QuantityOf, FirstPartialsAreDifferencesOfTheValue) {
+    repeat([](const Situation& situation) {
+        for (const Quantity which : every_quantity) {
+            if (!has_quantity(situation.cam.follower, which)) continue;
+            const QuantityValue exact = value_of(situation, which);
+            const auto value = [&](const Situation& moved) { return value_of(moved, which).value; };
+            for (int i = 0; i < quantity_variables; ++i) {
+                const double scale =
+                    std::abs(exact.value) + std::abs(exact.gradient(i)) * size_of(situation, i);
+                EXPECT_NEAR(exact.gradient(i) * size_of(situation, i),
+                            difference(value, situation, i) * size_of(situation, i), 1e-9 * scale + 1e-14)
+                    << static_cast<int>(which) << " " << i;
+            }
+        }
+    });
+}
+
+TEST_P(QuantityOf, SecondPartialsAreDifferencesOfTheFirst) {
+    repeat([](const Situation& situation) {
+        Eigen::Matrix<double, quantity_variables, 1> sizes;
+        for (int i = 0; i < quantity_variables; ++i) sizes(i) = size_of(situation, i);
+        for (const Quantity which : every_quantity) {
+            if (!has_quantity(situation.cam.follower, which)) continue;
+            const QuantityValue exact = value_of(situation, which);
+            const auto gradient = [&](const Situation& moved) { return value_of(moved, which).gradient; };
+            const double scale =
+                std::abs(exact.value) +
+                (sizes.asDiagonal() * exact.hessian * sizes.asDiagonal()).cwiseAbs().maxCoeff();
+            EXPECT_TRUE(exact.hessian.isApprox(exact.hessian.transpose(), 1e-13));
+            for (int i = 0; i < quantity_variables; ++i) {
+                const auto found = difference(gradient, situation, i);
+                const auto error =
+                    ((exact.hessian.col(i) - found).cwiseProduct(sizes) * sizes(i)).cwiseAbs().maxCoeff();
+                EXPECT_LT(error, 1e-9 * scale + 1e-14) << static_cast<int>(which) << " " << i;
+            }
+        }
+    });
+}
+
+TEST_P(QuantityOf, RefusesWhatTheFollowerHasNot) {
+    repeat([](const Situation& situation) {
+        for (const Quantity which : every_quantity) {
+            if (has_quantity(situation.cam.follower, which)) continue;
+            EXPECT_THROW((void)value_of(situation, which), ModelError);
+        }
+    });
+}
+
+/// Lifts of 1e-6 m and 1 m on cams of their size, and a lift of 1e-6 m on one of 45 mm.
+TEST(ExtremeQuantities, StayFinite) {
+    const TestTurn turn;
+    for (const TestCam& cam : regular_cams())
+        for (const auto& [size, lift] :
+             {std::pair(4e-5, 4e-5), std::pair(40.0, 40.0), std::pair(1.0, 4e-5)}) {
+            DiskCam scaled = cam.cam;
+            for (double& dimension : scaled.dimensions) dimension *= size;
+            const double scaled_lift = is_oscillating(cam.cam.follower) ? cam.lift : cam.lift * lift;
+            for (const double theta : angles(0.0, 7.5))
+                for (const Quantity which : every_quantity) {
+                    if (!has_quantity(scaled.follower, which)) continue;
+                    const FollowerState state = state_of(turn.at(theta, Side::right), {scaled_lift, 1.0});
+                    const QuantityValue value = quantity(scaled, state, which);
+                    ASSERT_TRUE(std::isfinite(value.value)) << cam.name << " " << theta;
+                    ASSERT_TRUE(value.gradient.allFinite()) << cam.name << " " << theta;
+                    ASSERT_TRUE(value.hessian.allFinite()) << cam.name << " " << theta;
+                }
+        }
+}
+
+std::vector<Case> every_case() {
+    std::vector<Case> cases;
+    for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})
+        for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::translating_knife,
+                                            FollowerType::translating_flat, FollowerType::oscillating_roller,
+                                            FollowerType::oscillating_flat})
+            cases.push_back({follower, rotation});
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, QuantityOf, ::testing::ValuesIn(every_case()), [](const auto& item) {
+    return std::string(name_of(item.param.follower)) + "_" + name_of(item.param.rotation);
+});
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Exchange, repair, proof and verdict on a problem whose answer is known in closed form.
+#include "solvers/exchange/continuous_solve.hpp"
+
+#include "solvers/certificate/duality.hpp"
+#include "solvers/exchange/elastic.hpp"
+#include "solvers/structured/structured_solver.hpp"
+#include "tests/solvers/exchange/disc_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using testing_support::DiscProblem;
+
+/// A backend that returns what it is told, to see what is made of it.
+class PuppetSolver final : public Solver {
+ public:
+    explicit PuppetSolver(BackendResult result) : result_(std::move(result)) {}
+    std::string_view name() const override { return "puppet"; }
+    BackendResult minimize(const Nlp&, const Eigen::VectorXd&, const BackendOptions&,
+                           const SolveControl&) const override {
+        return result_;
+    }
+
+ private:
+    BackendResult result_;
+};
+
+BackendResult says(Termination termination, Eigen::VectorXd x) {
+    BackendResult result;
+    result.termination = termination;
+    result.x = std::move(x);
+    return result;
+}
+
+TEST(Exchange, ReachesTheContinuousOptimum) {
+    DiscProblem problem;
+    const auto solver = make_structured_solver();
+    const ExchangeResult result = minimize_by_exchange(problem, *solver, problem.start(), {}, {});
+    EXPECT_TRUE(result.converged);
+    EXPECT_GT(result.rounds, 2);
+    EXPECT_NEAR(result.best.objective, -std::sqrt(2.0), 1e-8);
+    EXPECT_LE(result.best.violation, 1e-9);
+}
+
+TEST(ContinuousSolve, ProvesTheOptimumByDuality) {
+    DiscProblem problem;
+    const auto solver = make_structured_solver();
+    const ContinuousResult result = solve_continuous(problem, *solver, {}, {}, {});
+    EXPECT_EQ(result.certificate.verdict, Verdict::optimal);
+    EXPECT_LE(*result.certificate.lower_bound, -std::sqrt(2.0));
+    EXPECT_GT(*result.certificate.lower_bound, -std::sqrt(2.0) - 2e-7);
+    EXPECT_LE(result.certificate.worst_violation, 0.0);
+    ASSERT_TRUE(result.certificate.proof);
+    EXPECT_EQ(recomputed_bound(*result.certificate.proof), *result.certificate.lower_bound);
+}
+
+TEST(ContinuousSolve, ABackendsSuccessIsNotTheVerdict) {
+    DiscProblem problem;
+    const ContinuousResult result = solve_continuous(
+        problem, PuppetSolver(says(Termination::converged, Eigen::Vector2d(0.1, 0.2))), {}, {}, {});
+    EXPECT_EQ(result.certificate.verdict, Verdict::feasible);
+    EXPECT_NEAR(result.certificate.objective, -0.3, 1e-15);
+    ASSERT_TRUE(result.certificate.lower_bound);  // the structured solver's dual on the same grid
+    EXPECT_LE(*result.certificate.lower_bound, -std::sqrt(2.0));
+}
+
+TEST(ContinuousSolve, ASmallViolationIsRepaired) {
+    DiscProblem problem;
+    const double beyond = (1.0 + 1e-6) / std::sqrt(2.0);
+    const ContinuousResult result = solve_continuous(
+        problem, PuppetSolver(says(Termination::converged, Eigen::Vector2d(beyond, beyond))), {}, {}, {});
+    EXPECT_NE(result.certificate.verdict, Verdict::failed);
+    EXPECT_LE(result.certificate.worst_violation, 0.0);
+    EXPECT_NEAR(result.certificate.objective, -std::sqrt(2.0), 3e-6);
+}
+
+TEST(ContinuousSolve, InfeasibleIsProvedWhateverTheBackendSays) {
+    for (const Termination termination : {Termination::converged, Termination::infeasible}) {
+        DiscProblem problem(1.0, 1.5);  // x0 >= 1.5 outside the unit disc
+        const ContinuousResult result =
+            solve_continuous(problem, PuppetSolver(says(termination, Eigen::Vector2d(1.5, 0.0))), {}, {}, {});
+        EXPECT_EQ(result.certificate.verdict, Verdict::infeasible);
+        ASSERT_TRUE(result.certificate.proof);
+        EXPECT_NEAR(result.certificate.proof->bound, 0.5, 1e-6);  // least common violation: 50 %
+        EXPECT_EQ(result.x.size(), 0);
+    }
+}
+
+TEST(ContinuousSolve, ABackendWithNothingToShowFails) {
+    DiscProblem problem(1.0, 0.999999);
+    JudgeOptions judge;
+    SolveControl stop;
+    stop.stop_requested = [] { return true; };
+    // Stopped before anything ran: only the start is known, and nobody asked for that.
+    const ContinuousResult cancelled =
+        solve_continuous(problem, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
+    EXPECT_EQ(cancelled.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(cancelled.certificate.reason, "interrupted");
+    EXPECT_EQ(cancelled.x.size(), 0);
+    SolveControl late;
+    late.deadline = Deadline::after(0.0);
+    // Out of time the start is the best there is, and it is inside.
+    const ContinuousResult kept =
+        solve_continuous(problem, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, late);
+    EXPECT_EQ(kept.certificate.verdict, Verdict::feasible);
+    EXPECT_EQ(kept.certificate.reason, "time_limit");
+    DiscProblem outside(1.0, 1.5);
+    const ContinuousResult failed =
+        solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, stop);
+    EXPECT_EQ(failed.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(failed.certificate.reason, "interrupted");
+    const ContinuousResult silent =
+        solve_continuous(outside, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, late);
+    EXPECT_EQ(silent.certificate.reason, "time_limit");
+    DiscProblem alone(1.0, 0.999999);
+    const ContinuousResult nothing =
+        solve_continuous(alone, PuppetSolver(says(Termination::numerical_failure, {})), {}, judge, {});
+    EXPECT_EQ(nothing.certificate.reason, "numerical_failure");
+}
+
+TEST(Verdict, EachHasItsCondition) {
+    const JudgeOptions options;
+    Certificate certificate;
+    certificate.objective = 1.0;
+    certificate.worst_violation = 0.0;
+    const auto verdict_of = [&](const Certificate& one) {
+        Certificate copy = one;
+        settle_verdict(copy, Termination::time_limit, options);
+        return copy.verdict;
+    };
+    EXPECT_EQ(verdict_of(certificate), Verdict::feasible);
+    certificate.stationarity = 1e-8;
+    EXPECT_EQ(verdict_of(certificate), Verdict::local);
+    certificate.gap = 1e-8;
+    EXPECT_EQ(verdict_of(certificate), Verdict::optimal);
+    certificate.worst_violation = 1e-6;
+    EXPECT_EQ(verdict_of(certificate), Verdict::failed);
+    certificate.worst_violation = std::nan("");
+    EXPECT_EQ(verdict_of(certificate), Verdict::failed);
+}
+
+TEST(Elastic, FindsTheDeepestPointWhereThereIsRoom) {
+    DiscProblem problem;
+    const Feasibility found = find_feasible(problem, {}, {});
+    EXPECT_LT(found.point.violation, -0.4);
+    EXPECT_FALSE(found.proof);
+}
+
+/// The disc, looked at from where nothing has a value, as of an arm that does not reach.
+class DiscFromNowhere final : public DiscProblem {
+ public:
+    Eigen::VectorXd start() const override { return Eigen::Vector2d(3.0, 0.0); }
+    std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override {
+        if (x.norm() > 2.0) return {{0, {std::nan(""), 0.0, Side::right}, infinity, true}};
+        return DiscProblem::violations(x, slack);
+    }
+};
+
+TEST(Elastic, AStartWithoutAValueIsLeft) {
+    DiscFromNowhere problem;
+    const ElasticProblem elastic(problem);
+    EXPECT_TRUE(elastic.start().allFinite());
+    EXPECT_EQ(elastic.objective(elastic.start()), infinity);
+    const Feasibility found = find_feasible(problem, {}, {});
+    EXPECT_LT(found.point.violation, -0.4);
+    EXPECT_FALSE(found.proof);
+}
+
+TEST(Duality, FittedMultipliersOfTheOptimumAreExact) {
+    DiscProblem problem;
+    const double r = 1.0 / std::sqrt(2.0);
+    problem.refine(std::vector<Violation>{{0, {1.0, std::numbers::pi / 4.0, Side::right}, 0.0, true}});
+    const Eigen::VectorXd multipliers = fitted_multipliers(problem.grid(), Eigen::Vector2d(r, r), 1e-6);
+    EXPECT_NEAR(multipliers[multipliers.size() - 1], std::sqrt(2.0), 1e-8);
+    EXPECT_NEAR(multipliers.sum(), std::sqrt(2.0), 1e-8);
+    EXPECT_LT(stationarity_of(problem.grid(), Eigen::Vector2d(r, r), multipliers, 1e-6), 1e-8);
+}
+
+TEST(Duality, ABoundIsNeverAboveTheTruthForAnyMultipliers) {
+    DiscProblem problem;
+    for (int trial = 0; trial < 50; ++trial) {
+        Eigen::VectorXd multipliers(problem.grid().shape().constraints());
+        for (Eigen::Index i = 0; i < multipliers.size(); ++i)
+            multipliers[i] = std::sin(7.0 * trial + 3.0 * static_cast<double>(i));
+        const DualityProof proof = duality_proof(problem.grid(), Eigen::Vector2d::Zero(), multipliers,
+                                                 problem.box(0.0, 0.0), "objective");
+        EXPECT_LE(proof.bound, -std::sqrt(2.0));
+    }
+}
+
+}  // namespace
+}  // namespace camopt

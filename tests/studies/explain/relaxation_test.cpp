@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
+// limits that give way together, and the time it may take.
+#include "studies/explain/relaxation.hpp"
+
+#include "studies/explain/adjustment.hpp"
+#include "studies/explain/finer_spline.hpp"
+#include "studies/explain/joint_relaxation.hpp"
+#include "studies/explain/smallest_of_any_motion.hpp"
+#include "studies/explain/value_search.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/cam_scenes.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+using enum DimensionIndex;
+
+const Relaxation* row_of(const Solution& solution, const std::string& key) {
+    const auto found = std::ranges::find(solution.relaxation, key, &Relaxation::key);
+    return found == solution.relaxation.end() ? nullptr : &*found;
+}
+
+TEST(SafeValue, LiesBeyondTheEdgeByAMillionthAndADigitAtMost) {
+    EXPECT_EQ(safe_value(33.7191, true, 0.0), 33.72);
+    EXPECT_EQ(safe_value(33.7191, false, 0.0), 33.719);
+    EXPECT_EQ(safe_value(1.2, true, 0.0), 1.2001) << "the edge itself is no value to tell";
+    EXPECT_EQ(safe_value(7.6e-9, true, 0.4), 1e-5) << "digits of the size, not of a number near 0";
+    EXPECT_EQ(safe_value(-1.25, false, 0.0), -1.2501);
+    std::mt19937 engine(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const double power = static_cast<double>(engine() % 17) - 8.0;
+        const double value = std::pow(10.0, power) * (1.0 + static_cast<double>(engine() % 90000) * 1e-4);
+        const double up = safe_value(value, true, 0.0), down = safe_value(value, false, 0.0);
+        EXPECT_GE(up, value * (1.0 + 0.99e-6));
+        EXPECT_LE(up, value * (1.0 + 1.02e-4));
+        EXPECT_LE(down, value * (1.0 - 0.99e-6));
+        EXPECT_GE(down, value * (1.0 - 1.02e-4));
+    }
+}
+
+TEST(FinerSpline, HalvesGivenBreakpoints) {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.spline.breakpoints = {0.0, 0.2, 0.6, 1.0};
+    const Scene finer = with_segments(scene, 6);
+    EXPECT_EQ(finer.spline.breakpoints, (std::vector<double>{0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0}));
+    EXPECT_EQ(segments_of(with_segments(scene, 7).spline), 12);
+}
+
+TEST(FinerSpline, IsTheFewestSegmentsThatWereSolved) {
+    Scene scene = paper_objective(MotionType::drd, 5, 4);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 5.0);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    const Relaxation* row = row_of(solution, "spline.segments");
+    ASSERT_TRUE(row && row->needed);
+    EXPECT_EQ(row->given, 4.0);
+    const int segments = static_cast<int>(*row->needed);
+    EXPECT_GT(segments, 4);
+    EXPECT_TRUE(solve(with_segments(scene, segments)).motion);
+    EXPECT_FALSE(solve(with_segments(scene, segments - 1)).motion);
+}
+
+TEST(FinerSpline, IsNotSoughtWhereNoMotionCan) {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    const Solution solution = solve(scene);
+    EXPECT_FALSE(row_of(solution, "spline.segments"));
+    ASSERT_TRUE(solution.explanation);
+    EXPECT_EQ(solution.explanation->any_motion, std::vector<std::string>{"limits.velocity"});
+    EXPECT_EQ(solution.explanation->finest, 0);
+}
+
+TEST(SmallestOfAnyMotion, IsOfTheStrokeThatNeedsMost) {
+    // Rise 0 to 1 in 120 deg, return in two parts: 1 to 0.5 in 20 deg, 0.5 to 0 in 60 deg, with 25 deg there.
+    Scene scene = pressure_angle_scene(40);
+    scene.motion.type = MotionType::program;
+    const double degree = units::degree;
+    scene.motion.segments = {{SegmentKind::spline, 120 * degree, {}, 1.0},
+                             {SegmentKind::spline, 20 * degree, {}, 0.5},
+                             {SegmentKind::spline, 60 * degree, {}, 0.0},
+                             {SegmentKind::dwell, 160 * degree, {}, {}}};
+    scene.limits.return_pressure_angle = degrees(25.0, "limits.return_pressure_angle_deg");
+    const auto smallest = smallest_of_any_motion(scene, middle_cam(*scene.cam));
+    ASSERT_TRUE(smallest);
+    // r = s0 exp(θ tan φ) from s0 + 10 mm to s0 + 20 mm.
+    const double needed = 10.0 / std::expm1(20 * degree * std::tan(25 * degree)) - 10.0;
+    EXPECT_NEAR(smallest->prime_radius, needed * 1e-3, 1e-12);
+    EXPECT_FALSE(smallest->rises);
+    EXPECT_NEAR(smallest->begin, 1.0, 1e-12);
+    EXPECT_EQ(smallest->key, "limits.return_pressure_angle_deg");
+    EXPECT_EQ(kept_by_no_motion(scene), std::vector<std::string>{"limits.return_pressure_angle_deg"});
+}
+
+TEST(SmallestOfAnyMotion, BoundsRealMotions) {
+    // A cam a little larger than the bound is kept by a spline fine enough; a smaller one by none.
+    Scene scene = pressure_angle_scene(40, 48);
+    scene.motion.type = MotionType::rr;
+    scene.motion.rise = 120 * units::degree;
+    scene.motion.return_angle = 60 * units::degree;
+    const double bound = smallest_of_any_motion(scene, middle_cam(*scene.cam))->prime_radius;
+    (*scene.cam)[base_radius] = 1.2 * bound - 10e-3;
+    EXPECT_TRUE(solve(scene).motion);
+    EXPECT_TRUE(kept_by_no_motion(scene).empty());
+    (*scene.cam)[base_radius] = 0.999 * bound - 10e-3;
+    EXPECT_EQ(kept_by_no_motion(scene), std::vector<std::string>{"limits.pressure_angle_deg"});
+    EXPECT_FALSE(solve(scene).motion);
+}
+
+TEST(FinerSpline, IsNotAdvisedWhereItDoesNotHelp) {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.motion.symmetric = true;
+    scene.motion.via = {{0.5, 0.4, {}, {}}};  // symmetry makes it 0.5
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.reason, "conditions_contradict");
+    ASSERT_FALSE(solution.notes.empty());
+    EXPECT_EQ(solution.notes[0].find("give it more segments"), std::string::npos) << solution.notes[0];
+    EXPECT_FALSE(row_of(solution, "spline.segments"));
+    scene.motion.symmetric = false;
+    scene.spline.segments = 4;
+    scene.motion.via = {{0.25, 0.1, {}, {}}, {0.5, 0.5, {}, {}}, {0.75, 0.95, {}, {}}};
+    const Solution scarce = solve(scene);
+    EXPECT_NE(scarce.notes[0].find("give it more segments"), std::string::npos) << scarce.notes[0];
+    EXPECT_TRUE(row_of(scarce, "spline.segments"));
+}
+
+TEST(JointRelaxation, IsTheLeastCommonPart) {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
+    scene.limits.jerk = normalised_limit("limits.jerk", 400.0);  // has no need to give way
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.explanation);
+    const std::vector<Relaxation>& together = solution.explanation->together;
+    ASSERT_EQ(together.size(), 2U);
+    const double part = *together[0].needed / 0.9 - 1.0;
+    EXPECT_NEAR(*together[1].needed / 3.0 - 1.0, part, 1e-9);
+    const auto relaxed_by = [&](double how_far) {
+        Scene changed = scene;
+        changed.limits.velocity = normalised_limit("limits.velocity", 0.9 * (1.0 + how_far));
+        changed.limits.acceleration = normalised_limit("limits.acceleration", 3.0 * (1.0 + how_far));
+        return solve(changed);
+    };
+    EXPECT_TRUE(relaxed_by(part * (1.0 + 1e-5)).motion);
+    EXPECT_FALSE(relaxed_by(part * (1.0 - 1e-4)).motion);
+    // As told.
+    scene.limits.velocity = normalised_limit("limits.velocity", *together[0].solved);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", *together[1].solved);
+    EXPECT_TRUE(solve(scene).motion);
+}
+
+TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
+    Scene scene = pressure_angle_scene(30, 12);
+    scene.limits.pressure_angle = degrees(15.0, "limits.pressure_angle_deg");
+    scene.limits.concave_radius_min = millimetres(300.0, "limits.concave_radius_min_mm");
+    scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.explanation);
+    double factor = 0.0;
+    bool lower = false;
+    for (const Relaxation& row : solution.explanation->together) {
+        const bool of_radius = row.key == "limits.concave_radius_min_mm";
+        const double own = of_radius ? row.given / *row.needed : *row.needed / row.given;
+        if (factor == 0.0) factor = own;
+        EXPECT_NEAR(own, factor, 1e-9) << row.key;
+        lower |= of_radius;
+    }
+    EXPECT_TRUE(lower);
+    EXPECT_GT(factor, 1.0);
+}
+
+TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
+    Solution solution;
+    solution.scene = pressure_angle_scene(24);
+    solution.certificate.verdict = Verdict::infeasible;
+    std::vector<std::string> told;
+    SolveControl control;
+    control.progress = [&](std::string_view message) { told.emplace_back(message); };
+    control.deadline = Deadline::after(0.0);
+    explain(solution, control);
+    ASSERT_TRUE(solution.explanation);
+    EXPECT_TRUE(solution.relaxation.empty()) << "what was not searched must not pass for hopeless";
+    const std::vector<std::string>& unsettled = solution.explanation->unsettled;
+    for (const char* key : {"limits.pressure_angle_deg", "motion.rise_deg", "cam.base_radius_mm"})
+        EXPECT_TRUE(std::ranges::find(unsettled, key) != unsettled.end()) << key;
+    ASSERT_FALSE(told.empty());
+    EXPECT_NE(told[0].find("searches what would help, for 0 s at most"), std::string::npos) << told[0];
+}
+
+TEST(Explanation, EveryNumberOfACamAndItsSpringsIsTried) {
+    Scene scene = pressure_angle_scene(40);
+    scene.motion.speed = 60.0;
+    scene.forces = ForceSpec{.mass = 0.8, .spring_rate = 4000.0, .preload = 20.0, .contact_width = 12e-3};
+    scene.limits.hertz_pressure_max = WrittenLimit{500e6, "limits.hertz_pressure_max_mpa", 1e6, "MPa"};
+    std::vector<std::string> keys;
+    for (const Adjustment& one : adjustments(scene)) keys.push_back(one.key);
+    for (const char* key :
+         {"limits.pressure_angle_deg", "limits.hertz_pressure_max_mpa", "motion.rise_deg", "motion.speed_rpm",
+          "forces.preload_n", "forces.spring_rate_n_mm", "forces.contact_width_mm", "cam.base_radius_mm",
+          "cam.roller_radius_mm", "cam.offset_mm"})
+        EXPECT_TRUE(std::ranges::find(keys, key) != keys.end()) << key;
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Random roller cams whose undercut limit is not convex: what is delivered keeps every limit, and more starts
+// do not find anything better.
+#include "tests/studies/cam_scenes.hpp"
+#include "studies/solve/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+using enum DimensionIndex;
+
+constexpr int random_scenes = 50;
+constexpr int many_starts = 40;
+constexpr int dense_points = 20000;
+
+double uniform(std::mt19937& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+}
+
+/// A pressure angle and a least convex radius that both mean something for this lift and rise.
+Scene random_scene(unsigned seed) {
+    std::mt19937 random(seed);
+    Scene scene;
+    scene.motion.type = random() % 2 == 0 ? MotionType::drd : MotionType::rr;
+    scene.motion.lift = uniform(random, 8e-3, 30e-3);
+    scene.motion.rise = uniform(random, 50.0, 110.0) * units::degree;
+    scene.spline.segments = scene.motion.type == MotionType::drd ? 12 : 16;
+    scene.objective.velocity = uniform(random, 0.1, 1.0);
+    scene.objective.acceleration = uniform(random, 0.1, 1.0);
+    scene.objective.jerk = uniform(random, 0.05, 0.5);
+    scene.cam.emplace();
+    const double prime = scene.motion.lift * uniform(random, 1.8, 3.5);
+    const double roller = prime * uniform(random, 0.15, 0.3);
+    (*scene.cam)[base_radius] = prime - roller;
+    (*scene.cam)[roller_radius] = roller;
+    (*scene.cam)[offset] = prime * uniform(random, -0.15, 0.25);
+    scene.cam->rotation = random() % 2 == 0 ? Rotation::counterclockwise : Rotation::clockwise;
+    scene.limits.pressure_angle = degrees(uniform(random, 28.0, 45.0), "limits.pressure_angle_deg");
+    const Solution free = solve(scene);
+    if (!free.motion) return scene;
+    // A radius that the cam without this limit does not keep.
+    const double radius = std::max(free.cam->summary.convex_radius.value, 0.02 * prime);
+    scene.limits.cam_radius_min =
+        millimetres(1e3 * radius * uniform(random, 1.02, 1.35), "limits.cam_radius_min_mm");
+    return scene;
+}
+
+/// The largest relative violation of the limits, from the motion alone: formulas of MECHANISMS.md §5 written
+/// out, pitch curve of a translating roller.
+double worst_violation(const Scene& scene, const Motion& motion) {
+    const CamSpec& cam = *scene.cam;
+    const double roller = cam[roller_radius].low;
+    const double prime = cam[base_radius].low + roller;
+    const double e = (scene.cam->rotation == Rotation::counterclockwise ? 1.0 : -1.0) * cam[offset].low;
+    const double s0 = std::sqrt(prime * prime - e * e);
+    const double unit = scene.motion.unit_angle();
+    double worst = -1.0;
+    for (int k = 0; k <= dense_points; ++k) {
+        const MotionPoint point =
+            motion.at(motion.begin() + (motion.end() - motion.begin()) * k / dense_points);
+        const double y = s0 + scene.motion.lift * point.derivative[0];
+        const double v = scene.motion.lift / unit * point.derivative[1] - e;
+        const double a = scene.motion.lift / (unit * unit) * point.derivative[2];
+        const double angle = std::abs(std::atan(v / y));
+        worst = std::max(worst, angle / scene.limits.pressure_angle->value - 1.0);
+        const double w = std::hypot(y, v);
+        const double curvature = (y * y + v * (2.0 * (v + e) - e) - y * a) / (w * w * w);
+        if (curvature <= 0.0 || !scene.limits.cam_radius_min) continue;
+        const double radius = 1.0 / curvature - roller;
+        worst = std::max(worst, 1.0 - radius / scene.limits.cam_radius_min->value);
+    }
+    return worst;
+}
+
+TEST(RandomRollerCams, KeepTheirLimitsAndMoreStartsFindNothingBetter) {
+    int better = 0, delivered = 0, infeasible = 0, proved = 0, bitten = 0;
+    for (unsigned seed = 1; seed <= random_scenes; ++seed) {
+        Scene scene = random_scene(seed);
+        const Solution solution = solve(scene);
+        const Verdict verdict = solution.certificate.verdict;
+        infeasible += verdict == Verdict::infeasible ? 1 : 0;
+        proved += verdict == Verdict::optimal ? 1 : 0;
+        if (!solution.motion) continue;
+        ++delivered;
+        EXPECT_LE(worst_violation(scene, *solution.motion), 1e-6) << "seed " << seed;
+        if (verdict == Verdict::optimal) continue;  // nothing can be better than a proved optimum
+        ++bitten;
+        scene.solver.starts = many_starts;
+        const Solution thorough = solve(scene);
+        ASSERT_TRUE(thorough.motion) << "seed " << seed;
+        const double gain = solution.certificate.objective - thorough.certificate.objective;
+        if (gain > 1e-6) {
+            ++better;
+            std::printf("seed %u: %d starts gain %.3g over %d\n", seed, many_starts, gain,
+                        solution.solver.starts);
+        }
+    }
+    std::printf(
+        "%d delivered, %d proved optimal without the undercut limit, %d bitten by it, %d infeasible; "
+        "%d starts found better in %d\n",
+        delivered, proved, bitten, infeasible, many_starts, better);
+    EXPECT_GE(bitten, random_scenes / 4);
+    EXPECT_LE(better, 2);
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Limits set from C++ with nothing but their number: reported with key, unit and value all the same.
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+using testing_support::paper_objective;
+
+Scene rise() {
+    Scene scene = paper_objective(MotionType::drd, 3, 12);
+    scene.motion.lift = 10.0 * units::millimetre;
+    scene.motion.rise = 120.0 * units::degree;
+    return scene;
+}
+
+Scene roller_cam() {
+    Scene scene = rise();
+    scene.cam.emplace();
+    (*scene.cam)[DimensionIndex::base_radius] = 40.0 * units::millimetre;
+    (*scene.cam)[DimensionIndex::roller_radius] = 10.0 * units::millimetre;
+    return scene;
+}
+
+ConstraintReport only(const Solution& solution) {
+    EXPECT_EQ(solution.constraints.size(), 1U);
+    return solution.constraints.front();
+}
+
+TEST(LimitsFromCpp, ANormalisedCapIsReportedWithItsKeyAndValue) {
+    Scene scene = rise();
+    scene.limits.velocity = PeakLimit{.normalised = 1.7};
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+    const ConstraintReport report = only(solution);
+    EXPECT_EQ(report.key, "limits.velocity");
+    EXPECT_EQ(report.unit, "");
+    EXPECT_EQ(report.limit, 1.7);
+    EXPECT_NEAR(report.worst, 1.7, 1e-8);
+    EXPECT_TRUE(report.active);
+}
+
+TEST(LimitsFromCpp, ACapInTimeNeedsOnlyItsUnitBesideEitherNumber) {
+    Scene scene = rise();
+    scene.motion.speed = 300.0 * units::revolution_per_minute;
+    const double per_unit = 10.0 * (300.0 * std::numbers::pi / 30.0) / scene.motion.rise;  // mm/s
+    for (const PeakLimit& limit :
+         {PeakLimit{.normalised = 1.7, .unit = "mm/s"}, PeakLimit{.given = 1.7 * per_unit, .unit = "mm/s"},
+          PeakLimit{.key = "limits.velocity_mm_s", .given = 1.7 * per_unit}}) {
+        scene.limits.velocity = limit;
+        const ConstraintReport report = only(solve(scene));
+        EXPECT_EQ(report.key, "limits.velocity_mm_s");
+        EXPECT_EQ(report.unit, "mm/s");
+        EXPECT_NEAR(report.limit, 1.7 * per_unit, 1e-9 * per_unit);
+        EXPECT_NEAR(report.worst, 1.7 * per_unit, 1e-7 * per_unit);
+    }
+}
+
+TEST(LimitsFromCpp, TheirRelaxationSaysWhatWasGivenAndWhatIsNeeded) {
+    Scene scene = rise();
+    scene.limits.velocity = PeakLimit{.normalised = 0.9};
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    ASSERT_FALSE(solution.relaxation.empty());
+    EXPECT_EQ(solution.relaxation.front().key, "limits.velocity");
+    EXPECT_EQ(solution.relaxation.front().given, 0.9);
+    ASSERT_TRUE(solution.relaxation.front().needed);
+    EXPECT_GT(*solution.relaxation.front().needed, 1.0);
+    ASSERT_FALSE(solution.conflict.empty());
+    EXPECT_EQ(solution.conflict.front().key, "limits.velocity");
+}
+
+TEST(LimitsFromCpp, ALimitOfTheCamIsReportedInTheUnitOfTheManual) {
+    Scene scene = roller_cam();
+    scene.limits.pressure_angle = WrittenLimit{.value = 20.0 * units::degree};
+    const ConstraintReport report = only(solve(scene));
+    EXPECT_EQ(report.name, "pressure_angle");
+    EXPECT_EQ(report.key, "limits.pressure_angle_deg");
+    EXPECT_EQ(report.unit, "deg");
+    EXPECT_EQ(report.limit, 20.0);
+    EXPECT_GT(report.worst, 1.0);
+    EXPECT_LE(report.worst, 20.0 + 1e-6);
+}
+
+TEST(LimitsFromCpp, ALimitOfTheCamKeepsTheUnitThatIsSet) {
+    Scene scene = roller_cam();
+    scene.limits.cam_radius_min =
+        WrittenLimit{.value = 1.0 * units::inch, .unit_value = units::inch, .unit = "in"};
+    scene.limits.pressure_angle = WrittenLimit{.value = 0.35, .key = "limits.pressure_angle_rad"};
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.constraints.size(), 2U);
+    EXPECT_EQ(solution.constraints[0].key, "limits.pressure_angle_rad");
+    EXPECT_EQ(solution.constraints[0].unit, "rad");
+    EXPECT_EQ(solution.constraints[0].limit, 0.35);
+    EXPECT_EQ(solution.constraints[1].key, "limits.cam_radius_min_in");
+    EXPECT_EQ(solution.constraints[1].unit, "in");
+    EXPECT_EQ(solution.constraints[1].limit, 1.0);
+}
+
+TEST(LimitsFromCpp, TheRemediesOfACamHaveKeysToo) {
+    Scene scene = roller_cam();
+    scene.limits.pressure_angle = WrittenLimit{.value = 5.0 * units::degree};
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    const auto remedy = std::ranges::find(solution.relaxation, "limits.pressure_angle_deg", &Relaxation::key);
+    ASSERT_NE(remedy, solution.relaxation.end());
+    EXPECT_EQ(remedy->given, 5.0);
+    for (const Relaxation& one : solution.relaxation) EXPECT_FALSE(one.key.empty());
+    for (const ConflictReport& one : solution.conflict)
+        EXPECT_TRUE(one.key.starts_with("limits.")) << one.key;
+}
+
+TEST(LimitsFromCpp, AComparisonNamesThem) {
+    Scene scene = roller_cam();
+    scene.limits.velocity = PeakLimit{.normalised = 1.7};
+    scene.limits.pressure_angle = WrittenLimit{.value = 20.0 * units::degree};
+    const Comparison comparison = compare(scene);
+    ASSERT_FALSE(comparison.rows.empty());
+    for (const ComparisonRow& row : comparison.rows)
+        for (const LimitOutcome& outcome : row.limits) {
+            EXPECT_TRUE(outcome.reached.key.starts_with("limits.")) << row.key;
+            EXPECT_GT(outcome.reached.limit, 0.0);
+        }
+}
+
+TEST(LimitsFromCpp, NumbersThatContradictEachOtherAreRefused) {
+    Scene scene = rise();
+    scene.limits.velocity = PeakLimit{.normalised = 1.7, .given = 5.0};
+    try {
+        (void)solve(scene);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "limits.velocity: found normalised 1.7 beside given 5; allowed: one of them, "
+                     "or two that say the same");
+    }
+    scene.limits.velocity = PeakLimit{.given = 5.0, .unit = "furlong/s"};
+    try {
+        (void)solve(scene);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "limits.velocity: found the unit \"furlong/s\"; allowed: none (normalised), or mm/s, in/s, "
+            "m/s, deg/s, rad/s");
+    }
+}
+
+}  // namespace
+}  // namespace camopt

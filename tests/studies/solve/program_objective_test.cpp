@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// Objectives of programs against their definition: V, A, J are the largest over the spline segments of
+// |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h as found,
+// the lift where h = 0. Everything is recomputed from the published knots and control points alone.
+#include "core/errors.hpp"
+#include "solvers/certificate/certificate.hpp"
+#include "studies/check/scene_check.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/cam_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+
+ProgramSegment dwell(double degrees_) {
+    return {SegmentKind::dwell, degrees_ * units::degree, "", {}};
+}
+ProgramSegment spline(double degrees_, std::optional<double> to = {}) {
+    return {SegmentKind::spline, degrees_ * units::degree, "", to};
+}
+ProgramSegment law(double degrees_, const char* key, std::optional<double> to = {}) {
+    return {SegmentKind::law, degrees_ * units::degree, key, to};
+}
+
+Scene program(std::vector<ProgramSegment> segments, bool closed = true) {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.lift = 20e-3;
+    scene.motion.segments = std::move(segments);
+    scene.motion.closed = closed;
+    scene.spline.segments = 5;
+    paper_weights(scene);
+    return scene;
+}
+
+/// A B-spline as published: value by de Boor's recursion, in the knot span [knots[k], knots[k + 1]).
+double de_boor(const std::vector<double>& knots, std::vector<double> points, int degree, int k, double x) {
+    for (int r = 1; r <= degree; ++r) {
+        for (int j = k; j > k - degree + r - 1; --j) {
+            const auto at = static_cast<std::size_t>(j);
+            const double left = knots[at], right = knots[at + static_cast<std::size_t>(degree - r) + 1];
+            const double part = (x - left) / (right - left);
+            points[at] = (1.0 - part) * points[at - 1] + part * points[at];
+        }
+    }
+    return points[static_cast<std::size_t>(k)];
+}
+
+/// max |s^{(order)}| of a published spline: samples of each span, refined by a parabola.
+double largest(std::vector<double> knots, std::vector<double> points, int degree, int order) {
+    for (int r = 0; r < order; ++r, --degree) {
+        std::vector<double> lower;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const double width = knots[i + static_cast<std::size_t>(degree) + 1] - knots[i + 1];
+            lower.push_back(width > 0.0 ? degree * (points[i + 1] - points[i]) / width : 0.0);
+        }
+        points = std::move(lower);
+        knots = std::vector<double>(knots.begin() + 1, knots.end() - 1);
+    }
+    constexpr int samples = 128;
+    double found = 0.0;
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+        if (!(knots[k + 1] > knots[k])) continue;
+        std::array<double, samples + 1> value{};
+        for (int i = 0; i <= samples; ++i)
+            value[static_cast<std::size_t>(i)] =
+                std::abs(de_boor(knots, points, degree, static_cast<int>(k),
+                                 knots[k] + (knots[k + 1] - knots[k]) * i / samples));
+        for (std::size_t i = 0; i <= samples; ++i) {
+            found = std::max(found, value[i]);
+            if (i == 0 || i == samples || value[i] < value[i - 1] || value[i] < value[i + 1]) continue;
+            const double bend = value[i - 1] - 2.0 * value[i] + value[i + 1];
+            const double slope = 0.5 * (value[i + 1] - value[i - 1]);
+            if (bend < 0.0) found = std::max(found, value[i] - 0.5 * slope * slope / bend);
+        }
+    }
+    return found;
+}
+
+struct Measured {
+    std::array<double, 4> peak{};  ///< V, A, J at 1, 2, 3
+    double objective = 0.0;
+};
+
+Measured measured(const Solution& solution) {
+    Measured result;
+    for (const SegmentReport& segment : solution.segments) {
+        if (segment.kind != SegmentKind::spline) continue;
+        const std::vector<double> knots = segment.curve->knots();
+        const Eigen::VectorXd published = segment.curve->coefficients();
+        const std::vector<double> points(published.begin(), published.end());
+        const double angle = knots.back() - knots.front();
+        const double moved = std::abs(points.back() - points.front());
+        const double measure = moved < 1e-9 ? 1.0 : moved;
+        for (int order = 1; order <= 3; ++order)
+            result.peak[static_cast<std::size_t>(order)] = std::max(
+                result.peak[static_cast<std::size_t>(order)],
+                largest(knots, points, segment.curve->degree(), order) * std::pow(angle, order) / measure);
+    }
+    const ObjectiveSpec& weights = solution.scene.objective;
+    const Peaks& reference = solution.reference_peaks;
+    result.objective = weights.velocity * result.peak[1] / reference.velocity.value +
+                       weights.acceleration * result.peak[2] / reference.acceleration.value +
+                       weights.jerk * result.peak[3] / reference.jerk.value;
+    return result;
+}
+
+void expect_measured(const Solution& solution) {
+    ASSERT_TRUE(solution.motion) << solution.certificate.reason;
+    const Measured own = measured(solution);
+    EXPECT_NEAR(solution.certificate.objective, own.objective, 1e-6 * std::max(1.0, own.objective));
+    // 1e-6: the parabola between samples. 1e-8: a spline that stands has peaks of rounding.
+    EXPECT_NEAR(solution.peaks.velocity.value, own.peak[1], 1e-6 * own.peak[1] + 1e-8);
+    EXPECT_NEAR(solution.peaks.acceleration.value, own.peak[2], 1e-6 * own.peak[2] + 1e-8);
+    EXPECT_NEAR(solution.peaks.jerk.value, own.peak[3], 1e-6 * own.peak[3] + 1e-8);
+    if (solution.certificate.lower_bound) {
+        EXPECT_LE(*solution.certificate.lower_bound,
+                  solution.certificate.objective + 1e-8 * std::max(1.0, own.objective));
+    }
+}
+
+/// What the proof says, recomputed from its own numbers.
+void expect_proved(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    if (certificate.proof_kind == ProofKind::duality) {
+        EXPECT_GE(recomputed_bound(*certificate.proof), *certificate.lower_bound);
+        return;
+    }
+    if (certificate.proof_kind != ProofKind::boxes) return;
+    double bound = infinity;
+    for (const CaseProof& part : certificate.cases) {
+        ASSERT_TRUE(part.proof);
+        const double own = recomputed_bound(*part.proof);
+        EXPECT_GE(own, part.infeasible ? 0.0 : part.bound);
+        if (!part.infeasible) bound = std::min(bound, own);
+    }
+    EXPECT_GE(bound, *certificate.lower_bound);
+}
+
+TEST(ProgramObjective, IsMeasuredByTheDisplacementFound) {
+    // Two splines share the rise: where they part is free, and with it what their peaks are measured by.
+    const Solution solution =
+        solve(program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)}));
+    expect_measured(solution);
+    expect_proved(solution);
+}
+
+TEST(ProgramObjective, OfAnOpenChainIsMeasuredByTheDisplacementFound) {
+    Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
+    const Solution solution = solve(scene);
+    expect_measured(solution);
+    expect_proved(solution);
+    // No displacement of a grid is better, and the optimum lies between two of them.
+    double best = infinity;
+    for (int k = -3; k <= 13; ++k) {
+        scene.motion.segments[0].to = 0.1 * k;
+        const Solution given = solve(scene);
+        if (given.motion) best = std::min(best, given.certificate.objective);
+    }
+    EXPECT_LE(solution.certificate.objective, best + 1e-9);
+}
+
+TEST(ProgramObjective, OfADwellBetweenSplinesIsMeasuredByTheDisplacementFound) {
+    // Only the shape counts from rest to rest, so every level of the dwell is as good: proved.
+    const Solution solution = solve(program({spline(60), dwell(30), spline(80, 1.0), dwell(30)}, false));
+    expect_measured(solution);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+    expect_proved(solution);
+    Scene rise = program({}, false);
+    rise.motion = {};
+    EXPECT_NEAR(solution.certificate.objective, solve(rise).certificate.objective, 1e-7);
+}
+
+TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheDisplacementFound) {
+    Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
+    scene.limits.velocity = PeakLimit{1.3, "limits.velocity", 1.3, ""};
+    const Solution solution = solve(scene);
+    expect_measured(solution);
+    EXPECT_LE(measured(solution).peak[1], 1.3 * (1.0 + 1e-7));
+    ASSERT_FALSE(solution.constraints.empty());
+    EXPECT_NEAR(solution.constraints.front().worst, measured(solution).peak[1], 1e-7);
+}
+
+TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByThem) {
+    Scene scene = program({spline(50), spline(60), spline(40), spline(70, 1.0), dwell(30)}, false);
+    scene.spline.segments = 2;
+    const Solution solution = solve(scene);
+    expect_measured(solution);
+    expect_proved(solution);
+}
+
+/// A piece of the search whose relaxation ends without a motion has no displacements to try; it crashed.
+TEST(ProgramObjective, OfAPieceWithoutDisplacementsIsNotTried) {
+    Scene scene =
+        program({spline(86), dwell(28), spline(105), spline(93, 0.5), law(48, "modified_sine", 0.0)});
+    scene.spline.degree = 5;
+    scene.spline.segments = 6;
+    scene.objective.velocity = 0.0;
+    scene.objective.acceleration = 0.66883312234853065;
+    scene.objective.jerk = 0.94712595616666306;
+    scene.solver.max_seconds = 8.0;
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.motion) << solution.certificate.reason;
+    expect_measured(solution);
+    if (const auto bound = solution.certificate.lower_bound) {
+        EXPECT_LE(*bound, solution.certificate.objective * (1.0 + 1e-9));
+    }
+}
+
+TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheDisplacementFound) {
+    const Solution solution =
+        solve(program({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));
+    expect_measured(solution);
+    expect_proved(solution);
+}
+
+TEST(ProgramObjective, OnACamIsMeasuredByTheDisplacementFound) {
+    Scene scene = program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
+    scene.cam.emplace();
+    (*scene.cam)[DimensionIndex::base_radius] = 25e-3;
+    (*scene.cam)[DimensionIndex::roller_radius] = 8e-3;
+    scene.limits.pressure_angle =
+        WrittenLimit{35.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
+    const Solution solution = solve(scene);
+    expect_measured(solution);
+    EXPECT_LE(solution.cam->summary.pressure_angle.value, 35.0 * units::degree * (1.0 + 1e-7));
+}
+
+TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
+    const SceneCheck one = check_scene(program({spline(60), spline(80, 1.0), dwell(30)}, false));
+    EXPECT_EQ(one.free_displacements, 1);
+    EXPECT_FALSE(one.convex);
+    const SceneCheck none = check_scene(program({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
+    EXPECT_EQ(none.free_displacements, 0);
+    EXPECT_TRUE(none.convex);
+}
+
+std::string message_of(const Scene& scene) {
+    try {
+        (void)solve(scene);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(ProgramObjective, AProgramInWhichNothingHasToMoveIsRefused) {
+    const std::string free = message_of(program({spline(180), spline(180)}));
+    EXPECT_NE(free.find("motion.segments[0].to"), std::string::npos) << free;
+    EXPECT_NE(free.find("nothing has to move"), std::string::npos) << free;
+    const std::string zero = message_of(program({dwell(90), law(90, "cycloidal"), spline(180, 0.0)}));
+    EXPECT_NE(zero.find("motion.segments[1].to"), std::string::npos) << zero;
+    EXPECT_NE(message_of(program({dwell(90), spline(270)})), "");
+    EXPECT_NE(message_of(program({spline(90)}, false)), "");
+    EXPECT_EQ(message_of(program({spline(90, 1.0)}, false)), "");
+}
+
+/// Programs of all kinds of segments, closed and open, most `to` missing.
+class RandomPrograms {
+ public:
+    explicit RandomPrograms(unsigned seed) : engine_(seed) {}
+
+    Scene next() {
+        Scene scene;
+        do {
+            scene = drawn();
+        } while (find_fault(scene));
+        return scene;
+    }
+
+ private:
+    // Plain arithmetic on the engine: the standard's distributions differ from library to library.
+    double uniform(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967295.0;
+    }
+    bool chance(double part) { return uniform(0.0, 1.0) < part; }
+
+    Scene drawn() {
+        std::vector<ProgramSegment> segments;
+        const int count = 1 + static_cast<int>(uniform(1.0, 4.999));
+        const bool closed = chance(0.6);
+        for (int i = 0; i < count; ++i) {
+            ProgramSegment segment = spline(uniform(30.0, 100.0));
+            const double kind = uniform(0.0, 1.0);
+            if (kind < 0.25) segment = dwell(uniform(20.0, 60.0));
+            if (kind > 0.85) segment = law(uniform(30.0, 100.0), chance(0.5) ? "cycloidal" : "modified_sine");
+            if (segment.kind != SegmentKind::dwell && chance(0.45)) segment.to = uniform(-0.3, 1.3);
+            segments.push_back(segment);
+        }
+        double total = 0.0;
+        for (const ProgramSegment& segment : segments) total += segment.angle;
+        const double turn = 360.0 * units::degree * (closed ? 1.0 : 0.9);
+        for (ProgramSegment& segment : segments) segment.angle *= turn / total;
+        Scene scene = program(std::move(segments), closed);
+        scene.spline.degree = chance(0.7) ? 3 : 5;
+        scene.spline.segments = static_cast<int>(uniform(2.0, 5.999));
+        scene.objective.velocity = uniform(0.0, 1.0);
+        scene.objective.acceleration = uniform(0.0, 1.0);
+        scene.objective.jerk = uniform(0.05, 1.0);
+        if (chance(0.2)) scene.limits.velocity = PeakLimit{2.5, "limits.velocity", 2.5, ""};
+        scene.solver.max_seconds = 20.0;
+        return scene;
+    }
+
+    std::mt19937 engine_;
+};
+
+TEST(ProgramObjective, OfRandomProgramsIsThatOfTheirSplines) {
+    RandomPrograms programs(18);
+    std::map<Verdict, int> verdicts;
+    for (int k = 0; k < 20; ++k) {
+        SCOPED_TRACE(k);
+        const Solution solution = solve(programs.next());
+        ++verdicts[solution.certificate.verdict];
+        if (!solution.motion) continue;
+        expect_measured(solution);
+        expect_proved(solution);
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(verdicts[Verdict::optimal], 6);
+    for (const auto& [verdict, count] : verdicts) RecordProperty(name_of(verdict), count);
+}
+
+}  // namespace
+}  // namespace camopt

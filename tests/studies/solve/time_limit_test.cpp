@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// solver.max_seconds is the time of everything: search, proof, tie-break, explanation. Told without a watch:
+// the clock of these tests moves on by a second whenever it is asked, and whoever works asks it once an
+// iteration.
+#include "benchmarks/known_names.hpp"
+#include "input/scene_reader.hpp"
+#include "profiles/factory/mechanism_factory.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using testing_support::is_available;
+
+struct Case {
+    std::string name, scene;
+    std::vector<std::string> settings;
+    std::string solver = "auto";
+    friend void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+};
+
+Scene scene_of(const Case& one) {
+    std::vector<std::string> settings = one.settings;
+    settings.push_back("solver.name=\"" + one.solver + "\"");
+    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + one.scene + ".toml",
+                                         known_names(), settings);
+    complete_mechanism(scene);
+    return scene;
+}
+
+/// How often it was asked is what time it is.
+struct CountingClock {
+    long asked = 0;
+    SolveControl control() {
+        SolveControl control;
+        control.deadline = Deadline::after(1e15, [this] { return static_cast<double>(++asked); });
+        return control;
+    }
+};
+
+bool tells_of_the_time(const Solution& solution) {
+    return std::ranges::any_of(solution.notes, [](const std::string& note) {
+        return note.find("the time (solver.max_seconds") != std::string::npos;
+    });
+}
+
+// The clock is asked at every iteration, and some ten nested searches may each ask once more on their way
+// out.
+constexpr long most_asked_late = 60;
+
+class TimeLimit : public testing::TestWithParam<Case> {
+ protected:
+    void SetUp() override {
+        if (!is_available(GetParam().solver))
+            GTEST_SKIP() << GetParam().solver << " is not part of this build";
+    }
+};
+
+TEST_P(TimeLimit, HoldsForEverythingWhereverItStrikes) {
+    Scene scene = scene_of(GetParam());
+    scene.solver.max_seconds = 1e12;
+    CountingClock whole;
+    const Solution unhurried = solve(scene, whole.control());
+    EXPECT_FALSE(tells_of_the_time(unhurried));
+    EXPECT_GE(whole.asked, unhurried.solver.iterations) << "an iteration that does not ask";
+    for (const double part : {0.0, 0.1, 0.3, 0.5, 0.7, 0.85, 0.95}) {
+        scene.solver.max_seconds = std::max(1.0, std::floor(part * static_cast<double>(whole.asked)));
+        CountingClock clock;
+        const Solution hurried = solve(scene, clock.control());
+        EXPECT_LE(static_cast<double>(clock.asked), scene.solver.max_seconds + most_asked_late)
+            << part << " of " << whole.asked;
+        EXPECT_TRUE(tells_of_the_time(hurried)) << part << " of " << whole.asked;
+        const Certificate& certificate = hurried.certificate;
+        EXPECT_EQ(hurried.motion == nullptr,
+                  certificate.verdict == Verdict::failed || certificate.verdict == Verdict::infeasible);
+        if (certificate.verdict == Verdict::failed) {
+            EXPECT_EQ(certificate.reason, "time_limit") << part;
+            EXPECT_FALSE(certificate.gap);
+        }
+        if (hurried.motion && certificate.lower_bound) {
+            EXPECT_LE(*certificate.lower_bound, certificate.objective * (1.0 + 1e-7)) << part;
+        }
+    }
+}
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = {
+        {"tie_break", "drd_cubic_12", {}},
+        {"elastic_search", "drd_cubic_12", {"limits.velocity=1.55"}},
+        {"infeasible", "infeasible_velocity_cap", {}},
+        {"infeasible_cam", "cam_infeasible", {"spline.segments=8"}},
+        {"in_vain", "cam_infeasible", {"spline.segments=6", "limits.cam_radius_min_mm=8", "solver.starts=2"}},
+        {"starts", "cam_undercut", {"spline.segments=8", "solver.starts=3"}},
+        {"starts_structured", "cam_undercut", {"spline.segments=8", "solver.starts=2"}, "structured"},
+        {"free_breakpoints", "drd_free_knots", {"spline.segments=5", "solver.starts=2"}},
+        {"ipopt", "drd_cubic_12", {}, "ipopt"},
+        {"slsqp", "drd_cubic_8", {}, "nlopt.slsqp"},
+        {"cobyla", "drd_cubic_4", {}, "nlopt.cobyla"},
+        {"ccsaq", "drd_cubic_4", {}, "nlopt.ccsaq"},
+    };
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TimeLimit, testing::ValuesIn(cases()),
+                         [](const auto& one) { return one.param.name; });
+
+/// One test with a watch, generous: many times the limit are wrong on any machine. Its search ends early;
+/// what comes after it used to begin a time of its own.
+TEST(TimeLimit, ASearchInVainLeavesNoSecondTimeToItsExplanation) {
+    Scene scene = scene_of({"", "cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=24"}});
+    scene.solver.max_seconds = 1.0;
+    const Stopwatch watch;
+    const Solution solution = solve(scene);
+    EXPECT_LT(watch.seconds(), 4.0);
+    EXPECT_FALSE(solution.motion);
+}
+
+TEST(Interrupted, BeforeAnythingWasFoundDeliversNoMotion) {
+    for (const char* solver : {"structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"}) {
+        if (!is_available(solver)) continue;
+        SolveControl control;
+        control.stop_requested = [] { return true; };
+        for (const char* scene : {"drd_cubic_12", "cam_undercut", "drd_free_knots"}) {
+            if (scene == std::string("drd_free_knots") && solver != std::string("structured")) continue;
+            const Solution solution = solve(scene_of({"", scene, {}, solver}), control);
+            EXPECT_FALSE(solution.motion) << solver << ' ' << scene;
+            EXPECT_EQ(solution.certificate.verdict, Verdict::failed) << solver << ' ' << scene;
+            EXPECT_EQ(solution.certificate.reason, "interrupted") << solver << ' ' << scene;
+            EXPECT_EQ(solution.solver.termination, Termination::interrupted) << solver << ' ' << scene;
+        }
+    }
+}
+
+TEST(Interrupted, ASearchInVainSaysInterrupted) {
+    Scene scene = scene_of({"", "cam_undercut", {"limits.cam_radius_min_mm=200", "spline.segments=8"}});
+    CountingClock clock;
+    int polls = 0;
+    SolveControl control;
+    control.stop_requested = [&] { return ++polls > 40; };
+    const Solution solution = solve(scene, control);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(solution.certificate.reason, "interrupted");
+    EXPECT_LE(polls, 40 + most_asked_late);
+}
+
+}  // namespace
+}  // namespace camopt

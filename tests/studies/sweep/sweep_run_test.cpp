@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Chunks of rows solved, and the Pareto front over them.
+#include "studies/sweep/sweep_run.hpp"
+
+#include "studies/pareto/sweep_front.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using testing_support::paper_objective;
+
+SweepScenes scenes_of(const SweepPlan& plan, const Scene& base) {
+    return {plan, [base](std::span<const std::string> settings) {
+                Scene scene = base;
+                for (const std::string& setting : settings) {
+                    const std::string key = setting.substr(0, setting.find('='));
+                    const double value = std::stod(setting.substr(setting.find('=') + 1));
+                    if (key == "objective.velocity") scene.objective.velocity = value;
+                    if (key == "objective.acceleration") scene.objective.acceleration = value;
+                    if (key == "objective.jerk") scene.objective.jerk = value;
+                    if (key == "limits.velocity") scene.limits.velocity = PeakLimit{value, key, value, ""};
+                }
+                return scene;
+            }};
+}
+
+TEST(Chunking, CoversEveryRowOnce) {
+    for (const int rows : {1, 24, 25, 26, 50, 231})
+        for (const int size : {1, 7, 25, 1000}) {
+            const Chunking chunking{rows, size};
+            int next = 0;
+            for (int chunk = 0; chunk < chunking.count(); ++chunk) {
+                EXPECT_EQ(chunking.range(chunk).begin, next);
+                EXPECT_GT(chunking.range(chunk).size(), 0);
+                EXPECT_LE(chunking.range(chunk).size(), size);
+                next = chunking.range(chunk).end;
+            }
+            EXPECT_EQ(next, rows);
+        }
+}
+
+TEST(Chunking, SmallSweepsHaveSmallChunks) {
+    EXPECT_EQ(chunk_size_for(1), 1);
+    EXPECT_EQ(chunk_size_for(16), 1);
+    EXPECT_EQ(chunk_size_for(17), 2);
+    EXPECT_EQ(chunk_size_for(231), 15);
+    EXPECT_EQ(chunk_size_for(400), 25);
+    EXPECT_EQ(chunk_size_for(1'000'000), 25);
+}
+
+TEST(SweepRun, EveryRowIsTheColdSolveOfItsScene) {
+    const Scene base = paper_objective(MotionType::drd, 3, 12);
+    const SweepPlan plan = sweep_grid(std::vector{simplex_weights(4)});
+    SweepScenes scenes = scenes_of(plan, base);
+    int reported = 0;
+    const std::vector<SweepRow> rows =
+        solve_chunk(scenes, {3, 11}, {}, [&](const SweepRow& row) { EXPECT_EQ(row.number, 3 + reported++); });
+    ASSERT_EQ(rows.size(), 8U);
+    EXPECT_EQ(reported, 8);
+    for (const SweepRow& row : rows) {
+        SCOPED_TRACE(row_text(plan, row.number));
+        const Solution cold = solve(scenes.scene(row.number));
+        EXPECT_EQ(row.verdict, cold.certificate.verdict);
+        EXPECT_EQ(row.verdict, Verdict::optimal);
+        ASSERT_TRUE(row.objective && row.gap && row.lower_bound && row.any_curve_limit);
+        EXPECT_NEAR(*row.objective, cold.certificate.objective, 1e-8);
+        EXPECT_NEAR(*row.any_curve_limit, cold.any_curve_limit->objective, 1e-12);
+        EXPECT_LE(*row.lower_bound, *row.objective + 1e-9);
+        EXPECT_LE(*row.gap, 1e-7);
+        const std::vector<double> settings(plan.row(row.number).begin(), plan.row(row.number).end());
+        EXPECT_EQ(row.settings, settings);
+        const double weighted =
+            settings[0] * *row.figure(SweepFigure::velocity) / cold.reference_peaks.velocity.value +
+            settings[1] * *row.figure(SweepFigure::acceleration) / cold.reference_peaks.acceleration.value +
+            settings[2] * *row.figure(SweepFigure::jerk) / cold.reference_peaks.jerk.value;
+        EXPECT_NEAR(weighted, *row.objective, 1e-12);
+        EXPECT_GT(*row.figure(SweepFigure::torque), 0.0);
+        EXPECT_GT(*row.figure(SweepFigure::rms_jerk), 0.0);
+        EXPECT_GT(row.iterations, 0);
+        EXPECT_GT(row.exchange_rounds, 0);
+        EXPECT_GT(row.evaluations.cost, 0);
+        EXPECT_EQ(row.evaluations.profile_points, 0);
+        EXPECT_GE(row.seconds_total, row.seconds_solve);
+        for (const auto& dimension : row.dimensions) EXPECT_FALSE(dimension);
+    }
+}
+
+TEST(SweepRun, LimitsAreNamedAndInfeasibleRowsAreResults) {
+    const SweepPlan plan = sweep_grid(std::vector{varied_key("limits.velocity=0.9,1.5,3")});
+    SweepScenes scenes = scenes_of(plan, paper_objective(MotionType::drd, 3, 12));
+    const std::vector<SweepRow> rows = solve_chunk(scenes, {0, 3});
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].verdict, Verdict::infeasible);  // a rise of 1 over 1 needs V > 1
+    EXPECT_FALSE(rows[0].objective || rows[0].figure(SweepFigure::velocity));
+    EXPECT_TRUE(rows[0].active_limits.empty());
+    EXPECT_EQ(rows[1].active_limits, std::vector<std::string>{"limits.velocity"});
+    EXPECT_NEAR(*rows[1].figure(SweepFigure::velocity), 1.5, 1e-8);
+    EXPECT_TRUE(rows[2].active_limits.empty());
+}
+
+TEST(SweepRun, ARowThatThrowsIsFailedAndTheNextIsSolved) {
+    const SweepPlan plan = sweep_grid(std::vector{varied_key("limits.velocity=2,3,4")});
+    const Scene base = paper_objective(MotionType::drd, 3, 8);
+    SweepScenes scenes(plan, [base](std::span<const std::string> settings) {
+        if (settings[0] == "limits.velocity=3") throw std::runtime_error("out of paper");
+        return base;
+    });
+    const std::vector<SweepRow> rows = solve_chunk(scenes, {0, 3});
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].verdict, Verdict::optimal);
+    EXPECT_EQ(rows[1].verdict, Verdict::failed);
+    EXPECT_EQ(rows[1].reason, "error: out of paper");
+    EXPECT_EQ(rows[1].settings, std::vector{3.0});
+    EXPECT_EQ(rows[2].verdict, Verdict::optimal);
+}
+
+TEST(SweepRun, StopsWhenItIsToldTo) {
+    const SweepPlan plan = sweep_grid(std::vector{simplex_weights(4)});
+    SweepScenes scenes = scenes_of(plan, paper_objective(MotionType::drd, 3, 8));
+    bool stop = false;
+    const SolveControl control{[&] { return stop; }, {}};
+    const auto rows =
+        solve_chunk(scenes, {0, 15}, control, [&](const SweepRow& row) { stop = row.number == 4; });
+    EXPECT_EQ(rows.size(), 5U);
+}
+
+SweepRow peaks(int number, std::vector<double> settings, double velocity, double jerk) {
+    SweepRow row;
+    row.number = number;
+    row.settings = std::move(settings);
+    row.verdict = Verdict::optimal;
+    row.figures[0] = velocity;
+    row.figures[1] = 1.0 / velocity;  // no criterion
+    row.figures[2] = jerk;
+    return row;
+}
+
+std::vector<bool> front(SweepTable table) {
+    mark_front(table);
+    std::vector<bool> marks;
+    for (const SweepRow& row : table.rows) marks.push_back(row.on_front);
+    return marks;
+}
+
+TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
+    SweepTable table{{{"objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    table.rows = {peaks(0, {0}, 1.0, 5.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 2.0, 4.0),
+                  peaks(3, {3}, 3.0, 3.5), peaks(4, {4}, 4.0, 1.0), peaks(5, {5}, 0.1, 0.1)};
+    table.rows[5].verdict = Verdict::failed;  // its figures count for nothing
+    EXPECT_EQ(front(table), (std::vector{true, true, false, false, true, false}));
+}
+
+TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
+    SweepTable table{{{"objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0 * (1 + 5e-7), 3.0),
+                  peaks(2, {2}, 2.0, 3.0 * (1 + 3e-6)), peaks(3, {3}, 2.0 * (1 + 5e-7), 2.9)};
+    // Row 3 costs nothing that counts and is better: rows 0 to 2 are not on the front.
+    EXPECT_EQ(front(table), (std::vector{false, false, false, true}));
+    table.rows.pop_back();
+    EXPECT_EQ(front(table), (std::vector{true, true, false}));
+}
+
+TEST(SweepFront, OtherSettingsAreOtherFronts) {
+    SweepTable table{{{"spline.segments", "objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    table.rows = {peaks(0, {8, 0}, 2.0, 3.0), peaks(1, {8, 1}, 2.5, 3.5), peaks(2, {16, 0}, 1.0, 1.0)};
+    EXPECT_EQ(front(table), (std::vector{true, false, true}));
+}
+
+TEST(SweepFront, WeighsDimensionsAndTheOffsetByItsMagnitude) {
+    SweepTable table{{{"objective.offset"}, {DimensionIndex::offset}, {"velocity", "offset"}}, {}};
+    table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 1.9, 3.0)};
+    const auto offset = static_cast<std::size_t>(DimensionIndex::offset);
+    table.rows[0].dimensions[offset] = -0.005;
+    table.rows[1].dimensions[offset] = 0.004;
+    table.rows[2].dimensions[offset] = 0.006;
+    EXPECT_EQ(front(table), (std::vector{false, true, true}));
+}
+
+}  // namespace
+}  // namespace camopt
