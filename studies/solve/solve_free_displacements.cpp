@@ -56,8 +56,9 @@ class DisplacementSearch {
     [[nodiscard]] double seconds() const { return watch_.seconds(); }
     [[nodiscard]] double left(double part) const { return part * allowed_ - seconds(); }
     [[nodiscard]] bool out_of_time(double part) {
-        if (control_.stopped() || (!best_.motion && control_.in_vain.passed())) return true;
-        if (left(part) > 0.0) return false;
+        if (control_.stopped()) return true;
+        const bool in_vain = !best_.motion && control_.in_vain.passed();
+        if (!in_vain && left(part) > 0.0) return false;
         timed_out_ = true;
         return true;
     }
@@ -77,6 +78,12 @@ class DisplacementSearch {
     void move_levels();
     [[nodiscard]] std::vector<double> snapped(std::vector<double> levels) const;
     [[nodiscard]] Scene given(const std::vector<double>& levels) const;
+    /// Why no motion was found: what the clock ended is no search.
+    [[nodiscard]] const char* reason_of_nothing() const {
+        if (control_.stopped()) return name_of(Termination::interrupted);
+        const bool timed_out = timed_out_ || control_.in_vain.passed() || left(time_for_cases) <= 0.0;
+        return timed_out ? name_of(Termination::time_limit) : "no_feasible_point";
+    }
     void judge(Solution& solution) const;
     void tell(Solution& solution) const;
 
@@ -266,7 +273,7 @@ void DisplacementSearch::judge(Solution& solution) const {
     if (!solution.motion) {
         const bool impossible = nothing && certificate.proof_kind != ProofKind::none;
         certificate.verdict = impossible ? Verdict::infeasible : Verdict::failed;
-        certificate.reason = impossible ? "limits_contradict" : "no_feasible_point";
+        certificate.reason = impossible ? "limits_contradict" : reason_of_nothing();
         if (impossible && !certificate.proof) certificate.proof = *parts_.front().proof;
         return;
     }

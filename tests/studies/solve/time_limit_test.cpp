@@ -124,6 +124,25 @@ TEST(TimeLimit, ASearchInVainLeavesNoSecondTimeToItsExplanation) {
     EXPECT_FALSE(solution.motion);
 }
 
+/// What the clock ended before anything was found was no search in vain.
+TEST(TimeLimit, OfFreeDisplacementsIsNoLackOfMotions) {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.closed = false;
+    constexpr double degree = 3.14159265358979323846 / 180.0;
+    scene.motion.segments = {{SegmentKind::spline, 60 * degree, {}, 1.0},
+                             {SegmentKind::spline, 60 * degree, {}, {}},
+                             {SegmentKind::spline, 60 * degree, {}, 0.25}};
+    scene.spline.segments = 40;
+    scene.objective.velocity = scene.objective.jerk = 1.0;
+    scene.solver.max_seconds = 1e-3;
+    const Solution solution = solve(scene);
+    EXPECT_FALSE(solution.motion);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(solution.certificate.reason, "time_limit");
+    EXPECT_TRUE(tells_of_the_time(solution));
+}
+
 TEST(Interrupted, BeforeAnythingWasFoundDeliversNoMotion) {
     for (const char* solver : {"structured", "ipopt", "nlopt.slsqp", "nlopt.cobyla"}) {
         if (!is_available(solver)) continue;
