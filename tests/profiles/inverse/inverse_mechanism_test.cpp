@@ -131,6 +131,14 @@ TEST(InverseMechanism, SaysWhatDoesNotReach) {
     EXPECT_EQ(mechanism().fault(numbers, 0.0, 2.7 * inch), "");
     EXPECT_NE(mechanism().fault(numbers, 0.0, 40.0 * inch).find("rocker_misses_pin"), std::string::npos);
     EXPECT_TRUE(std::isnan(mechanism().point(0.5, {numbers, {40.0 * inch, 0, 0}, 0.5}, 0).pressure_angle));
+    // Where there is no value there are none of its partials either, and as many as asked for.
+    const std::array<int, 2> active = {0, 4};
+    const MechanismValue none =
+        mechanism().quantity(MechanismQuantity::regularity, {numbers, {40.0 * inch, 0, 0}, 0.5}, 0, active);
+    EXPECT_TRUE(std::isnan(none.value));
+    EXPECT_EQ(none.gradient.size(), 5);
+    EXPECT_EQ(none.hessian.rows(), 5);
+    EXPECT_TRUE(none.gradient.array().isNaN().all());
     numbers[static_cast<std::size_t>(InverseNumber::roller_from)] = 20.0 * inch;
     EXPECT_NE(mechanism().fault(numbers, 0.0, 2.7 * inch).find("ascend"), std::string::npos);
     MechanismSpec other = inverse_spec();

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace camopt {
@@ -122,6 +123,33 @@ TEST(SpatialFaults, NameWhatCannotBeBuilt) {
     SpatialCam cam = translating_cam();
     cam.roller_length = 0.0;
     EXPECT_NE(geometry_fault(cam, 0.0, 0.01).find("roller_length"), std::string::npos);
+}
+
+/// The arm reaches farthest where it is straightest: at 0 where it passes that, else at the nearer end.
+TEST(SpatialFaults, TheFarEndIsLookedAtWhereTheArmIsStraightest) {
+    const auto reaches = [](double low, double high, double center_distance) {
+        SpatialCam cam = rotating_cam();
+        cam.start = low;
+        cam[SpatialDimension::center_distance] = center_distance;
+        return geometry_fault(cam, 0.0, high - low).empty();
+    };
+    const SpatialCam cam = rotating_cam();
+    const double longest = cam[SpatialDimension::arm_length] + cam.roller_length;
+    for (const double sign : {1.0, -1.0}) {
+        const double nearer = sign * 10.0 * degree, farther = sign * 50.0 * degree;
+        const double low = std::min(nearer, farther), high = std::max(nearer, farther);
+        EXPECT_TRUE(reaches(low, high, longest * std::cos(nearer) * (1.0 + 1e-9)));
+        EXPECT_FALSE(reaches(low, high, longest * std::cos(nearer) * (1.0 - 1e-9)));
+        // Straight at one end of the swing, and only just not.
+        const double bent = sign * 5e-4;
+        EXPECT_FALSE(reaches(std::min(0.0, farther), std::max(0.0, farther), longest * (1.0 - 1e-9)));
+        EXPECT_TRUE(reaches(std::min(bent, farther), std::max(bent, farther),
+                            longest * std::cos(bent) * (1.0 + 1e-9)));
+        EXPECT_FALSE(reaches(-sign * 50.0 * degree < bent ? -50.0 * degree : bent,
+                             -sign * 50.0 * degree < bent ? bent : 50.0 * degree, longest * (1.0 - 1e-9)));
+    }
+    EXPECT_TRUE(reaches(-20.0 * degree, 20.0 * degree, longest * (1.0 + 1e-9)));
+    EXPECT_FALSE(reaches(-20.0 * degree, 20.0 * degree, longest * (1.0 - 1e-9)));
 }
 
 }  // namespace
