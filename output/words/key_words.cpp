@@ -64,12 +64,17 @@ KeyWords key_words(std::string_view key) {
 
 std::string needed_number(const Relaxation& row) {
     if (!row.needed) return {};
+    if (row.key == "spline.breakpoints") {
+        const long parts = std::lround(*row.needed / row.given);
+        return fmt::format("{} (every interval cut in {})", short_text(*row.needed, needed_digits),
+                           parts == 2 ? "two" : fmt::format("{}", parts));
+    }
     return short_text(row.solved.value_or(rounded_on(*row.needed, *row.needed > row.given)), needed_digits);
 }
 
 std::string needed_words(const Relaxation& row) {
     if (!row.needed) return {};
-    const KeyWords key = key_words(row.key);
+    const KeyWords key = key_words(row.key == "spline.breakpoints" ? "spline.segments" : row.key);
     const bool more = *row.needed > row.given;
     // A limit that is to grow is an upper one, and a larger one is what it would have to be.
     const char* const sign = more != key.limit ? ">=" : "<=";

@@ -70,8 +70,9 @@ FinerSpline finer_spline(const Scene& scene, const Budget& budget) {
             for (const int told : {found, found + 1, found + 2, n}) {
                 if (budget.spent()) return result;
                 if (told > n || (!uniform && told != n) || !is_told(scene, told, budget)) continue;
-                result.row = Relaxation{"spline.segments", static_cast<double>(given),
-                                        static_cast<double>(told), static_cast<double>(told)};
+                result.row =
+                    Relaxation{uniform ? "spline.segments" : "spline.breakpoints", static_cast<double>(given),
+                               static_cast<double>(told), static_cast<double>(told)};
                 result.finest = 0;
                 return result;
             }

@@ -16,7 +16,8 @@ namespace camopt {
 [[nodiscard]] Scene with_segments(const Scene& scene, int segments);
 
 struct FinerSpline {
-    std::optional<Relaxation> row;  ///< key spline.segments: the fewest that were solved
+    std::optional<Relaxation> row;  ///< key spline.segments: the fewest that were solved; of given
+                                    ///< breakpoints spline.breakpoints: every interval cut alike
     int finest = 0;                 ///< without a row: the most that were tried; 0: the time did not reach
 };
 

@@ -45,6 +45,9 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
 
 TEST(KeyWords, AChangeIsSaidOnTheSideThatStillDoes) {
     EXPECT_EQ(needed_words({"cam.base_radius_mm", 30.0, 31.41231}), "base radius >= 31.413 mm");
+    EXPECT_EQ(needed_words({"spline.segments", 7.0, 14.0}), "segments >= 14");
+    EXPECT_EQ(needed_words({"spline.breakpoints", 7.0, 14.0}), "segments >= 14 (every interval cut in two)");
+    EXPECT_EQ(needed_words({"spline.breakpoints", 7.0, 28.0}), "segments >= 28 (every interval cut in 4)");
     EXPECT_EQ(needed_words({"cam.offset_mm", 0.0, -1.25}), "offset <= −1.25 mm");
     EXPECT_EQ(needed_words({"limits.pressure_angle_deg", 30.0, 33.1}), "pressure angle <= 33.1 deg");
     EXPECT_EQ(needed_words({"limits.cam_radius_min_mm", 4.0, 2.50009}), "cam radius >= 2.5 mm");

@@ -49,9 +49,21 @@ bool set_path(SceneText& scene, const std::string& path, const std::string& valu
         }
     }
     if (const std::string old = spelled(table, quantity); !old.empty()) table.erase(old);
-    if (path == "spline.segments") table.erase("breakpoints");
     table.set(key, value);
     return true;
+}
+
+/// Every interval cut into two, four …, as a row of breakpoints says.
+void cut_intervals(SceneText& scene, std::vector<double> breakpoints, std::size_t segments) {
+    while (breakpoints.size() <= segments) {
+        std::vector<double> halved = {breakpoints.front()};
+        for (std::size_t k = 1; k < breakpoints.size(); ++k) {
+            halved.push_back(0.5 * (breakpoints[k - 1] + breakpoints[k]));
+            halved.push_back(breakpoints[k]);
+        }
+        breakpoints = std::move(halved);
+    }
+    scene.at("spline").set("breakpoints", list_text(breakpoints));
 }
 
 /// The value of a relaxation with a margin towards `given` (< 0) or away from it (> 0).
@@ -113,12 +125,15 @@ Finding compare_relaxed(Trial& trial) {
         if (row.needed && *row.needed != row.given) rows.push_back(row);
     if (rows.empty()) return no_case;
     const PublishedRelaxation row = trial.draw().one_of(rows);
-    const bool whole = row.key == "spline.segments";
+    const bool cut = row.key == "spline.breakpoints";
+    const bool whole = cut || row.key == "spline.segments";
     const double size = std::abs(*row.needed);
     const auto solve_at = [&](double margin) -> std::optional<Solved> {
         SceneText changed = trial.text();
         const double value = moved(row, margin);
-        if (!set_path(changed, row.key, whole ? std::to_string(std::lround(value)) : number_text(value)))
+        if (cut)
+            cut_intervals(changed, trial.numbers().breakpoints, static_cast<std::size_t>(std::lround(value)));
+        else if (!set_path(changed, row.key, whole ? std::to_string(std::lround(value)) : number_text(value)))
             return std::nullopt;
         return trial.solve(changed);
     };

@@ -69,6 +69,36 @@ TEST(FinerSpline, IsTheFewestSegmentsThatWereSolved) {
     EXPECT_FALSE(solve(with_segments(scene, segments - 1)).motion);
 }
 
+/// Fourteen uniform segments have none: what was solved are the given intervals, halved.
+TEST(FinerSpline, OfGivenBreakpointsSaysThatTheyWereCut) {
+    Scene scene;
+    scene.spline.degree = 5;
+    scene.spline.end_jerk = EndJerk::zero;
+    scene.spline.breakpoints = {0.0,
+                                0.061252076374454935,
+                                0.29747888614808748,
+                                0.5282531749066397,
+                                0.58889435740949136,
+                                0.93698615576794742,
+                                0.96792961640643982,
+                                1.0};
+    scene.motion.via = {{0.5, {}, {}, 0.0}, {0.66021174251752224, {}, {}, -4.251492948151105}};
+    scene.objective.velocity = scene.objective.acceleration = 0.3;
+    scene.limits.velocity = normalised_limit("limits.velocity", 2.0879228730930919);
+    scene.limits.acceleration = normalised_limit("limits.acceleration", 4.7807709992163305);
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    EXPECT_FALSE(row_of(solution, "spline.segments"));
+    const Relaxation* row = row_of(solution, "spline.breakpoints");
+    ASSERT_TRUE(row && row->needed);
+    EXPECT_EQ(*row->needed, 14.0);
+    EXPECT_TRUE(solve(with_segments(scene, 14)).motion);
+    Scene uniform = scene;
+    uniform.spline.breakpoints.clear();
+    uniform.spline.segments = 14;
+    EXPECT_FALSE(solve(uniform).motion);
+}
+
 TEST(FinerSpline, IsNotSoughtWhereNoMotionCan) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
