@@ -6,33 +6,24 @@
 namespace camopt::input {
 namespace {
 
-constexpr auto followers = {FollowerType::translating_roller, FollowerType::translating_flat,
-                            FollowerType::translating_knife, FollowerType::oscillating_roller,
-                            FollowerType::oscillating_flat};
-
 [[noreturn]] void refuse_key(const SceneSource& source, const Given& given, std::string_view what) {
     source.fail(given.member->place, joined_key(given.row->table, given.member->name), what);
 }
 
-[[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, FollowerType follower,
+[[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, const CamSpec& cam,
                                    std::string_view having) {
     refuse_key(source, given,
                fmt::format("found a dimension that the follower \"{}\" does not have; allowed: only with {}",
-                           name_of(follower), having));
+                           name_of(cam.follower), having));
 }
 
-[[noreturn]] void refuse_missing(const SceneSource& source, FollowerType follower, DimensionIndex index) {
+[[noreturn]] void refuse_missing(const SceneSource& source, const CamSpec& cam, DimensionIndex index) {
     for (const KeyRow& row : scene_keys())
         if (row.table == "cam" && row.name == name_of(index))
             source.fail(source.table("cam")->place, joined_key("cam", row.key(row.spellings.front())),
-                        fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(follower),
+                        fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(cam.follower),
                                     row.allowed(row.spellings.front())));
     source.fail(source.table("cam")->place, joined_key("cam", name_of(index)), "missing");
-}
-
-/// What an oscillating follower has no default for.
-bool has_default(DimensionIndex index) {
-    return index == DimensionIndex::offset || index == DimensionIndex::face_offset;
 }
 
 /// Forces have units of N where the follower translates and of N m where it swings.
@@ -79,7 +70,9 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
                        fmt::format("found \"{}\" for a cam of type \"disk\"; allowed: only with cam.type = "
                                    "\"cylindrical\"",
                                    word));
-    source.read_choice("cam", "follower", followers, cam.follower);
+    if (const auto given = source.find("cam", "follower"))
+        for (const Follower& row : followers)
+            if (given->value().text == row.name) cam.follower = row.type;
     source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);
     if (is_oscillating(cam.follower) != motion.lift_is_angle)
         source.fail_member(
@@ -94,13 +87,13 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
         const auto index = static_cast<DimensionIndex>(i);
         const bool owned = has_dimension(cam.follower, index);
         const auto given = source.find("cam", name_of(index));
-        if (given && !owned) refuse_dimension(source, *given, cam.follower, followers_with(index));
-        if (!given && owned && !has_default(index)) refuse_missing(source, cam.follower, index);
+        if (given && !owned) refuse_dimension(source, *given, cam, followers_with(index));
+        if (!given && owned && !is_offset(index)) refuse_missing(source, cam, index);
         if (given) cam[index] = given->dimension();
     }
     if (const auto width = source.find("cam", "face_half_width")) {
-        if (cam.follower != FollowerType::translating_flat)
-            refuse_dimension(source, *width, cam.follower, "\"translating_flat\"");
+        if (!follower_of(cam.follower).has_face_width)
+            refuse_dimension(source, *width, cam, followers_with_face_width());
         cam.face_half_width = width->number();
     }
     return cam;

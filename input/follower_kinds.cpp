@@ -24,21 +24,19 @@ void add_key(FollowerKind& kind, std::string_view table, std::string_view name) 
     }
 }
 
-const char* touched_with(FollowerType follower) {
-    if (has_roller(follower)) return "a roller";
-    return has_flat_face(follower) ? "a flat face" : "a knife edge";
+const char* touched_with(ContactKind contact) {
+    if (contact == ContactKind::roller) return "a roller";
+    return contact == ContactKind::flat ? "a flat face" : "a knife edge";
 }
 
 void add_disks(std::vector<FollowerKind>& all) {
-    for (const FollowerType follower :
-         {FollowerType::translating_roller, FollowerType::translating_knife, FollowerType::translating_flat,
-          FollowerType::oscillating_roller, FollowerType::oscillating_flat}) {
+    for (const Follower& follower : followers) {
         FollowerKind kind{
-            "disk", "cam.follower", name_of(follower), is_oscillating(follower), touched_with(follower), {}};
+            "disk", "cam.follower", follower.name, follower.oscillates, touched_with(follower.contact), {}};
         for (int i = 0; i < dimension_count; ++i)
-            if (const auto which = static_cast<DimensionIndex>(i); has_dimension(follower, which))
+            if (const auto which = static_cast<DimensionIndex>(i); follower.has(which))
                 add_key(kind, "cam", name_of(which));
-        if (follower == FollowerType::translating_flat) add_key(kind, "cam", "face_half_width");
+        if (follower.has_face_width) add_key(kind, "cam", "face_half_width");
         all.push_back(std::move(kind));
     }
 }

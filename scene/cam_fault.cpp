@@ -10,11 +10,6 @@
 namespace camopt {
 namespace {
 
-/// Offsets have a sign, lengths are positive.
-bool is_offset(DimensionIndex index) {
-    return index == DimensionIndex::offset || index == DimensionIndex::face_offset;
-}
-
 Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
     const Dimension& dimension = cam[index];
     const std::string member = fmt::format("cam.{}", name_of(index));
@@ -35,11 +30,11 @@ Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
 
 Fault face_fault(const CamSpec& cam) {
     if (!cam.face_half_width) return std::nullopt;
-    if (cam.follower != FollowerType::translating_flat)
+    if (!follower_of(cam.follower).has_face_width)
         return SceneFault{
             "cam.face_half_width",
             fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
-            "only with \"translating_flat\""};
+            "only with " + followers_with_face_width()};
     const Range range = Range::above(0.0);
     if (!range.contains(*cam.face_half_width))
         return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width),

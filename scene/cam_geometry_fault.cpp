@@ -33,13 +33,13 @@ const char* prime_name(const CamSpec& cam) {
 }
 
 Fault offset_fault(const CamSpec& cam) {
-    const Dimension& offset = cam[DimensionIndex::offset];
-    const double least = std::max({offset.low, -offset.high, 0.0});
+    const Dimension& given = cam[offset];
+    const double least = std::max({given.low, -given.high, 0.0});
     const double prime = cam[base_radius].high + cam[roller_radius].high;
     if (least < prime) return std::nullopt;
     return SceneFault{"cam.offset",
-                      fmt::format("an offset of {}", length_text(offset.low > 0.0 ? least : -least, offset)),
-                      fmt::format("less than {} to either side, the largest {}", length_text(prime, offset),
+                      fmt::format("an offset of {}", length_text(given.low > 0.0 ? least : -least, given)),
+                      fmt::format("less than {} to either side, the largest {}", length_text(prime, given),
                                   prime_name(cam))};
 }
 
@@ -79,17 +79,9 @@ Fault face_fault(const CamSpec& cam) {
 }  // namespace
 
 Fault cam_geometry_fault(const CamSpec& cam) {
-    switch (cam.follower) {
-        case FollowerType::translating_roller:
-        case FollowerType::translating_knife:
-            return offset_fault(cam);
-        case FollowerType::oscillating_roller:
-            return arm_fault(cam);
-        case FollowerType::oscillating_flat:
-            return face_fault(cam);
-        case FollowerType::translating_flat:
-            break;
-    }
+    if (has_dimension(cam.follower, offset)) return offset_fault(cam);
+    if (has_dimension(cam.follower, arm_length)) return arm_fault(cam);
+    if (has_dimension(cam.follower, face_offset)) return face_fault(cam);
     return std::nullopt;
 }
 

@@ -2,36 +2,20 @@
 // The cam of a scene and what its follower carries. SI units and radians.
 #pragma once
 
+#include "scene/follower.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
 
 namespace camopt {
 
-enum class FollowerType {
-    translating_roller,
-    translating_knife,
-    translating_flat,
-    oscillating_roller,
-    oscillating_flat
-};
 enum class Rotation { counterclockwise, clockwise };
 
-[[nodiscard]] const char* name_of(FollowerType value);
 [[nodiscard]] const char* name_of(Rotation value);
 /// σ: +1 counterclockwise, −1 clockwise.
 [[nodiscard]] constexpr double sense_of(Rotation rotation) {
     return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
-}
-/// An oscillating follower swings: its lift is an angle.
-[[nodiscard]] constexpr bool is_oscillating(FollowerType value) {
-    return value == FollowerType::oscillating_roller || value == FollowerType::oscillating_flat;
-}
-[[nodiscard]] constexpr bool has_roller(FollowerType value) {
-    return value == FollowerType::translating_roller || value == FollowerType::oscillating_roller;
-}
-[[nodiscard]] constexpr bool has_flat_face(FollowerType value) {
-    return value == FollowerType::translating_flat || value == FollowerType::oscillating_flat;
 }
 
 /// A dimension of the cam: a number, or a range in which the optimizer is free. m.
@@ -46,15 +30,6 @@ struct Dimension {
     [[nodiscard]] bool is_variable() const { return high > low; }
     [[nodiscard]] double middle() const { return 0.5 * (low + high); }
 };
-
-/// Index of a dimension wherever the dimensions of a cam stand in a row: vectors of values, of partials.
-enum class DimensionIndex { base_radius, roller_radius, offset, center_distance, arm_length, face_offset };
-inline constexpr int dimension_count = 6;
-[[nodiscard]] const char* name_of(DimensionIndex value);  ///< "base_radius", …
-/// Whether a follower of this type has this dimension at all.
-[[nodiscard]] bool has_dimension(FollowerType follower, DimensionIndex dimension);
-/// The followers that have it, as a message says it: "translating_roller" or "translating_knife", in quotes.
-[[nodiscard]] std::string followers_with(DimensionIndex dimension);
 
 /// A disk cam: cam centre at the origin, follower at the top (translating, lift along +y, axis at x = offset)
 /// or with its pivot at (center_distance, 0) (oscillating). Prime radius = base radius + roller radius.

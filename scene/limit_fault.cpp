@@ -54,14 +54,15 @@ Fault missing_table_fault(const Scene& scene) {
 /// The cam is there.
 Fault follower_fault(const Scene& scene) {
     const LimitSpec& limits = scene.limits;
-    const FollowerType follower = scene.cam->follower;
+    const auto follower = scene.cam->follower;
     if (limits.concave_radius_min && has_flat_face(follower))
         return SceneFault{"limits.concave_radius_min",
                           fmt::format("a concave radius for the follower \"{}\"", name_of(follower)),
                           "only with rollers and knife edges: a flat face touches no concave cam"};
     if (!limits.hertz_pressure_max) return std::nullopt;
-    if (follower == FollowerType::translating_knife)
-        return SceneFault{"limits.hertz_pressure_max", "a pressure for the follower \"translating_knife\"",
+    if (has_edge(follower))
+        return SceneFault{"limits.hertz_pressure_max",
+                          fmt::format("a pressure for the follower \"{}\"", name_of(follower)),
                           "only with rollers and flat faces: under an edge it is infinite"};
     if (!scene.forces->contact_width)
         return SceneFault{"limits.hertz_pressure_max", "a pressure without a contact width",

@@ -65,8 +65,8 @@ void add_torque(Rules& rules, const WrittenLimit& limit, const ForceSpec& force,
 /// presses.
 void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
                              const Shared& cam) {
-    const FollowerType follower = cam->cam.follower;
-    if (follower == FollowerType::translating_knife) {
+    const auto follower = cam->cam.follower;
+    if (has_edge(follower)) {
         throw InputError(limit.key +
                          ": found a limit on the Hertz pressure of a knife edge; allowed: a roller "
                          "or a flat face");
@@ -86,22 +86,22 @@ void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const Forc
             // 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
             if (!has_roller(own.follower)) {
                 const auto radius = quantity(own, state, Quantity::cam_radius);
-                if (own.follower == FollowerType::translating_flat) return sum(1.0, press, factor, radius);
+                if (has_pushed_face(own.follower)) return sum(1.0, press, factor, radius);
                 return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
             }
             const auto radius = product(quantity(own, state, Quantity::regularity),
                                         dimension(own, state, DimensionIndex::roller_radius));
             return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
         });
-    formula.linear = follower == FollowerType::translating_flat;
+    formula.linear = has_pushed_face(follower);
     formula.scale = pressure_scale;
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }
 
 /// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
 void add_height(Rules& rules, const Shared& cam, const std::string& key) {
-    const FollowerType follower = cam->cam.follower;
-    if (follower == FollowerType::translating_flat) return;
+    const auto follower = cam->cam.follower;
+    if (has_pushed_face(follower)) return;
     const double length = length_of(cam->cam);
     CamFormula formula = cam_formula(key, [length](const DiskCam& own, const auto& state) {
         return shifted(scaled(quantity(own, state, Quantity::pressure_denominator), -1.0 / length),

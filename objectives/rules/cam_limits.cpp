@@ -18,7 +18,7 @@ constexpr double least_face_turn = 1e-3;
 }  // namespace
 
 void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
-    if (cam->cam.follower != FollowerType::oscillating_flat) return;
+    if (!has_turning_face(cam->cam.follower)) return;
     CamFormula formula = cam_formula(key + " (face turns back)", [](const DiskCam& own, const auto& state) {
         return shifted(scaled(velocity(state), -sense_of(own.rotation)), least_face_turn - 1.0);
     });
@@ -28,9 +28,9 @@ void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
 }
 
 void add_regularity(Rules& rules, const Shared& cam, const std::string& key, double margin) {
-    if (cam->cam.follower == FollowerType::translating_knife) return;
+    if (has_edge(cam->cam.follower)) return;
     // Flat and translating: (base + s + s'')/base >= margin times base is linear in the base radius too.
-    const bool linear = cam->cam.follower == FollowerType::translating_flat;
+    const bool linear = has_pushed_face(cam->cam.follower);
     if (linear) {
         const double base = cam->cam[DimensionIndex::base_radius];
         CamFormula formula = cam_formula(key, [base, margin](const DiskCam& own, const auto& state) {
@@ -92,7 +92,7 @@ void add_flat_radius(Rules& rules, const Scene& scene, const Shared& cam) {
     CamFormula formula = cam_formula(limit->key, [base, least](const DiskCam& own, const auto& state) {
         return scaled(shifted(quantity(own, state, Quantity::cam_radius), -least), -1.0 / base);
     });
-    formula.linear = cam->cam.follower == FollowerType::translating_flat;
+    formula.linear = has_pushed_face(cam->cam.follower);
     formula.scale = least > 0.0 ? std::max(least_scale, least / base) : 1.0;
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }

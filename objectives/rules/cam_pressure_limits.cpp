@@ -85,7 +85,7 @@ bool pressure_is_convex(const CamVariables& cam, const PressureSide& side, doubl
     const double start = rest_position(cam.cam);
     const double low = start + cam.scale.lift * least;
     const double high = start + cam.scale.lift * most;
-    if (cam.cam.follower == FollowerType::oscillating_flat) return low >= -right_angle && high <= right_angle;
+    if (has_turning_face(cam.cam.follower)) return low >= -right_angle && high <= right_angle;
     const double limit = side.limit.value;
     if (side.sign > 0) return low >= limit - right_angle && high <= limit + right_angle;
     return low >= right_angle - limit && high <= 3.0 * right_angle - limit;
@@ -96,7 +96,7 @@ bool pressure_is_convex(const CamVariables& cam, const PressureSide& side, doubl
 SlopeRange pressure_slopes(const DiskCam& cam, const PressureSide& side) {
     using enum DimensionIndex;
     if (!is_oscillating(cam.follower) || side.at_rest) return {};
-    const bool roller = cam.follower == FollowerType::oscillating_roller;
+    const bool roller = has_roller(cam.follower);
     const double lever = roller ? cam[arm_length] : std::abs(cam[face_offset]);
     if (lever == 0.0) return {};
     const double reach = cam[center_distance] / lever *
@@ -135,7 +135,7 @@ void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side
 
 void add_pressure(Rules& rules, const Scene& scene, const Shared& cam) {
     const PressureLimits limits = pressure_limits(scene.limits);
-    if (!limits.stricter() || cam->cam.follower == FollowerType::translating_flat) return;
+    if (!limits.stricter() || has_pushed_face(cam->cam.follower)) return;
     // The upper side of tan φ = N/D belongs to the rise; an arm's rise turns the cam's way clockwise.
     const bool turned = is_oscillating(cam->cam.follower) && sense_of(cam->cam.rotation) < 0.0;
     const auto& upper = turned ? limits.back : limits.rise;

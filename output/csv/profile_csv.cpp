@@ -13,22 +13,23 @@ namespace {
 
 using units::degree, units::millimetre;
 
-std::string header(FollowerType follower) {
+std::string header(const Follower& follower) {
     return fmt::format(
         "theta_deg,{},pitch_x_mm,pitch_y_mm,cam_x_mm,cam_y_mm,normal_x,normal_y,pressure_angle_deg,"
         "pitch_radius_mm,cam_radius_mm,regularity{}\n",
-        is_oscillating(follower) ? "s_deg" : "s_mm", has_flat_face(follower) ? ",contact_offset_mm" : "");
+        follower.oscillates ? "s_deg" : "s_mm",
+        follower.contact == ContactKind::flat ? ",contact_offset_mm" : "");
 }
 
 }  // namespace
 
 std::string profile_csv(std::span<const ProfilePoint> points, std::span<const double> displacements,
-                        FollowerType follower) {
+                        const Follower& follower) {
     if (points.size() != displacements.size())
         throw InputError(
             fmt::format("profile.csv: {} points and {} displacements", points.size(), displacements.size()));
     std::string text = header(follower);
-    const double unit = is_oscillating(follower) ? degree : millimetre;
+    const double unit = follower.oscillates ? degree : millimetre;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const ProfilePoint& point = points[i];
         CsvLine line;
@@ -38,7 +39,7 @@ std::string profile_csv(std::span<const ProfilePoint> points, std::span<const do
         line.number(point.normal.x()).number(point.normal.y()).number(point.pressure_angle / degree);
         line.number(1.0 / (point.pitch_curvature * millimetre)).number(point.cam_radius / millimetre);
         line.number(point.regularity);
-        if (has_flat_face(follower)) line.number(point.contact_offset / millimetre);
+        if (follower.contact == ContactKind::flat) line.number(point.contact_offset / millimetre);
         text += line.finish();
     }
     return text;

@@ -17,6 +17,6 @@ namespace camopt {
 
 /// displacements: s of each point, m or rad. Throws InputError where their number differs from the points'.
 [[nodiscard]] std::string profile_csv(std::span<const ProfilePoint> points,
-                                      std::span<const double> displacements, FollowerType follower);
+                                      std::span<const double> displacements, const Follower& follower);
 
 }  // namespace camopt

@@ -60,7 +60,7 @@ std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& 
         const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
         displacements.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    return profile_csv(points, displacements, cam.follower);
+    return profile_csv(points, displacements, follower_of(cam.follower));
 }
 
 /// Where the report says that the extremes are: one source, so that both name the same angle where a

@@ -36,8 +36,7 @@ FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset,
 
 /// Half the width of a flat face that is pushed straight, where it is given.
 std::optional<double> FollowerDrawing::pushed_face() const {
-    const FollowerType follower = shape_.cam.follower;
-    if (!has_flat_face(follower) || is_oscillating(follower)) return std::nullopt;
+    if (!has_pushed_face(shape_.cam.follower)) return std::nullopt;
     return shape_.face_half_width;
 }
 

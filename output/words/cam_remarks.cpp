@@ -31,7 +31,7 @@ std::string degrees_at(const Solution& solution, double x) {
 std::string undercut_remark(const Solution& solution) {
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;
-    if (cam.cam.follower == FollowerType::translating_knife)
+    if (has_edge(cam.cam.follower))
         return "No undercut: a knife edge follows any pitch curve.";
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
     return fmt::format(

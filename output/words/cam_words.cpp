@@ -74,7 +74,7 @@ void add_geometry(Figures& figures, const CamReport& cam, bool returns) {
         figures.add("least concave radius of the cam", *summary.concave_radius, millimetre, "mm");
     if (has_flat_face(cam.cam.follower))
         figures.add("largest contact offset on the face", summary.contact_offset, millimetre, "mm");
-    if (cam.cam.follower != FollowerType::translating_knife)
+    if (!has_edge(cam.cam.follower))
         figures.add("least regularity (0: undercut)", summary.regularity, 1.0, "");
 }
 
@@ -95,7 +95,7 @@ void add_forces(Figures& figures, const CamReport& cam) {
 }  // namespace
 
 std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
-    const FollowerType follower = solution.scene.cam->follower;
+    const auto follower = solution.scene.cam->follower;
     std::vector<DimensionValue> all;
     for (int i = 0; i < dimension_count; ++i) {
         const auto which = static_cast<DimensionIndex>(i);

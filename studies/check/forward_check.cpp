@@ -99,7 +99,7 @@ class Simulation {
     }
     [[nodiscard]] Contact contact_at(double theta, bool whole) {
         const Turn turn(input_.cam, theta);
-        if (input_.cam.follower == FollowerType::translating_knife) return crossing(turn);
+        if (has_edge(input_.cam.follower)) return crossing(turn);
         if (!whole) {
             climb(turn);
             const Contact contact = refined(turn);

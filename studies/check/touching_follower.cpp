@@ -14,32 +14,23 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-10;        // of a length: a cut this deep is none
 constexpr double gaps_in_roller = 0.125;  // of its radius: between points this close a roller sinks by 0.2 %
 
+/// The height or the angle at which it rests on the circle of the base radius.
 double start_of(const DiskCam& cam) {
     using enum DimensionIndex;
     const double base = cam[base_radius], distance = cam[center_distance];
-    switch (cam.follower) {
-        case FollowerType::translating_flat:
-            return base;
-        case FollowerType::translating_knife:
-            return std::sqrt(base * base - cam[offset] * cam[offset]);
-        case FollowerType::translating_roller: {
-            const double prime = base + cam[roller_radius];
-            return std::sqrt(prime * prime - cam[offset] * cam[offset]);
-        }
-        case FollowerType::oscillating_roller: {
-            const double prime = base + cam[roller_radius], arm = cam[arm_length];
-            return std::acos((distance * distance + arm * arm - prime * prime) / (2.0 * distance * arm));
-        }
-        case FollowerType::oscillating_flat:
-            return std::asin((base + cam[face_offset]) / distance);
-    }
-    return 0.0;
+    const double prime = base + (has_roller(cam.follower) ? cam[roller_radius] : 0.0);
+    if (has_pushed_face(cam.follower)) return base;
+    if (!is_oscillating(cam.follower)) return std::sqrt(prime * prime - cam[offset] * cam[offset]);
+    if (has_turning_face(cam.follower)) return std::asin((base + cam[face_offset]) / distance);
+    const double arm = cam[arm_length];
+    return std::acos((distance * distance + arm * arm - prime * prime) / (2.0 * distance * arm));
 }
 
 }  // namespace
 
 TouchingFollower::TouchingFollower(const DiskCam& cam)
-    : type_(cam.follower),
+    : oscillates_(is_oscillating(cam.follower)),
+      flat_(has_flat_face(cam.follower)),
       roller_(has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0),
       offset_(cam[DimensionIndex::offset]),
       distance_(cam[DimensionIndex::center_distance]),
@@ -48,8 +39,8 @@ TouchingFollower::TouchingFollower(const DiskCam& cam)
       start_(start_of(cam)) {}
 
 double TouchingFollower::lift_on(const Vector2d& point) const {
-    if (type_ == FollowerType::translating_flat) return point.y();
-    if (!is_oscillating(type_)) {
+    if (!oscillates_ && flat_) return point.y();
+    if (!oscillates_) {
         const double across = point.x() - offset_, square = roller_ * roller_ - across * across;
         return square >= 0.0 ? point.y() + std::sqrt(square) : -infinity;
     }
@@ -57,26 +48,23 @@ double TouchingFollower::lift_on(const Vector2d& point) const {
     // upwards.
     const double away = std::hypot(distance_ - point.x(), point.y());
     const double point_angle = std::atan2(point.y(), distance_ - point.x());
-    if (type_ == FollowerType::oscillating_flat)
-        return away > std::abs(face_) ? point_angle + std::asin(face_ / away) : -infinity;
+    if (flat_) return away > std::abs(face_) ? point_angle + std::asin(face_ / away) : -infinity;
     const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
     return std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
 }
 
 StandingFollower TouchingFollower::standing_at(double lift) const {
-    if (type_ == FollowerType::translating_flat)
-        return {false, {0.0, lift}, {0.0, 1.0}, {0.0, 0.0}, rounding * lift};
+    if (!oscillates_ && flat_) return {false, {0.0, lift}, {0.0, 1.0}, {0.0, 0.0}, rounding * lift};
     const double square = roller_ * roller_ * (1.0 - rounding);
-    if (!is_oscillating(type_)) return {true, {offset_, lift}, {0.0, 0.0}, {0.0, 0.0}, square};
+    if (!oscillates_) return {true, {offset_, lift}, {0.0, 0.0}, {0.0, 0.0}, square};
     const Vector2d pivot(distance_, 0.0), arm(-std::cos(lift), std::sin(lift)), swing(arm.y(), -arm.x());
-    if (type_ == FollowerType::oscillating_flat)
-        return {false, pivot - face_ * swing, swing, arm, rounding * distance_};
+    if (flat_) return {false, pivot - face_ * swing, swing, arm, rounding * distance_};
     return {true, pivot + arm_ * arm, {0.0, 0.0}, {0.0, 0.0}, square};
 }
 
 double TouchingFollower::lever() const {
-    if (type_ == FollowerType::oscillating_roller) return arm_;
-    return type_ == FollowerType::oscillating_flat ? distance_ : 1.0;
+    if (!oscillates_) return 1.0;
+    return flat_ ? distance_ : arm_;
 }
 
 double TouchingFollower::widest_gap() const {

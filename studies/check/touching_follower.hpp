@@ -47,7 +47,7 @@ class TouchingFollower {
     [[nodiscard]] double widest_gap() const;
 
  private:
-    FollowerType type_;
+    bool oscillates_, flat_;
     double roller_, offset_, distance_, arm_, face_, start_;
 };
 

@@ -90,7 +90,7 @@ std::vector<double> translating_radii(const Scene& scene, const DiskCam& cam) {
 
 std::vector<double> oscillating_radii(const DiskCam& cam) {
     const double a = cam[center_distance];
-    const bool roller = cam.follower == FollowerType::oscillating_roller;
+    const bool roller = has_roller(cam.follower);
     const double arm = cam[arm_length];
     const double low = std::max(0.0, roller ? std::abs(a - arm) - cam[roller_radius] : -a - cam[face_offset]);
     const double high = roller ? a + arm - cam[roller_radius] : a - cam[face_offset];

@@ -73,7 +73,7 @@ ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForcedMot
     summary.largest_force = turn.largest(force);
     summary.torque =
         turn.largest([&](const Place& place) { return std::abs(force(place) * place.state.velocity); });
-    const bool presses = forces.contact_width && cam.follower != FollowerType::translating_knife;
+    const bool presses = forces.contact_width && !has_edge(cam.follower);
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
@@ -150,7 +150,7 @@ CamSummary cam_summary(const DiskCam& cam, const Motion& motion, const Scene& sc
         if (hollow.value < 0.0) summary.concave_radius = CamExtreme{roller - 1.0 / hollow.value, hollow.at};
     }
     summary.regularity = turn.least([](const Place& place) { return place.point.regularity; });
-    if (cam.follower == FollowerType::oscillating_flat) {
+    if (has_turning_face(cam.follower)) {
         const CamExtreme turning = least_turning(cam, turn);
         if (!(turning.value > 0.0)) set_turning_back(summary, turning);
     }

@@ -60,14 +60,15 @@ double least_coordinate(const Scene& scene, const GivenStroke& given, double off
     return std::max(least, 0.0);
 }
 
-bool is_translating_edge(FollowerType follower) {
-    return follower == FollowerType::translating_roller || follower == FollowerType::translating_knife;
+/// Pushed straight, by its roller or its edge: the pressure angle is that of the pitch curve.
+bool is_pushed_point(const DiskCam& cam) {
+    return !is_oscillating(cam.follower) && !has_flat_face(cam.follower);
 }
 
 /// What each stroke asks for; those without a limit are left out.
 std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const DiskCam& cam) {
     std::vector<SmallestCamReport> all;
-    if (!is_translating_edge(cam.follower)) return all;
+    if (!is_pushed_point(cam)) return all;
     const PressureLimits limits = pressure_limits(scene.limits);
     const double offset_seen = sense_of(cam.rotation) * cam[offset];
     for (const GivenStroke& stroke : strokes_of(scene.motion)) {
@@ -82,7 +83,7 @@ std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const Dis
 
 /// The largest cam within the ranges; none where the offset is free: its best value is another question.
 std::optional<DiskCam> largest_cam(const CamSpec& spec) {
-    if (!is_translating_edge(spec.follower) || spec[offset].is_variable()) return {};
+    if (!is_pushed_point(middle_cam(spec)) || spec[offset].is_variable()) return {};
     DiskCam cam = middle_cam(spec);
     for (const DimensionIndex which : {base_radius, roller_radius})
         cam.dimensions[static_cast<std::size_t>(which)] = spec[which].high;

@@ -52,7 +52,7 @@ Sample sample(FollowerType follower) {
 TEST(ProfileCsv, ColumnsFollowTheFollower) {
     for (const FollowerType follower : test::all_followers) {
         const auto [points, displacements] = sample(follower);
-        const auto lines = lines_of(profile_csv(points, displacements, follower));
+        const auto lines = lines_of(profile_csv(points, displacements, follower_of(follower)));
         EXPECT_EQ(lines.size(), points.size() + 1);
         const std::string& header = lines.front();
         EXPECT_EQ(header.find("s_deg") != std::string::npos, is_oscillating(follower));
@@ -65,7 +65,7 @@ TEST(ProfileCsv, ColumnsFollowTheFollower) {
 TEST(ProfileCsv, RowsAgreeWithEachOther) {
     const auto follower = FollowerType::translating_roller;
     const auto [points, displacements] = sample(follower);
-    const auto lines = lines_of(profile_csv(points, displacements, follower));
+    const auto lines = lines_of(profile_csv(points, displacements, follower_of(follower)));
     const auto first = numbers(lines[1]), last = numbers(lines.back());
     EXPECT_EQ(first[0], 0.0);
     EXPECT_NEAR(last[0], 360.0, 1e-12);
@@ -86,7 +86,7 @@ TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
     points[0].pitch_curvature = 0.0;
     points[0].cam_radius = HUGE_VAL;
     const auto cells =
-        numbers(lines_of(profile_csv(points, displacements, FollowerType::translating_knife))[1]);
+        numbers(lines_of(profile_csv(points, displacements, follower_of(FollowerType::translating_knife)))[1]);
     EXPECT_TRUE(std::isnan(cells[9]));
     EXPECT_TRUE(std::isnan(cells[10]));
     EXPECT_EQ(cells[11], 1.0);
@@ -95,7 +95,7 @@ TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
 TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
     auto [points, displacements] = sample(FollowerType::translating_flat);
     displacements.pop_back();
-    EXPECT_EQ(refusal([&] { (void)profile_csv(points, displacements, FollowerType::translating_flat); }),
+    EXPECT_EQ(refusal([&] { (void)profile_csv(points, displacements, follower_of(FollowerType::translating_flat)); }),
               "profile.csv: 97 points and 96 displacements");
 }
 

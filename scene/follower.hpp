@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The followers of a disk cam: one row each. Whoever lists followers, or asks what one of them is, reads the
+// rows; the formulas are in profiles/disk.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+enum class FollowerType {
+    translating_roller,
+    translating_knife,
+    translating_flat,
+    oscillating_roller,
+    oscillating_flat
+};
+
+/// What touches the cam.
+enum class ContactKind { roller, edge, flat };
+
+/// Index of a dimension wherever the dimensions of a cam stand in a row: vectors of values, of partials.
+enum class DimensionIndex { base_radius, roller_radius, offset, center_distance, arm_length, face_offset };
+inline constexpr int dimension_count = 6;
+[[nodiscard]] const char* name_of(DimensionIndex value);  ///< "base_radius", …
+/// Offsets may be negative, and are 0 where a scene does not give them; lengths are positive and must be
+/// given.
+[[nodiscard]] bool is_offset(DimensionIndex value);
+
+/// A dimension in a sum: sign · d.
+struct SignedDimension {
+    DimensionIndex dimension;
+    double sign;
+};
+
+struct Follower {
+    FollowerType type;
+    const char* name;
+    bool oscillates;  ///< it swings: its lift is an angle
+    ContactKind contact;
+    bool has_face_width;  ///< cam.face_half_width limits how far the contact may wander
+    std::array<bool, dimension_count> dimensions;  ///< by DimensionIndex: which it has
+
+    [[nodiscard]] constexpr bool has(DimensionIndex dimension) const {
+        return dimensions[static_cast<std::size_t>(dimension)];
+    }
+};
+
+/// Every follower, by FollowerType, in the order in which they are listed.
+// clang-format off
+inline constexpr std::array<Follower, 5> followers = {{
+    //                                                                                 base, roller, offset, centre, arm, face offset
+    {FollowerType::translating_roller, "translating_roller", false, ContactKind::roller, false, {true, true, true, false, false, false}},
+    {FollowerType::translating_knife, "translating_knife", false, ContactKind::edge, false, {true, false, true, false, false, false}},
+    {FollowerType::translating_flat, "translating_flat", false, ContactKind::flat, true, {true, false, false, false, false, false}},
+    {FollowerType::oscillating_roller, "oscillating_roller", true, ContactKind::roller, false, {true, true, false, true, true, false}},
+    {FollowerType::oscillating_flat, "oscillating_flat", true, ContactKind::flat, false, {true, false, false, true, false, true}},
+}};
+// clang-format on
+[[nodiscard]] constexpr const Follower& follower_of(FollowerType type) {
+    return followers[static_cast<std::size_t>(type)];
+}
+/// The cam can be built at rest where each of these sums is below 0.
+[[nodiscard]] std::vector<std::vector<SignedDimension>> reach_of(FollowerType type);
+
+[[nodiscard]] constexpr const char* name_of(FollowerType value) {
+    return follower_of(value).name;
+}
+[[nodiscard]] constexpr bool is_oscillating(FollowerType value) {
+    return follower_of(value).oscillates;
+}
+[[nodiscard]] constexpr bool has_roller(FollowerType value) {
+    return follower_of(value).contact == ContactKind::roller;
+}
+[[nodiscard]] constexpr bool has_edge(FollowerType value) {
+    return follower_of(value).contact == ContactKind::edge;
+}
+[[nodiscard]] constexpr bool has_flat_face(FollowerType value) {
+    return follower_of(value).contact == ContactKind::flat;
+}
+/// A flat face that is pushed straight: its pressure angle is 0 and its contact wanders with s'.
+[[nodiscard]] constexpr bool has_pushed_face(FollowerType value) {
+    return has_flat_face(value) && !is_oscillating(value);
+}
+/// A flat face on an arm: it may turn back on itself.
+[[nodiscard]] constexpr bool has_turning_face(FollowerType value) {
+    return has_flat_face(value) && is_oscillating(value);
+}
+/// Whether a follower of this type has this dimension at all.
+[[nodiscard]] constexpr bool has_dimension(FollowerType follower, DimensionIndex dimension) {
+    return follower_of(follower).has(dimension);
+}
+/// The followers that have it, as a message says it: "translating_roller" or "translating_knife", in quotes.
+[[nodiscard]] std::string followers_with(DimensionIndex dimension);
+/// The same of cam.face_half_width.
+[[nodiscard]] std::string followers_with_face_width();
+
+}  // namespace camopt
