@@ -16,7 +16,7 @@
 #include "output/surface/mesh_files.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -49,8 +49,7 @@ Solution solved(const ExportRequest& request) {
     std::vector<std::string> settings = request.settings;
     if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
     const Scene scene = load_scene(request.scene, settings);
-    const bool spatial =
-        scene.mechanism && (scene.mechanism->type == "barrel" || scene.mechanism->type == "cylindrical");
+    const bool spatial = scene.mechanism && is_spatial(*scene.mechanism);
     if (!scene.cam && !spatial)
         throw InputError(fmt::format("{}: export is for disk, barrel and cylindrical cams", request.scene));
     if (scene.cam && (request.csv || request.step || request.obj || request.picture))

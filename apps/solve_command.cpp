@@ -9,6 +9,7 @@
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"
@@ -26,16 +27,26 @@ namespace camopt::apps {
 
 namespace {
 
+/// The types of cams that are plane curves: "disk", "remote" and "inverse".
+std::string plane_types() {
+    std::vector<std::string> types;
+    for (const CamKind& kind : cam_kinds())
+        if (kind.is_plane_curve) types.push_back(fmt::format("\"{}\"", kind.type));
+    const std::string last = types.back();
+    types.pop_back();
+    return fmt::format("{} and {}", fmt::join(types, ", "), last);
+}
+
 Scene requested_scene(const SolveRequest& request) {
     std::vector<std::string> settings = request.settings;
     if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
     Scene scene = load_scene(request.scene, settings);
-    if (request.dxf && scene.mechanism && scene.mechanism->type != "remote" &&
-        scene.mechanism->type != "inverse")
-        throw InputError(fmt::format(
-            "--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with types "
-            "\"disk\", \"remote\" and \"inverse\"; `camopt export` writes its flanks and solid",
-            scene.mechanism->type));
+    if (request.dxf && scene.mechanism && !cam_kind(scene.mechanism->type)->is_plane_curve)
+        throw InputError(
+            fmt::format("--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with "
+                        "types {}; `camopt "
+                        "export` writes its flanks and solid",
+                        scene.mechanism->type, plane_types()));
     const bool has_cam = scene.cam || scene.mechanism;
     for (const auto& [given, option] :
          {std::pair(request.dxf, "--dxf"), std::pair(request.points.has_value(), "--points")})

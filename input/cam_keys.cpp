@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rows of the key table that have to do with a cam.
 #include "input/key_spellings.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 
 namespace camopt::input {
 namespace {
@@ -14,18 +15,33 @@ const Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
 constexpr auto needs_cam = Availability::needs_cam;
 constexpr auto needs_forces = Availability::needs_forces;
 
+std::vector<std::string_view> kinds_of_cams() {
+    std::vector<std::string_view> types;
+    for (const CamKind& kind : cam_kinds()) types.emplace_back(kind.type);
+    return types;
+}
+
+/// What cam.follower may say, over all kinds.
+std::vector<std::string_view> words_of_followers() {
+    std::vector<std::string_view> words;
+    for (const CamKind& kind : cam_kinds())
+        for (const CamVariant& variant : kind.variants)
+            if (kind.choosing_table == "cam" && kind.choosing_key == "follower")
+                words.emplace_back(variant.word);
+    return words;
+}
+
 }  // namespace
 
 // A row is read as a row.
 // clang-format off
 std::vector<KeyRow> cam_rows() {
-    std::vector<KeyRow> rows = {
-        {"cam", "type", text, plain, any, {"disk", "remote", "barrel", "cylindrical", "inverse"}, "required",
+    return {
+        {"cam", "type", text, plain, any, kinds_of_cams(), "required",
          "The kind of cam: a disk cam with its follower, one whose lever moves the output through a linkage, a barrel "
          "cam with its index, a cylindrical cam, an inverse cam with its feeder."},
         {"cam", "follower", text, plain, any,
-         {"translating_roller", "translating_flat", "translating_knife", "oscillating_roller",
-          "oscillating_flat", "rotating", "translating"},
+         words_of_followers(),
          "required",
          "`rotating` and `translating` are for cylindrical cams, the others for disks. "
          "What touches the cam. The lift of an oscillating or rotating follower is an angle, that of the others a length."},
@@ -51,16 +67,6 @@ std::vector<KeyRow> cam_rows() {
         {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
          "The sense in which the cam turns."},
     };
-    for (KeyRow& row : rows)
-        if (row.name == "follower")
-            row.cam_type = "disk|cylindrical";
-        else if (row.name == "center_distance" || row.name == "arm_length")
-            row.cam_type = "disk|barrel|cylindrical";
-        else if (row.name == "rotation")
-            row.cam_type = "disk|remote|barrel|cylindrical";
-        else if (row.name != "type" && row.name != "roller_radius")
-            row.cam_type = "disk";
-    return rows;
 }
 
 std::vector<KeyRow> force_rows() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "input/cam_reader.hpp"
 
+#include "input/mechanism_reader.hpp"
+#include "profiles/factory/cam_kinds.hpp"
+
 #include <fmt/format.h>
 
 namespace camopt::input {
@@ -48,6 +51,15 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
                            oscillating ? "oscillates" : "translates", allowed));
 }
 
+/// A follower of other kinds.
+std::string foreign_follower(const CamKind& own, const std::string& word) {
+    std::string types;
+    for (const CamKind& kind : cam_kinds())
+        if (kind.variant(word)) types += fmt::format("{}\"{}\"", types.empty() ? "" : " or ", kind.type);
+    return fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: only with cam.type = {}", word,
+                       own.type, types);
+}
+
 std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name) {
     const auto given = source.find("limits", name);
     if (!given) return std::nullopt;
@@ -62,27 +74,17 @@ std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_vi
 std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion) {
     const Node* table = source.table("cam");
     const auto type = source.find("cam", "type");
-    if (!table || !type || type->value().text != "disk") return std::nullopt;
+    const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
+    if (!table || !kind || kind->formulas) return std::nullopt;
     CamSpec cam;
     if (const auto given = source.find("cam", "follower"))
-        if (const std::string& word = given->value().text; word == "rotating" || word == "translating")
-            refuse_key(source, *given,
-                       fmt::format("found \"{}\" for a cam of type \"disk\"; allowed: only with cam.type = "
-                                   "\"cylindrical\"",
-                                   word));
+        if (const std::string& word = given->value().text; !kind->variant(word))
+            refuse_key(source, *given, foreign_follower(*kind, word));
     if (const auto given = source.find("cam", "follower"))
         for (const Follower& row : followers)
             if (given->value().text == row.name) cam.follower = row.type;
     source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);
-    if (is_oscillating(cam.follower) != motion.lift_is_angle)
-        source.fail_member(
-            "cam.follower",
-            fmt::format("found \"{}\" where the lift is {}", name_of(cam.follower),
-                        motion.lift_is_angle
-                            ? "an angle; allowed: an oscillating follower, or motion.lift_mm, "
-                              "motion.lift_in or motion.lift_m"
-                            : "a length; allowed: a translating follower, or motion.lift_deg or "
-                              "motion.lift_rad"));
+    check_lift(source, *kind, *kind->variant(name_of(cam.follower)), motion);
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
         const bool owned = has_dimension(cam.follower, index);

@@ -3,6 +3,7 @@
 
 #include "core/spelling_hint.hpp"
 #include "input/meaning_hint.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -57,12 +58,13 @@ class KeyCheck {
         if (given.row->table == "cam" && cam_type().empty()) return;
         source_.fail(given.member->place, key,
                      fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}",
-                                 given.row->cam_types('"')));
+                                 given.row->cam_types_text('"')));
     }
 
     /// What may stand in a table beside this type of cam; a [cam] without a type is taken for a disk cam.
     [[nodiscard]] std::vector<std::string> keys_of_this_cam(std::string_view table) const {
-        const std::string_view type = table == "cam" && cam_type().empty() ? "disk" : cam_type();
+        const std::string_view type =
+            table == "cam" && cam_type().empty() ? std::string_view(cam_kinds().front().type) : cam_type();
         std::vector<std::string> keys;
         for (const KeyRow& row : scene_keys()) {
             if (row.table != table || !row.is_for(type)) continue;

@@ -35,9 +35,9 @@ inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millim
 inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
 inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
 
-inline const Range any = {};
-inline const Range positive = Range::above(0.0);
-inline const Range not_negative = Range::at_least(0.0);
+using camopt::spellings::any;
+using camopt::spellings::not_negative;
+using camopt::spellings::positive;
 
 }  // namespace camopt::input::spellings
 
@@ -45,9 +45,6 @@ namespace camopt::input {
 
 /// Rows of [cam], [forces] and of what [objective] and [limits] say about a cam.
 [[nodiscard]] std::vector<KeyRow> cam_rows();
-[[nodiscard]] std::vector<KeyRow> remote_rows();
-[[nodiscard]] std::vector<KeyRow> spatial_rows();
-[[nodiscard]] std::vector<KeyRow> inverse_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 [[nodiscard]] std::vector<KeyRow> cam_limit_rows();

@@ -1,124 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "input/mechanism_reader.hpp"
 
-#include "core/units.hpp"
-#include "input/inverse_reader.hpp"
-#include "input/spatial_reader.hpp"
-#include "scene/remote_spec.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 
 #include <fmt/format.h>
 
 namespace camopt::input {
 namespace {
 
-using enum RemoteDimension;
-
-/// What a scene need not say.
-std::optional<double> default_of(RemoteDimension which) {
-    switch (which) {
-        case center_x:
-        case center_y:
-        case lever_angle:
-        case rocker_angle:
-            return 0.0;
-        case slider_angle:
-            return 90.0 * units::degree;
-        default:
-            return std::nullopt;
-    }
-}
-
-const KeyRow& row_of(RemoteDimension which) {
+const KeyRow* row_of(const CamNumber& number) {
     for (const KeyRow& row : scene_keys())
-        if (row.table == table_of(which) && row.name == name_of(which)) return row;
-    return scene_keys().front();
+        if (row.table == number.table && row.name == number.key) return &row;
+    return nullptr;
 }
 
-class RemoteReader {
+/// A scene's cam by what its kind says of itself.
+class MechanismReader {
  public:
-    explicit RemoteReader(const SceneSource& source) : source_(source) {
-        const auto given = source_.find("linkage", "type");
-        if (!given)
-            source_.fail(source_.table("cam")->place, "linkage",
-                         "missing; allowed: a [linkage] table for a cam of type \"remote\"");
-        source_.read_choice(
-            "linkage", "type",
-            {RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider, RemoteLinkage::lever_coupler_lever,
-             RemoteLinkage::lever_coupler_lever_coupler_slider},
-            linkage_);
-    }
+    MechanismReader(const SceneSource& source, const CamKind& kind)
+        : source_(source), kind_(kind), variant_(chosen()) {}
 
     [[nodiscard]] MechanismSpec read(const MotionSpec& motion) const {
-        if (output_swings(linkage_) != motion.lift_is_angle)
-            source_.fail_member(
-                "linkage.type",
-                fmt::format("found \"{}\" where the lift is {}", name_of(linkage_),
-                            motion.lift_is_angle
-                                ? "an angle; allowed: \"lever\" or \"lever_coupler_lever\", or "
-                                  "motion.lift_mm, motion.lift_in or motion.lift_m"
-                                : "a length; allowed: a linkage with a slider, or "
-                                  "motion.lift_deg or motion.lift_rad"));
-        MechanismSpec spec = remote_spec(linkage_);
-        source_.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise},
-                            spec.rotation);
-        for (int i = 0; i < remote_dimension_count; ++i)
-            read_one(static_cast<RemoteDimension>(i), spec.dimensions[static_cast<std::size_t>(i)].value);
-        read_text("cam", "pressure_angle_at", spec);
-        read_branch("lever_branch", has_dimension(linkage_, lever_arm), spec);
-        read_branch("rocker_branch", has_dimension(linkage_, second_coupler), spec);
+        check_lift(source_, kind_, variant_, motion);
+        if (kind_.only_drd && motion.type != MotionType::drd)
+            source_.fail_member("cam.type", fmt::format("found \"{}\" with the motion \"{}\"; allowed: the "
+                                                        "motion \"DRD\"",
+                                                        kind_.type, name_of(motion.type)));
+        MechanismSpec spec = variant_.spec();
+        if (kind_.has_rotation)
+            source_.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise},
+                                spec.rotation);
+        refuse_foreign();
+        for (const CamNumber& number : variant_.numbers)
+            if (number.owned)
+                read_one(number, motion.lift, spec.dimensions[static_cast<std::size_t>(number.index)].value);
+        for (const CamChoice& choice : variant_.choices)
+            if (const auto given = source_.find(choice.table, choice.key))
+                spec.choices[choice.key] = given->value().text;
         return spec;
     }
 
  private:
     const SceneSource& source_;
-    RemoteLinkage linkage_ = RemoteLinkage::lever;
+    const CamKind& kind_;
+    const CamVariant& variant_;
 
-    void read_one(RemoteDimension which, Dimension& target) const {
-        const char* const table = table_of(which);
-        const auto given = source_.find(table, name_of(which));
-        if (!has_dimension(linkage_, which)) {
-            if (given) refuse(*given);
-            return;
-        }
-        if (given) {
+    [[nodiscard]] const CamVariant& chosen() const {
+        if (kind_.choosing_key.empty()) return kind_.variants.front();
+        const auto given = source_.find(kind_.choosing_table, kind_.choosing_key);
+        if (!given && kind_.choosing_table != "cam")
+            source_.fail(source_.table("cam")->place, kind_.choosing_table,
+                         fmt::format("missing; allowed: a [{}] table for a cam of type \"{}\"",
+                                     kind_.choosing_table, kind_.type));
+        const std::string word = given ? given->value().text : std::string();
+        if (const CamVariant* const found = kind_.variant(word)) return *found;
+        std::string allowed;
+        for (const CamVariant& variant : kind_.variants)
+            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : " or ", variant.word);
+        source_.fail_member(
+            fmt::format("{}.{}", kind_.choosing_table, kind_.choosing_key),
+            fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word, kind_.type, allowed));
+    }
+    /// Keys of the other variants.
+    void refuse_foreign() const {
+        const auto refuse = [&](const auto& entry) {
+            const auto given = source_.find(entry.table, entry.key);
+            if (entry.owned || !given) return;
+            source_.fail(
+                given->member->place, joined_key(entry.table, given->member->name),
+                fmt::format("found a key that {} does not have; allowed: leave it out", variant_.spoken));
+        };
+        for (const CamNumber& number : variant_.numbers) refuse(number);
+        for (const CamChoice& choice : variant_.choices) refuse(choice);
+    }
+    void read_one(const CamNumber& number, double lift, Dimension& target) const {
+        if (const auto given = source_.find(number.table, number.key)) {
             target = given->dimension();
             return;
         }
-        const std::optional<double> value = default_of(which);
-        const KeyRow& row = row_of(which);
-        const Spelling& spelling = row.spellings.front();
-        const std::string key = joined_key(table, row.key(spelling));
-        if (!value)
-            source_.fail(source_.table(table)->place, key,
-                         fmt::format("missing for the linkage \"{}\"; allowed: {}", name_of(linkage_),
-                                     row.allowed(spelling)));
-        target = *value;
-        target.key = key;
-        target.unit = spelling.factor;
-    }
-    void read_text(const char* table, const char* name, MechanismSpec& spec) const {
-        if (const auto given = source_.find(table, name)) spec.choices[name] = given->value().text;
-    }
-    void read_branch(const char* name, bool owned, MechanismSpec& spec) const {
-        const auto given = source_.find("linkage", name);
-        if (given && !owned) refuse(*given);
-        read_text("linkage", name, spec);
-    }
-    [[noreturn]] void refuse(const Given& given) const {
-        source_.fail(given.member->place, joined_key(given.row->table, given.member->name),
-                     fmt::format("found a key that the linkage \"{}\" does not have; allowed: leave it out",
-                                 name_of(linkage_)));
+        const KeyRow* const row = row_of(number);
+        if (!number.value && row)
+            source_.fail(source_.table(number.table)->place,
+                         joined_key(number.table, row->key(row->spellings.front())),
+                         fmt::format("missing for {}; allowed: {}", variant_.spoken,
+                                     row->allowed(row->spellings.front())));
+        target = number.value.value_or(0.0) + number.per_lift * lift;
+        if (!row) return;
+        target.key = joined_key(number.table, row->key(row->spellings.front()));
+        target.unit = row->spellings.front().factor;
     }
 };
 
 }  // namespace
 
+void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant& variant,
+                const MotionSpec& motion) {
+    if (variant.swings == motion.lift_is_angle) return;
+    const std::string& allowed = motion.lift_is_angle ? kind.with_angle : kind.with_length;
+    source.fail_member(
+        kind.choosing_key.empty() ? "cam.type" : fmt::format("{}.{}", kind.choosing_table, kind.choosing_key),
+        fmt::format("found \"{}\" where the lift is {}; allowed: {}{}{}{}", variant.word,
+                    motion.lift_is_angle ? "an angle" : "a length", allowed, allowed.empty() ? "" : ", or ",
+                    motion.lift_is_angle ? "motion.lift_mm, motion.lift_in or motion.lift_m"
+                                         : "motion.lift_deg or motion.lift_rad",
+                    kind.lift_remark));
+}
+
 std::optional<MechanismSpec> read_mechanism(const SceneSource& source, const MotionSpec& motion) {
     const auto type = source.find("cam", "type");
-    if (!type || type->value().text == "disk") return std::nullopt;
-    if (type->value().text == "remote") return RemoteReader(source).read(motion);
-    if (type->value().text == "inverse") return read_inverse(source, motion);
-    return read_spatial(source, motion);
+    const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
+    if (!kind || !kind->formulas) return std::nullopt;
+    return MechanismReader(source, *kind).read(motion);
 }
 
 }  // namespace camopt::input

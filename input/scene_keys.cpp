@@ -2,6 +2,7 @@
 #include "input/scene_keys.hpp"
 
 #include "input/key_spellings.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 
 namespace camopt::input {
 namespace {
@@ -24,7 +25,7 @@ Rows top_level() {
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
         {"", "linkage", table, plain, any, {}, "no linkage",
          "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.",
-         Availability::needs_cam, {}, "remote"},
+         Availability::needs_cam},
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
@@ -158,15 +159,31 @@ Rows solver() {
 }
 // clang-format on
 
+Rows rows_of_kinds() {
+    Rows all;
+    for (const CamKind& kind : cam_kinds()) all.insert(all.end(), kind.rows.begin(), kind.rows.end());
+    return all;
+}
+
+/// Empty where it has nothing to do with a kind, or all have it.
+std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
+    std::vector<std::string_view> types;
+    for (const CamKind& kind : cam_kinds())
+        if (kind.knows(row.table, row.name)) types.emplace_back(kind.type);
+    if (types.size() == cam_kinds().size()) types.clear();
+    return types;
+}
+
 }  // namespace
 
 const std::vector<KeyRow>& scene_keys() {
     static const std::vector<KeyRow> rows = [] {
         Rows all;
-        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
-                                 reference(), cam_rows(), remote_rows(), spatial_rows(), inverse_rows(),
-                                 force_rows(), limits(), cam_limit_rows(), solver()})
+        for (const Rows& part :
+             {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
+              rows_of_kinds(), force_rows(), limits(), cam_limit_rows(), solver()})
             all.insert(all.end(), part.begin(), part.end());
+        for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
         return all;
     }();
     return rows;

@@ -101,6 +101,8 @@ class CamMechanism {
     [[nodiscard]] virtual int roller_radius() const = 0;
     /// Planar: it has a pitch curve with a curvature, and can be drawn.
     [[nodiscard]] virtual bool planar() const = 0;
+    /// The cam is the guide of a roller in the body that moves (profiles/inverse).
+    [[nodiscard]] virtual bool has_guide() const { return false; }
     /// A length by which geometry is made dimensionless, m.
     [[nodiscard]] virtual double length(std::span<const double> dimensions) const = 0;
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.

@@ -7,7 +7,7 @@
 #include "output/drawing/profile_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"

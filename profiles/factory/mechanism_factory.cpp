@@ -2,9 +2,7 @@
 #include "profiles/factory/mechanism_factory.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/inverse/inverse_mechanism.hpp"
-#include "profiles/remote/remote_cam.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -13,17 +11,10 @@ namespace camopt {
 void complete_mechanism(Scene& scene) {
     if (!scene.mechanism) return;
     MechanismSpec& spec = *scene.mechanism;
-    if (spec.type == "remote")
-        spec.formulas = std::make_shared<RemoteCam>(spec);
-    else if (spec.type == "barrel" || spec.type == "cylindrical")
-        spec.formulas = spatial_mechanism(spec);
-    else if (spec.type == "inverse")
-        spec.formulas = inverse_mechanism(spec);
-    else
-        throw InputError(
-            fmt::format("cam.type: found \"{}\"; allowed: \"disk\", \"remote\", \"barrel\", \"cylindrical\" "
-                        "or \"inverse\"",
-                        spec.type));
+    const CamKind* const kind = cam_kind(spec.type);
+    if (!kind || !kind->formulas)
+        throw InputError(fmt::format("cam.type: found \"{}\"; allowed: {}", spec.type, cam_types_text()));
+    spec.formulas = kind->formulas(spec);
     validate(scene);
 }
 

@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
-#include "scene/inverse_spec.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
 
 #include <fmt/format.h>
 #include <unsupported/Eigen/AutoDiff>
@@ -88,6 +88,7 @@ GuideNode node_at(std::span<const double> numbers, const FollowerState& output, 
 class InverseMechanism final : public CamMechanism {
  public:
     [[nodiscard]] std::string type() const override { return "inverse"; }
+    [[nodiscard]] bool has_guide() const override { return true; }
     [[nodiscard]] bool swings() const override { return false; }
     [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
     [[nodiscard]] int stations() const override { return station_count; }

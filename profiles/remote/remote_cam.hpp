@@ -12,12 +12,12 @@
 // φ turns from t, the way of the roller while the lever turns counterclockwise.
 // Numerator and denominator are given the sign that makes the denominator positive in this mechanism.
 // Frames and signs otherwise as in profiles/disk/disk_cam.hpp; coordinates are those of the scene.
-// Linkages, dimensions and branches: scene/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has the
-// words. Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
+// Linkages, dimensions and branches: profiles/remote/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has
+// the words. Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
 #pragma once
 
+#include "profiles/remote/remote_spec.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/remote_spec.hpp"
 
 #include <span>
 #include <string>

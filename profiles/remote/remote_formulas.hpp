@@ -10,7 +10,7 @@
 //   α₁ = −f_s/f_α,   α₂ = −(f_αα α₁² + 2 f_αs α₁ + f_ss)/f_α.
 #pragma once
 
-#include "scene/remote_spec.hpp"
+#include "profiles/remote/remote_spec.hpp"
 
 #include <array>
 #include <cmath>

@@ -28,8 +28,8 @@
 #pragma once
 
 #include "core/follower_state.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_spec.hpp"
-#include "scene/spatial_spec.hpp"
 
 #include <Eigen/Core>
 

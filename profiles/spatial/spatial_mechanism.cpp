@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_mechanism.hpp"
 
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
 

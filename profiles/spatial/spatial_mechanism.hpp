@@ -5,7 +5,7 @@
 // 2 k is flank +1, station 2 k + 1 flank −1 of height k. The pressure angle is the same on both flanks, and
 // cos φm V_u − sin φm |V_b| is linear in h, so that its limit holds everywhere where it holds at both ends:
 // it binds at two stations only. g binds at every station.
-// Dimensions in the order of SpatialNumber (scene/spatial_spec.hpp); m, rad.
+// Dimensions in the order of SpatialNumber (profiles/spatial/spatial_spec.hpp); m, rad.
 #pragma once
 
 #include "profiles/spatial/spatial_cam.hpp"

@@ -9,7 +9,7 @@
 namespace camopt {
 
 bool has_inverse_cam(const Solution& solution) {
-    return solution.mechanism && solution.mechanism->mechanism.formulas->type() == "inverse";
+    return solution.mechanism && solution.mechanism->mechanism.formulas->has_guide();
 }
 
 MechanismReport mechanism_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {

@@ -6,7 +6,7 @@
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_extremes.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
@@ -23,7 +23,7 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
 
 bool has_spatial_cam(const Solution& solution) {
     const auto& mechanism = solution.scene.mechanism;
-    return mechanism && (mechanism->type == "barrel" || mechanism->type == "cylindrical");
+    return mechanism && is_spatial(*mechanism);
 }
 
 SpatialCam solved_spatial_cam(const Solution& solution) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/inverse_spec.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "objectives/rules/mechanism_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
 #include "reference_machine.hpp"
-#include "scene/inverse_spec.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -31,6 +31,8 @@ inline constexpr int spatial_number_count = 7;
 /// A mechanism of this kind with every number at 0; type "barrel" or "cylindrical", the latter with the
 /// choice "follower" = "rotating" or "translating".
 [[nodiscard]] MechanismSpec spatial_spec(SpatialFollower follower);
+/// Whether it is such a mechanism.
+[[nodiscard]] bool is_spatial(const MechanismSpec& spec);
 /// Back again; throws InputError for a spec of another type.
 [[nodiscard]] SpatialFollower spatial_follower(const MechanismSpec& spec);
 

@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that have to do with a cam of type "remote" and its linkage.
-#include "input/key_spellings.hpp"
+#include "profiles/remote/remote_kind.hpp"
 
-namespace camopt::input {
+#include "core/units.hpp"
+#include "profiles/remote/remote_cam.hpp"
+#include "profiles/remote/remote_spec.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
 namespace {
 
 using enum KeyType;
 using namespace spellings;
 
-}  // namespace
+/// What a scene need not say.
+std::optional<double> default_of(RemoteDimension which) {
+    switch (which) {
+        case RemoteDimension::center_x:
+        case RemoteDimension::center_y:
+        case RemoteDimension::lever_angle:
+        case RemoteDimension::rocker_angle:
+            return 0.0;
+        case RemoteDimension::slider_angle:
+            return 90.0 * units::degree;
+        default:
+            return std::nullopt;
+    }
+}
 
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> remote_rows() {
-    std::vector<KeyRow> rows = {
+std::vector<KeyRow> rows() {
+    return {
         {"cam", "roller_arm", number_or_range, length, positive, {}, "required for remote",
          "From the lever's pivot to the roller's centre."},
         {"cam", "lever_pivot_x", number_or_range, length, any, {}, "required for remote",
@@ -60,9 +78,44 @@ std::vector<KeyRow> remote_rows() {
          "Angle of the swinging output (roller's arm, rocker's arm) at displacement 0, from +x; the lift turns it "
          "counterclockwise."},
     };
-    for (KeyRow& row : rows) row.cam_type = "remote";
-    return rows;
 }
 // clang-format on
 
-}  // namespace camopt::input
+CamVariant variant(RemoteLinkage linkage) {
+    CamVariant all{name_of(linkage),
+                   fmt::format("the linkage \"{}\"", name_of(linkage)),
+                   output_swings(linkage),
+                   "a roller",
+                   {},
+                   {},
+                   [linkage] { return remote_spec(linkage); }};
+    for (int i = 0; i < remote_dimension_count; ++i) {
+        const auto which = static_cast<RemoteDimension>(i);
+        all.numbers.push_back(
+            {table_of(which), name_of(which), has_dimension(linkage, which), default_of(which), 0.0, i});
+    }
+    all.choices = {{"cam", "pressure_angle_at"},
+                   {"linkage", "lever_branch", has_dimension(linkage, RemoteDimension::lever_arm)},
+                   {"linkage", "rocker_branch", has_dimension(linkage, RemoteDimension::second_coupler)}};
+    return all;
+}
+
+}  // namespace
+
+CamKind remote_kind() {
+    CamKind kind;
+    kind.type = "remote";
+    kind.choosing_table = "linkage";
+    kind.choosing_key = "type";
+    using enum RemoteLinkage;
+    for (const RemoteLinkage linkage :
+         {lever, lever_coupler_slider, lever_coupler_lever, lever_coupler_lever_coupler_slider})
+        kind.variants.push_back(variant(linkage));
+    kind.with_angle = "\"lever\" or \"lever_coupler_lever\"";
+    kind.with_length = "a linkage with a slider";
+    kind.rows = rows();
+    kind.formulas = [](const MechanismSpec& spec) { return std::make_shared<RemoteCam>(spec); };
+    return kind;
+}
+
+}  // namespace camopt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/inverse_spec.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that only inverse cams have.
-#include "input/key_spellings.hpp"
+#include "profiles/inverse/inverse_kind.hpp"
 
-namespace camopt::input {
+#include "profiles/inverse/inverse_mechanism.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
+
+namespace camopt {
 namespace {
 
 using enum KeyType;
 using namespace spellings;
 
-}  // namespace
-
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> inverse_rows() {
-    std::vector<KeyRow> rows = {
+std::vector<KeyRow> rows() {
+    return {
         {"cam", "roller_rest", number_or_range, length, not_negative, {}, "required for inverse",
          "Distance from the body's pivot at which the roller started from rest; from there its acceleration is "
          "constant."},
@@ -35,9 +35,35 @@ std::vector<KeyRow> inverse_rows() {
         {"cam", "feeder_start", number_or_range, length, any, {}, "required for inverse",
          "y of the feeder at displacement 0."},
     };
-    for (KeyRow& row : rows) row.cam_type = "inverse";
-    return rows;
 }
 // clang-format on
 
-}  // namespace camopt::input
+/// What a scene need not say.
+std::optional<double> default_of(InverseNumber number) {
+    if (number == InverseNumber::pin_angle || number == InverseNumber::rocker_pivot_y) return 0.0;
+    return std::nullopt;
+}
+
+}  // namespace
+
+CamKind inverse_kind() {
+    CamKind kind;
+    kind.type = "inverse";
+    CamVariant feeder{
+        kind.type, "an inverse cam", false, "a roller, in a guide of the moving body", {}, {}, [] {
+            return inverse_spec();
+        }};
+    for (int i = 0; i < inverse_number_count; ++i) {
+        const auto number = static_cast<InverseNumber>(i);
+        feeder.numbers.push_back({"cam", name_of_number(number), true, default_of(number), 0.0, i});
+    }
+    kind.variants = {feeder};
+    kind.lift_remark = ", the stroke of its feeder";
+    kind.has_rotation = false;
+    kind.only_drd = true;
+    kind.rows = rows();
+    kind.formulas = [](const MechanismSpec& spec) { return inverse_mechanism(spec); };
+    return kind;
+}
+
+}  // namespace camopt

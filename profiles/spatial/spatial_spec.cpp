@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/spatial_spec.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include "core/errors.hpp"
 
@@ -40,6 +40,10 @@ MechanismSpec spatial_spec(SpatialFollower follower) {
             {name_of_number(number), {}, number == SpatialNumber::start && swings(follower)});
     }
     return spec;
+}
+
+bool is_spatial(const MechanismSpec& spec) {
+    return spec.type == "barrel" || spec.type == "cylindrical";
 }
 
 SpatialFollower spatial_follower(const MechanismSpec& spec) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_kind.hpp"
+
+#include "scene/follower.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+namespace {
+
+const char* touched_with(ContactKind contact) {
+    if (contact == ContactKind::roller) return "a roller";
+    return contact == ContactKind::flat ? "a flat face" : "a knife edge";
+}
+
+CamVariant variant(const Follower& follower) {
+    CamVariant all;
+    all.word = follower.name;
+    all.spoken = fmt::format("the follower \"{}\"", follower.name);
+    all.swings = follower.oscillates;
+    all.touches_with = touched_with(follower.contact);
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto which = static_cast<DimensionIndex>(i);
+        CamNumber number{"cam", name_of(which), follower.has(which), {}, 0.0, i};
+        if (is_offset(which)) number.value = 0.0;
+        all.numbers.push_back(std::move(number));
+    }
+    all.numbers.push_back({"cam", "face_half_width", follower.has_face_width});
+    return all;
+}
+
+}  // namespace
+
+CamKind disk_kind() {
+    CamKind kind;
+    kind.type = "disk";
+    kind.choosing_table = "cam";
+    kind.choosing_key = "follower";
+    for (const Follower& follower : followers) kind.variants.push_back(variant(follower));
+    kind.with_angle = "an oscillating follower";
+    kind.with_length = "a translating follower";
+    return kind;
+}
+
+}  // namespace camopt

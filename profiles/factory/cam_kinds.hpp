@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The registry of kinds of cams: the one place that knows every kind. A new kind is its leaf and a line here.
+#pragma once
+
+#include "scene/cam_kind.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+/// In the order of the manual; a [cam] without a type is taken for the first.
+[[nodiscard]] std::span<const CamKind> cam_kinds();
+/// Null where there is no such kind.
+[[nodiscard]] const CamKind* cam_kind(std::string_view type);
+/// The types as a message lists them: "disk", … or "inverse".
+[[nodiscard]] std::string cam_types_text();
+
+}  // namespace camopt

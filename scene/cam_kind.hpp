@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What a kind of cam is to those who know no kind: the reader of scene files, its key table, its messages and
+// lists are driven by these descriptions. Each kind describes itself in its leaf (profiles/…); the registry
+// (profiles/factory/cam_kinds.hpp) knows them all.
+#pragma once
+
+#include "scene/key_row.hpp"
+#include "scene/mechanism_spec.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// A number of a variant, and where a scene file has it.
+struct CamNumber {
+    std::string table, key;  ///< "cam", "cylinder_radius"; no key: no scene file gives it
+    bool owned = true;       ///< false: the kind has such a key, this variant has not
+    /// SI, where a scene does not give it: value + per_lift · lift. None: it must be given.
+    std::optional<double> value = {};
+    double per_lift = 0.0;
+    int index = -1;  ///< of the dimension in the spec; -1: none
+};
+
+/// A word of a variant, kept under its key in MechanismSpec::choices.
+struct CamChoice {
+    std::string table, key;
+    bool owned = true;
+};
+
+/// A follower, a linkage: what a scene chooses among within a kind.
+struct CamVariant {
+    std::string word;    ///< "translating_roller", "lever"; of a kind with no choice its type
+    std::string spoken;  ///< as messages name it: the linkage "lever"
+    bool swings = false;
+    std::string touches_with;  ///< "a roller"
+    std::vector<CamNumber> numbers;
+    std::vector<CamChoice> choices;
+    std::function<MechanismSpec()> spec;  ///< every number at 0
+};
+
+struct CamKind {
+    std::string type;  ///< cam.type
+    /// The key whose word chooses the variant; empty: there is but one.
+    std::string choosing_table, choosing_key;
+    std::vector<CamVariant> variants;
+    /// What is allowed where the lift is an angle, a length, and does not fit; empty: no other variant does.
+    std::string with_angle, with_length;
+    std::string lift_remark;  ///< what its lift is, behind the keys of a length: ", the stroke of its feeder"
+    bool has_rotation = true;
+    bool only_drd = false;
+    bool is_plane_curve = true;  ///< a drawing can hold it
+    std::vector<KeyRow> rows;    ///< keys that no earlier kind has
+    /// The formulas of a spec; none: the kind has none behind CamMechanism.
+    std::function<std::shared_ptr<const CamMechanism>(const MechanismSpec&)> formulas;
+
+    /// Whether a scene with this kind may have the key.
+    [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;
+    /// The variant that a word chooses; null: none.
+    [[nodiscard]] const CamVariant* variant(std::string_view word) const;
+};
+
+}  // namespace camopt

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "scene/key_row.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace camopt {
+namespace {
+
+std::string joined_name(const KeyRow& row) {
+    return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
+}
+
+}  // namespace
+
+bool KeyRow::is_for(std::string_view type_of_cam) const {
+    return cam_types.empty() || std::ranges::find(cam_types, type_of_cam) != cam_types.end();
+}
+
+std::string KeyRow::cam_types_text(char quote) const {
+    std::string text;
+    for (const std::string_view type : cam_types)
+        text += fmt::format("{0}{1}{2}{1}", text.empty() ? "" : " or ", quote, type);
+    return text;
+}
+
+std::string KeyRow::choices_text() const {
+    std::string joined;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i > 0) joined += i + 1 < choices.size() ? ", " : " or ";
+        joined += type == KeyType::text ? fmt::format("\"{}\"", choices[i]) : std::string(choices[i]);
+    }
+    return joined;
+}
+
+std::string KeyRow::key(const Spelling& spelling) const {
+    return fmt::format("{}{}", name, spelling.suffix);
+}
+
+std::string KeyRow::allowed(const Spelling& spelling) const {
+    if (!choices.empty()) return choices_text();
+    const Range written = range.scaled(spellings.front().factor / spelling.factor);
+    switch (type) {
+        case KeyType::text:
+            return "a text in quotes";
+        case KeyType::boolean:
+            return "true or false";
+        case KeyType::integer:
+            return range.integer_text();
+        case KeyType::number:
+            return written.number_text();
+        case KeyType::number_or_range:
+            return written.number_text() + ", or a range { min = …, max = … }";
+        case KeyType::numbers:
+            return "an array of numbers";
+        case KeyType::table:
+            return fmt::format("a [{}] table", joined_name(*this));
+        case KeyType::tables:
+            return "an array of tables";
+        case KeyType::text_or_table:
+            return "a text in quotes or a table";
+        case KeyType::options:
+            break;
+    }
+    return fmt::format("a [{}] table", joined_name(*this));
+}
+
+}  // namespace camopt

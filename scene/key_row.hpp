@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// One key of a scene file: type, units, range, default, meaning. The rows of the scene itself stand in
+// input/, those of a kind of cam in its leaf (scene/cam_kind.hpp).
+#pragma once
+
+#include "core/range.hpp"
+#include "scene/spellings.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+enum class KeyType {
+    text,             ///< a string; one of `choices` where there are any
+    boolean,          ///< true or false
+    integer,          ///< an integer; one of `choices` where there are any
+    number,           ///< a finite number
+    number_or_range,  ///< a finite number, or a table of two: { min = …, max = … }
+    numbers,          ///< an array of finite numbers
+    table,            ///< a table with rows of its own
+    tables,           ///< an array of such tables
+    text_or_table,    ///< a string, or a table with rows of its own
+    options,          ///< a table of any keys with text, boolean or number values
+};
+
+/// What this version does with a key of the contract.
+enum class Availability {
+    now,
+    needs_cam,     ///< only together with a [cam] table
+    needs_forces,  ///< only together with a [forces] table
+};
+
+struct KeyRow {
+    std::string_view table;  ///< "motion", "objective.reference"; empty: top level
+    std::string_view name;   ///< without the unit: "lift"
+    KeyType type = KeyType::number;
+    std::span<const Spelling> spellings;    ///< never empty; exactly one of them may be written
+    Range range;                            ///< of numbers and integers, in the unit of the first spelling
+    std::vector<std::string_view> choices;  ///< allowed texts (or integers as text)
+    std::string_view default_text;          ///< "required" where there is none
+    std::string_view meaning;
+    Availability availability = Availability::now;
+    std::string_view instead_of = {};  ///< another key of the table that must not stand beside it
+    /// Only where cam.type is one of these; empty: whatever it is. Filled from the kinds of cams.
+    std::vector<std::string_view> cam_types = {};
+
+    [[nodiscard]] bool is_for(std::string_view type_of_cam) const;
+    /// The types it is for, each between two `quote`s: "disk" or "barrel".
+    [[nodiscard]] std::string cam_types_text(char quote) const;
+    [[nodiscard]] bool required() const { return default_text == "required"; }
+    [[nodiscard]] std::string key(const Spelling& spelling) const;  ///< "lift_mm"
+    /// What is allowed, as an error message says it, in the unit of the spelling.
+    [[nodiscard]] std::string allowed(const Spelling& spelling) const;
+    /// The choices as a message lists them: "a", "b" or "c".
+    [[nodiscard]] std::string choices_text() const;
+};
+
+namespace spellings {
+
+inline const Range any = {};
+inline const Range positive = Range::above(0.0);
+inline const Range not_negative = Range::at_least(0.0);
+
+}  // namespace spellings
+}  // namespace camopt
