@@ -11,8 +11,8 @@ namespace camopt {
 
 enum class FollowerType {
     translating_roller,
-    translating_knife,
     translating_flat,
+    translating_knife,
     oscillating_roller,
     oscillating_flat
 };
@@ -52,8 +52,8 @@ struct Follower {
 inline constexpr std::array<Follower, 5> followers = {{
     //                                                                                 base, roller, offset, centre, arm, face offset
     {FollowerType::translating_roller, "translating_roller", false, ContactKind::roller, false, {true, true, true, false, false, false}},
-    {FollowerType::translating_knife, "translating_knife", false, ContactKind::edge, false, {true, false, true, false, false, false}},
     {FollowerType::translating_flat, "translating_flat", false, ContactKind::flat, true, {true, false, false, false, false, false}},
+    {FollowerType::translating_knife, "translating_knife", false, ContactKind::edge, false, {true, false, true, false, false, false}},
     {FollowerType::oscillating_roller, "oscillating_roller", true, ContactKind::roller, false, {true, true, false, true, true, false}},
     {FollowerType::oscillating_flat, "oscillating_flat", true, ContactKind::flat, false, {true, false, false, true, false, true}},
 }};
