@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_peaks.hpp"
 
+#include "core/quadrature.hpp"
+#include "core/scalar_search.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +16,7 @@ namespace {
 
 /// The fastest wave in the catalogue is the torque of Freudenstein 1-3-5: 20 half waves in its one piece.
 constexpr int kCells = 256;
+constexpr int most_bisections = 200;  // far more than lead to neighbouring numbers
 /// Two peaks of one height differ by roundings only; the first of them is the one reported.
 constexpr double kSameHeight = 1e-13;
 /// A jump of y'' below this part of its peak is rounding, not an impulse.
@@ -73,20 +77,13 @@ class Piece {
 
     /// ∫ of the squares of y', y'', y''' over the piece.
     [[nodiscard]] std::array<double, 3> squares() const {
-        static const double inner = std::sqrt(5.0 - 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
-        static const double outer = std::sqrt(5.0 + 2.0 * std::sqrt(10.0 / 7.0)) / 3.0;
-        static const double inner_weight = (322.0 + 13.0 * std::sqrt(70.0)) / 900.0;
-        static const double outer_weight = (322.0 - 13.0 * std::sqrt(70.0)) / 900.0;
-        const std::array<double, 5> place_in_cell{-outer, -inner, 0.0, inner, outer};
-        const std::array<double, 5> weight{outer_weight, inner_weight, 128.0 / 225.0, inner_weight,
-                                           outer_weight};
         std::array<double, 3> sum{};
         for (int i = 0; i < kCells; ++i) {
             const double half = 0.5 * (place(i + 1) - place(i));
             const double middle = place(i) + half;
-            for (std::size_t k = 0; k < weight.size(); ++k) {
-                const LawDerivatives d = law_.derivatives(middle + half * place_in_cell[k]);
-                for (std::size_t r = 0; r < 3; ++r) sum[r] += weight[k] * half * d[r + 1] * d[r + 1];
+            for (const QuadraturePoint& point : gauss_legendre) {
+                const LawDerivatives d = law_.derivatives(middle + half * point.place);
+                for (std::size_t r = 0; r < 3; ++r) sum[r] += point.weight * half * d[r + 1] * d[r + 1];
             }
         }
         return sum;
@@ -99,11 +96,15 @@ class Piece {
     [[nodiscard]] static Side side(int i) { return i == kCells ? Side::left : Side::right; }
 
     [[nodiscard]] Extremum bisect(int cell, Quantity quantity, bool rising) const {
-        double low = place(cell), high = place(cell + 1);
-        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
-            ((pick(law_.derivatives(middle), quantity).slope > 0.0) == rising ? low : high) = middle;
-        }
-        return {pick(law_.derivatives(high, Side::left), quantity).value, high, Side::left};
+        const auto before = [&](double x) {
+            return (pick(law_.derivatives(x), quantity).slope > 0.0) == rising;
+        };
+        const double top =
+            bisected(before, {place(cell), place(cell + 1)}, most_bisections, [](const Border& now) {
+                const double middle = 0.5 * (now.with + now.without);
+                return !(now.with < middle && middle < now.without);
+            }).without;
+        return {pick(law_.derivatives(top, Side::left), quantity).value, top, Side::left};
     }
 
     const Law& law_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/profile_shape.hpp"
 
+#include "core/scalar_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,14 +21,9 @@ constexpr int cusp_bisections = 60;   // down to neighbouring numbers
 
 double crossing(const ProfileShape& shape, double left, double right) {
     const bool left_regular = shape.at(left).regularity > 0.0;
-    for (int i = 0; i < cusp_bisections; ++i) {
-        const double middle = 0.5 * (left + right);
-        if ((shape.at(middle).regularity > 0.0) == left_regular)
-            left = middle;
-        else
-            right = middle;
-    }
-    return 0.5 * (left + right);
+    const auto like_left = [&](double theta) { return (shape.at(theta).regularity > 0.0) == left_regular; };
+    const Border border = bisected(like_left, {left, right}, cusp_bisections);
+    return 0.5 * (border.with + border.without);
 }
 
 Vector2d in_cam_frame(const DiskCam& cam, const Vector2d& fixed, double theta) {

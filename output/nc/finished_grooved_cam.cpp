@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
 #include "output/nc/finished_cam.hpp"
 
 #include <Eigen/Geometry>
@@ -102,27 +103,12 @@ class GroovedCam final : public FinishedCam {
     }
     /// The least depth between the neighbours of pose i. It falls and rises once there: golden sections.
     [[nodiscard]] double depth_around(const Stand& stand, std::size_t i) const {
-        constexpr double part = 0.6180339887498949;
-        double low = angle(static_cast<int>(i > 0 ? i - 1 : i));
-        double high = angle(static_cast<int>(std::min(i + 1, lines_.size() - 1)));
-        const auto at = [&](double theta) { return depth_in(stand, line_at(theta)); };
-        double left = high - part * (high - low), right = low + part * (high - low);
-        double left_value = at(left), right_value = at(right);
-        for (int k = 0; k < sections; ++k) {
-            if (std::min(left_value, right_value) <= body_.enough) break;
-            if (left_value < right_value) {
-                high = right;
-                right = left;
-                right_value = left_value;
-                left_value = at(left = high - part * (high - low));
-            } else {
-                low = left;
-                left = right;
-                left_value = right_value;
-                right_value = at(right = low + part * (high - low));
-            }
-        }
-        return std::min({depth_in(stand, lines_[i]), left_value, right_value});
+        const double low = angle(static_cast<int>(i > 0 ? i - 1 : i));
+        const double high = angle(static_cast<int>(std::min(i + 1, lines_.size() - 1)));
+        const GoldenSection found = golden_maximum(
+            [&](double theta) { return -depth_in(stand, line_at(theta)); }, low, high, sections,
+            [&](const GoldenSection& section) { return -section.value() <= body_.enough; });
+        return std::min(depth_in(stand, lines_[i]), -found.value());
     }
 
     GroovedBody body_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep of the cutter against the points of the wanted surface.
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
 #include "output/nc/nc_check.hpp"
 
 #include <fmt/format.h>
@@ -88,25 +89,8 @@ class PointClearance {
         return golden(segment, low, high);
     }
     [[nodiscard]] double golden(std::size_t segment, double low, double high) const {
-        constexpr double part = 0.6180339887498949;
-        double left = high - part * (high - low), right = low + part * (high - low);
-        double left_value = at(segment, left), right_value = at(segment, right);
-        for (int k = 0; k < golden_sections; ++k) {
-            if (left_value < right_value) {
-                high = right;
-                right = left;
-                right_value = left_value;
-                left = high - part * (high - low);
-                left_value = at(segment, left);
-            } else {
-                low = left;
-                left = right;
-                left_value = right_value;
-                right = low + part * (high - low);
-                right_value = at(segment, right);
-            }
-        }
-        return std::min(left_value, right_value);
+        return -golden_maximum([&](double place) { return -at(segment, place); }, low, high, golden_sections)
+                    .value();
     }
 
     const Sweep& sweep_;

@@ -2,6 +2,7 @@
 #include "profiles/spatial/interference.hpp"
 
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
 #include "profiles/spatial/largest_along.hpp"
 
 #include <Eigen/Geometry>
@@ -51,9 +52,10 @@ class Sweep {
             const std::size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 1, depths.size() - 1);
             if (depths[k] < depths[before] || depths[k] < depths[after]) continue;
             if (depths[k] < -near_share * cutter_.radius) continue;
-            const double place = spatial_search::golden_maximum(
-                [&](double theta) { return cutter_.depth(axis_at(theta), point); },
-                {angles_[before], angles_[after]}, refining_sections);
+            const double place =
+                golden_maximum([&](double theta) { return cutter_.depth(axis_at(theta), point); },
+                               angles_[before], angles_[after], refining_sections)
+                    .place();
             const double depth = std::max(depths[k], cutter_.depth(axis_at(place), point));
             if (depth <= worst.depth) continue;
             worst.depth = depth;

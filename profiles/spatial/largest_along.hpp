@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/extremum.hpp"
+#include "core/scalar_search.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 
 #include <algorithm>
@@ -23,26 +24,6 @@ inline constexpr double end_share = 1e-12;  ///< ends are looked at from inside 
 struct Interval {
     double low = 0.0, high = 0.0;
 };
-
-/// The place of the maximum in an interval that holds one.
-template <class Function>
-[[nodiscard]] double golden_maximum(const Function& function, Interval in, int sections) {
-    static constexpr double golden = 0.6180339887498949;
-    double left = in.high - golden * (in.high - in.low), right = in.low + golden * (in.high - in.low);
-    double left_value = function(left), right_value = function(right);
-    for (int i = 0; i < sections; ++i) {
-        if (left_value > right_value) {
-            in.high = right;
-            right = std::exchange(left, right - golden * (right - in.low));
-            right_value = std::exchange(left_value, function(left));
-        } else {
-            in.low = left;
-            left = std::exchange(right, left + golden * (in.high - left));
-            left_value = std::exchange(right_value, function(right));
-        }
-    }
-    return left_value > right_value ? left : right;
-}
 
 /// Newton steps on the slope, both derivatives by fourth-order differences.
 template <class Function>
@@ -79,7 +60,8 @@ template <class Function>
         Extremum found{value, piece.low + highest * step};
         if (highest > 0 && highest < scan_steps) {
             const Interval around{found.at - step, found.at + step};
-            const double place = polished(function, golden_maximum(function, around, golden_sections), piece);
+            const double place = polished(
+                function, golden_maximum(function, around.low, around.high, golden_sections).place(), piece);
             if (const double refined = function(place); refined >= found.value) found = {refined, place};
         }
         // A piece that only repeats its neighbour's end by rounding does not count.

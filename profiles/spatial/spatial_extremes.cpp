@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_extremes.hpp"
 
+#include "core/scalar_search.hpp"
 #include "profiles/spatial/largest_along.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
@@ -57,8 +58,9 @@ SpatialExtreme least_undercut(const SpatialCam& cam, const FollowerMotion& motio
         }
     double height = heights.from + highest * step;
     if (highest > 0 && highest < height_steps)
-        height = spatial_search::golden_maximum([&](double place) { return worst(place).value; },
-                                                {height - step, height + step}, height_sections);
+        height = golden_maximum([&](double place) { return worst(place).value; }, height - step,
+                                height + step, height_sections)
+                     .place();
     else if (highest == height_steps)
         height = heights.to;
     const Extremum found = worst(height);
@@ -96,10 +98,8 @@ std::optional<SpatialExtreme> critical_center_distance(const SpatialCam& cam, co
         undercut -= step;
     }
     if (worst(undercut).value < 0.0) return std::nullopt;
-    for (int i = 0; i < bisections; ++i) {
-        const double middle = 0.5 * (regular + undercut);
-        (worst(middle).value < 0.0 ? regular : undercut) = middle;
-    }
+    const auto is_regular = [&](double value) { return worst(value).value < 0.0; };
+    undercut = bisected(is_regular, {regular, undercut}, bisections).without;
     return SpatialExtreme{undercut, worst(undercut).at, station.height};
 }
 

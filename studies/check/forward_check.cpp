@@ -3,6 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/check/touching_follower.hpp"
 
@@ -154,28 +155,16 @@ class Simulation {
 
     /// The largest lift between the neighbours of the highest place, by golden section.
     [[nodiscard]] Contact refined(const Turn& turn) const {
-        static constexpr double golden = 0.6180339887498949;
         const std::size_t before = previous(highest_), after = next(highest_);
         const double middle = parameters_[highest_];
         double low = before == highest_ ? middle : parameters_[before];
         double high = after == highest_ ? middle : parameters_[after];
         if (low > middle) low -= curve_.length();
         if (high < middle) high += curve_.length();
-        double left = high - golden * (high - low), right = low + golden * (high - low);
-        double left_lift = lift_at(turn, left), right_lift = lift_at(turn, right);
-        for (int i = 0; i < section_steps; ++i) {
-            if (left_lift > right_lift) {
-                high = right;
-                right = std::exchange(left, right - golden * (right - low));
-                right_lift = std::exchange(left_lift, lift_at(turn, left));
-            } else {
-                low = left;
-                left = std::exchange(right, left + golden * (high - left));
-                left_lift = std::exchange(right_lift, lift_at(turn, right));
-            }
-        }
+        const GoldenSection top = golden_maximum([&](double parameter) { return lift_at(turn, parameter); },
+                                                 low, high, section_steps);
         const double end_lift = lift_at(turn, middle);
-        const double lift = std::max({left_lift, right_lift, end_lift});
+        const double lift = std::max(top.value(), end_lift);
         return {lift, (before == highest_ || after == highest_) && lift == end_lift};
     }
 
@@ -188,12 +177,12 @@ class Simulation {
         for (std::size_t i = 0; i < count; ++i) {
             const double now = across(places_[i % places_.size()]);
             if (before && (*before > 0.0) != (now > 0.0)) {
-                double low = parameters_[i - 1], high = i < places_.size() ? parameters_[i] : curve_.length();
-                for (int k = 0; k < bisections; ++k) {
-                    const double middle = 0.5 * (low + high);
-                    ((across(curve_.at(middle)) > 0.0) == (*before > 0.0) ? low : high) = middle;
-                }
-                contact.lift = std::max(contact.lift, turn(curve_.at(low)).y());
+                const double end = i < places_.size() ? parameters_[i] : curve_.length();
+                const auto still_before = [&](double parameter) {
+                    return (across(curve_.at(parameter)) > 0.0) == (*before > 0.0);
+                };
+                const double last = bisected(still_before, {parameters_[i - 1], end}, bisections).with;
+                contact.lift = std::max(contact.lift, turn(curve_.at(last)).y());
             }
             before = now;
         }

@@ -2,6 +2,7 @@
 #include "studies/check/point_curve.hpp"
 
 #include "core/errors.hpp"
+#include "core/quadrature.hpp"
 
 #include <fmt/format.h>
 
@@ -106,17 +107,14 @@ void PointCurveOf<dimension>::set_chord_parameters() {
 
 template <int dimension>
 void PointCurveOf<dimension>::set_arc_parameters() {
-    // Gauss-Legendre with five points on [0, 1]: exact far beyond the quintic's own error.
-    static constexpr std::array<double, 5> places = {0.04691007703066800, 0.2307653449471585, 0.5,
-                                                     0.7692346550528415, 0.9530899229693320};
-    static constexpr std::array<double, 5> weights = {
-        0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945};
+    // Exact far beyond the quintic's own error.
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         double length = 0.0;
-        for (std::size_t k = 0; k < places.size(); ++k) {
+        for (const QuadraturePoint& point : gauss_legendre) {
+            const double place = 0.5 + 0.5 * point.place;
             Point slope = Point::Zero();
-            for (int power = 5; power > 0; --power) slope = slope * places[k] + power * pieces_[i].col(power);
-            length += weights[k] * slope.norm();
+            for (int power = 5; power > 0; --power) slope = slope * place + power * pieces_[i].col(power);
+            length += 0.5 * point.weight * slope.norm();
         }
         nodes_[i + 1] = nodes_[i] + length;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/needed_base.hpp"
 
+#include "core/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 
@@ -114,12 +115,10 @@ NeededBase needed_base(const Scene& scene, const DiskCam& cam, const Motion& mot
             below = radius;
             continue;
         }
-        double enough = radius;
-        for (int k = 0; k < most_bisections && enough - below > accuracy * enough; ++k) {
-            const double middle = 0.5 * (below + enough);
-            (judge.broken_at(middle).empty() ? enough : below) = middle;
-        }
-        return {enough, {}};
+        const Border border = bisected(
+            [&](double value) { return judge.broken_at(value).empty(); }, {radius, below}, most_bisections,
+            [](const Border& at) { return at.with - at.without <= accuracy * at.with; });
+        return {border.with, {}};
     }
     return {std::nullopt, broken};
 }

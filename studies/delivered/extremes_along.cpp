@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/extremes_along.hpp"
 
+#include "core/scalar_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +16,6 @@ namespace {
 // looked at closer.
 constexpr int samples = 24;
 constexpr int refinements = 60;
-constexpr double golden = 0.38196601125010515;
 // Between two samples a figure may rise above them by this many of its second differences there. A parabola
 // needs an eighth of one.
 constexpr double mistrust = 4.0;
@@ -24,24 +25,11 @@ constexpr double rounding = 1e-13;
 
 /// Golden section: a place to the root of rounding, a value to rounding.
 CamExtreme refined(const FigureAlong& figure, double left, double right) {
-    double a = left + golden * (right - left), b = right - golden * (right - left);
-    double at_a = figure(a, Side::right), at_b = figure(b, Side::right);
-    for (int k = 0; k < refinements && right - left > 0.0; ++k) {
-        if (at_a >= at_b) {
-            right = b;
-            b = a;
-            at_b = at_a;
-            a = left + golden * (right - left);
-            at_a = figure(a, Side::right);
-        } else {
-            left = a;
-            a = b;
-            at_a = at_b;
-            b = right - golden * (right - left);
-            at_b = figure(b, Side::right);
-        }
-    }
-    return at_a >= at_b ? CamExtreme{at_a, a} : CamExtreme{at_b, b};
+    // From right to left: of equal values the first is taken.
+    const auto at = [&](double mirrored) { return figure(-mirrored, Side::right); };
+    const GoldenSection top = golden_maximum(at, -right, -left, refinements,
+                                             [](const GoldenSection& now) { return !(now.high > now.low); });
+    return {top.value(), -top.place()};
 }
 
 struct Sample {

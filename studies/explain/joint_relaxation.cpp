@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/joint_relaxation.hpp"
 
+#include "core/scalar_search.hpp"
 #include "studies/explain/feasibility_question.hpp"
 #include "studies/explain/value_search.hpp"
 
@@ -75,12 +76,11 @@ class JointSearch {
             if (k == most_doublings || budget_.spent()) return 0.0;
             low = high;
         }
-        for (int k = 0; k < most_bisections && high - low > part_accuracy * high; ++k) {
-            if (budget_.spent()) break;
-            const double middle = 0.5 * (low + high);
-            (does(middle) ? high : low) = middle;
-        }
-        return high;
+        return bisected([&](double part) { return does(part); }, {high, low}, most_bisections,
+                        [&](const Border& now) {
+                            return now.with - now.without <= part_accuracy * now.with || budget_.spent();
+                        })
+            .with;
     }
     void keep_what_may_stay(double part) {
         for (int i = static_cast<int>(members_.size()) - 1; i >= 0 && members_.size() > 1; --i) {

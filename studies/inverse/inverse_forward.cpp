@@ -3,6 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 
 #include <fmt/format.h>
@@ -79,27 +80,13 @@ class Wall {
 
     [[nodiscard]] double distance_to(const Vector2d& center) {
         // Walk until the least distance lies inside the bracket, then narrow it down by the golden section.
-        constexpr double golden = 0.6180339887498949, narrow = 1e-9;  // relative: the distance is flat there
-        double low = near_ - reach_, high = near_ + reach_;
-        double a = high - golden * (high - low), b = low + golden * (high - low);
-        double at_a = gap(center, a), at_b = gap(center, b);
-        while (high - low > narrow * curve_.length()) {
-            if (at_a < at_b) {
-                high = b;
-                b = a;
-                at_b = at_a;
-                a = high - golden * (high - low);
-                at_a = gap(center, a);
-            } else {
-                low = a;
-                a = b;
-                at_a = at_b;
-                b = low + golden * (high - low);
-                at_b = gap(center, b);
-            }
-        }
-        last_ = 0.5 * (low + high);
-        return std::sqrt(std::min(at_a, at_b));
+        constexpr double narrow = 1e-9;  // relative: the distance is flat there
+        constexpr int many = 200;        // far more than that takes
+        const GoldenSection nearest = golden_maximum(
+            [&](double parameter) { return -gap(center, parameter); }, near_ - reach_, near_ + reach_, many,
+            [&](const GoldenSection& now) { return now.high - now.low <= narrow * curve_.length(); });
+        last_ = 0.5 * (nearest.low + nearest.high);
+        return std::sqrt(-nearest.value());
     }
 
     /// The next contact is searched around the last one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/barrel_optima.hpp"
 
+#include "core/scalar_search.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/flank_grid.hpp"
@@ -68,12 +69,11 @@ double largest_angle(const SpatialCam& cam, const FollowerMotion& motion) {
 /// The smallest distance of the axes at which the motion keeps the limit.
 double needed_distance(SpatialCam cam, const FollowerMotion& motion, double limit) {
     constexpr int bisections = 50;
-    double enough = most_distance, too_little = cam.roller_length + 50.0 * millimetre;
-    for (int i = 0; i < bisections; ++i) {
-        cam[SpatialDimension::center_distance] = 0.5 * (enough + too_little);
-        (largest_angle(cam, motion) <= limit ? enough : too_little) = cam[SpatialDimension::center_distance];
-    }
-    return enough;
+    const auto keeps = [&](double distance) {
+        cam[SpatialDimension::center_distance] = distance;
+        return largest_angle(cam, motion) <= limit;
+    };
+    return bisected(keeps, {most_distance, cam.roller_length + 50.0 * millimetre}, bisections).with;
 }
 
 PaperSeries angle_at_tip(const std::string& title, const SpatialCam& cam, const FollowerMotion& motion) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/spatial/flank_contact.hpp"
 
+#include "core/scalar_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +37,6 @@ FlankContact::FlankContact(const SpatialCam& follower, std::span<const Vector3d>
 }
 
 FlankContact::Nearest FlankContact::nearest(double theta, double s) {
-    static constexpr double golden = 0.6180339887498949;
     const RollerAxis axis = roller_axis(follower_, theta, s);
     const auto at_place = [&](std::size_t i) { return distance_from(follower_, axis, places_[i]); };
     const auto on_curve = [&](double parameter) {
@@ -49,21 +50,10 @@ FlankContact::Nearest FlankContact::nearest(double theta, double s) {
     while (place_ + 1 < places_.size() && at_place(place_ + 1) < at_place(place_)) ++place_;
     while (place_ > 0 && at_place(place_ - 1) < at_place(place_)) --place_;
     const std::vector<double>& nodes = curve_.nodes();
-    double low = nodes[place_ > 0 ? place_ - 1 : 0], high = nodes[std::min(place_ + 1, nodes.size() - 1)];
-    double left = high - golden * (high - low), right = low + golden * (high - low);
-    double left_distance = on_curve(left), right_distance = on_curve(right);
-    for (int i = 0; i < section_steps; ++i) {
-        if (left_distance < right_distance) {
-            high = right;
-            right = std::exchange(left, right - golden * (right - low));
-            right_distance = std::exchange(left_distance, on_curve(left));
-        } else {
-            low = left;
-            left = std::exchange(right, left + golden * (high - left));
-            left_distance = std::exchange(right_distance, on_curve(right));
-        }
-    }
-    const double end = at_place(place_), inner = std::min(left_distance, right_distance);
+    const double low = nodes[place_ > 0 ? place_ - 1 : 0],
+                 high = nodes[std::min(place_ + 1, nodes.size() - 1)];
+    const auto nearness = [&](double parameter) { return -on_curve(parameter); };
+    const double end = at_place(place_), inner = -golden_maximum(nearness, low, high, section_steps).value();
     const bool is_end = place_ == 0 || place_ + 1 == places_.size();
     return {std::min(end, inner), is_end && end <= inner};
 }

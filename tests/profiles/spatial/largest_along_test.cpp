@@ -45,7 +45,8 @@ TEST(LargestAlong, LooksAtEachPieceByItself) {
 
 TEST(LargestAlong, GoldenSectionsKeepTheLargerSide) {
     for (const double top : {0.05, 0.4, 0.95}) {
-        const auto place = golden_maximum([top](double at) { return -std::abs(at - top); }, {0.0, 1.0}, 40);
+        const auto place =
+            golden_maximum([top](double at) { return -std::abs(at - top); }, 0.0, 1.0, 40).place();
         EXPECT_NEAR(place, top, 1e-7);
     }
 }

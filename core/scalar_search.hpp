@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Searches along one number: the top of a function by golden sections, the border of a property by bisection.
+//
+// Nothing here allocates or throws; what the function throws passes through.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+namespace camopt {
+
+/// Where golden sections ended: the interval, the two places inside it and their values.
+struct GoldenSection {
+    double low = 0.0, high = 0.0;
+    double left = 0.0, right = 0.0;
+    double left_value = 0.0, right_value = 0.0;
+
+    /// The better of the two places.
+    [[nodiscard]] double place() const { return left_value > right_value ? left : right; }
+    [[nodiscard]] double value() const { return std::max(left_value, right_value); }
+};
+
+/// Narrows [low, high], which holds one top of `function`, by 0.618 a section, until `sections` are done or
+/// `enough(GoldenSection)` says so. A place is known to the root of the function's rounding, its value to
+/// rounding. For a least value search −function.
+template <class Function, class Enough>
+[[nodiscard]] GoldenSection golden_maximum(const Function& function, double low, double high, int sections,
+                                           const Enough& enough) {
+    constexpr double golden = 0.6180339887498949;
+    GoldenSection at{low, high, high - golden * (high - low), low + golden * (high - low), 0.0, 0.0};
+    at.left_value = function(at.left);
+    at.right_value = function(at.right);
+    for (int k = 0; k < sections && !enough(std::as_const(at)); ++k) {
+        if (at.left_value > at.right_value) {
+            at.high = at.right;
+            at.right = std::exchange(at.left, at.right - golden * (at.right - at.low));
+            at.right_value = std::exchange(at.left_value, function(at.left));
+        } else {
+            at.low = at.left;
+            at.left = std::exchange(at.right, at.left + golden * (at.high - at.left));
+            at.left_value = std::exchange(at.right_value, function(at.right));
+        }
+    }
+    return at;
+}
+
+template <class Function>
+[[nodiscard]] GoldenSection golden_maximum(const Function& function, double low, double high, int sections) {
+    return golden_maximum(function, low, high, sections, [](const GoldenSection&) { return false; });
+}
+
+/// Two numbers between which a property changes.
+struct Border {
+    double with = 0.0;     ///< it holds here
+    double without = 0.0;  ///< and not here
+};
+
+/// Halves the border of a property that holds at `with` and not at `without`, until `steps` are done or
+/// `enough(Border)` says so. 60 steps lead to neighbouring numbers from any interval of their own size.
+template <class Property, class Enough>
+[[nodiscard]] Border bisected(const Property& holds, Border border, int steps, const Enough& enough) {
+    for (int k = 0; k < steps && !enough(std::as_const(border)); ++k) {
+        const double middle = 0.5 * (border.with + border.without);
+        (holds(middle) ? border.with : border.without) = middle;
+    }
+    return border;
+}
+
+template <class Property>
+[[nodiscard]] Border bisected(const Property& holds, Border border, int steps) {
+    return bisected(holds, border, steps, [](const Border&) { return false; });
+}
+
+}  // namespace camopt
