@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random roller cams whose undercut limit is not convex: what is delivered keeps every limit, and more starts
 // do not find anything better.
-#include "tests/studies/cam_scenes.hpp"
 #include "studies/solve/solve.hpp"
+#include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>
 
