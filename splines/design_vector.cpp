@@ -127,11 +127,20 @@ AffineRow DesignVector::functional(double x, int order, Side side) const {
     return functional_of(maps_[segment], x - space_.breakpoints()[segment], order);
 }
 
+Eigen::VectorXd LocalMap::polynomial(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd result(offset.size());
+    for (Eigen::Index m = 0; m < result.size(); ++m) {
+        long double sum = offset[m];
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            sum += static_cast<long double>(matrix(m, static_cast<Eigen::Index>(k))) * x[columns[k]];
+        result[m] = static_cast<double>(sum);
+    }
+    return result;
+}
+
 SplineCurve DesignVector::curve(const Eigen::VectorXd& x) const {
     Eigen::MatrixXd pieces(space_.degree() + 1, space_.segments());
-    for (int i = 0; i < space_.segments(); ++i) {
-        pieces.col(i) = maps_[i].offset + maps_[i].matrix * x(maps_[i].columns);
-    }
+    for (int i = 0; i < space_.segments(); ++i) pieces.col(i) = maps_[i].polynomial(x);
     return {space_, std::move(pieces)};
 }
 

@@ -78,6 +78,10 @@ struct LocalMap {
     std::vector<int> columns;
     Eigen::MatrixXd matrix;  ///< (degree + 1) x columns
     Eigen::VectorXd offset;  ///< degree + 1
+
+    /// offset + matrix · x[columns], added up in more digits than a double has: on a segment of width h the
+    /// displacements of its ends, nearly equal, meet with weights of 1/h³ and more.
+    [[nodiscard]] Eigen::VectorXd polynomial(const Eigen::VectorXd& x) const;
 };
 
 struct Equality {

@@ -116,9 +116,7 @@ SplineCurve MotionFamily::run_curve(int run, const Eigen::VectorXd& x) const {
     const Run& own = runs_[run];
     const SplineSpace& space = own.design.space();
     Eigen::MatrixXd pieces(space.degree() + 1, space.segments());
-    for (int i = 0; i < space.segments(); ++i) {
-        pieces.col(i) = own.maps[i].offset + own.maps[i].matrix * x(own.maps[i].columns);
-    }
+    for (int i = 0; i < space.segments(); ++i) pieces.col(i) = own.maps[i].polynomial(x);
     return {space, std::move(pieces)};
 }
 

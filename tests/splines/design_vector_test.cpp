@@ -132,6 +132,30 @@ TEST(DesignVector, RowsOfOrdinatesSayWhatTheCurveDoes) {
     }
 }
 
+/// Displacements of nearly 1 meet there with weights of 10 / h³: what is left of their difference must not be
+/// rounding.
+TEST(DesignVector, ANarrowSegmentEndsAtRest) {
+    constexpr double narrow = 6.5e-4;
+    for (const int degree : {3, 5}) {
+        DesignRequest request = rise(DesignKind::states, degree, 12);
+        request.space = SplineSpace(degree, 2, {0.0, 0.2, 0.45, 0.7, 1.0 - narrow, 1.0});
+        const DesignVector design = DesignVector::make(request);
+        Eigen::VectorXd x(design.size());
+        for (int j = 0; j < design.size(); ++j) {
+            const double at = request.space.breakpoints()[static_cast<std::size_t>(1 + j / 3)];
+            const double left = 1.0 - at;
+            x[j] = j % 3 == 0   ? at * at * at * (10.0 - at * (15.0 - 6.0 * at))
+                   : j % 3 == 1 ? 30.0 * at * at * left * left
+                                : 60.0 * at * left * (1.0 - 2.0 * at);
+        }
+        const SplineCurve curve = design.curve(x);
+        EXPECT_NEAR(curve.derivative(1.0, 2, Side::left), 0.0, 1e-9) << degree;
+        if (degree == 5) {
+            EXPECT_NEAR(curve.derivative(1.0, 1, Side::left), 0.0, 1e-13);
+        }
+    }
+}
+
 TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
     for (const DesignKind kind : kinds) {
         for (const int degree : {3, 5}) {
