@@ -52,6 +52,10 @@ void MotionFamily::add_pieces() {
                 pieces_.push_back({space.breakpoints()[i] - stretch.shift,
                                    space.breakpoints()[i + 1] - stretch.shift, s, i});
             }
+            // There and back by the shift is not exact, and a place beyond the end by the last digit is one
+            // of the next stretch.
+            pieces_[pieces_.size() - static_cast<std::size_t>(last - first + 1)].begin = stretch.begin;
+            pieces_.back().end = stretch.end;
         }
     }
     for (const Piece& piece : pieces_) piece_begins_.push_back(piece.begin);

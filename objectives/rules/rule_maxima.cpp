@@ -62,9 +62,10 @@ class RuleOnSpline {
 };
 
 std::vector<Extremum> candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
-                                           int segment, double shift) {
-    std::vector<Extremum> found = candidates_on_segment(curve.space(), segment, polynomial);
-    for (Extremum& candidate : found) candidate.at -= shift;
+                                           const MotionFamily::Piece& piece, double shift) {
+    std::vector<Extremum> found = candidates_on_segment(curve.space(), piece.segment, polynomial);
+    // Not into the next piece by rounding.
+    for (Extremum& candidate : found) candidate.at = std::clamp(candidate.at - shift, piece.begin, piece.end);
     return found;
 }
 
@@ -179,7 +180,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
             const Eigen::VectorXd polynomial = on_spline.along(curve, piece.segment);
             if (polynomial.size() > 0) {
-                append(candidates, candidates_on_spline(curve, polynomial, piece.segment, stretch.shift));
+                append(candidates, candidates_on_spline(curve, polynomial, piece, stretch.shift));
             } else {
                 curved.add({{piece.begin, piece.end}, curve.derivative_polynomial(piece.segment, 0)},
                            candidates);

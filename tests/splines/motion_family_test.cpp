@@ -154,5 +154,26 @@ TEST(MotionFamily, RefusesDisplacementsThatContradict) {
               "a family of motions: found no stretch; allowed: one or more");
 }
 
+/// A run across the end is shifted there and back: by the last digit its pieces ended in the shape behind.
+TEST(MotionFamily, EveryPieceLiesInItsOwnStretch) {
+    std::mt19937 random(5);
+    const auto length = [&] { return 0.1 + static_cast<double>(random() % 1000) / 97.0; };
+    for (int trial = 0; trial < 300; ++trial) {
+        const double a = length(), b = a + length(), c = b + length(), d = c + length(), e = d + length();
+        FamilyRequest request{5, 2, DesignKind::states, {}, true, false};
+        request.stretches = {spline(0, a, 4, 1.0), spline(a, b, 4, 0.0), shape(b, c, 0.5),
+                             spline(c, d, 4, 0.75), spline(d, e, 4, {})};
+        const MotionFamily family = MotionFamily::make(request);
+        for (int k = 0; k < static_cast<int>(family.pieces().size()); ++k) {
+            const MotionFamily::Piece& piece = family.pieces()[static_cast<std::size_t>(k)];
+            const MotionFamily::Stretch& own = family.stretches()[static_cast<std::size_t>(piece.stretch)];
+            ASSERT_EQ(family.piece_of(piece.begin, Side::right), k) << trial;
+            ASSERT_EQ(family.piece_of(piece.end, Side::left), k) << trial;
+            ASSERT_GE(piece.begin, own.begin) << trial;
+            ASSERT_LE(piece.end, own.end) << trial;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace camopt

@@ -169,5 +169,27 @@ TEST(Program, APressureAngleHoldsOverTheWholeTurn) {
     EXPECT_LE(sized.cam->summary.pressure_angle.value, limit * (1 + 1e-7));
 }
 
+/// Quintics of the same continuity hold every cubic. A row of the last spline before the law was one of the
+/// law, and "proved" that the jerk limit cannot be kept.
+TEST(Program, OfQuinticsIsNoWorseThanOfCubicsBesideALaw) {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    constexpr double degree = 3.14159265358979323846 / 180.0;
+    scene.motion.segments = {{SegmentKind::spline, 97 * degree, {}, 0.75},
+                             {SegmentKind::spline, 107 * degree, {}, 0.0},
+                             {SegmentKind::law, 67 * degree, "polynomial_345", 0.5},
+                             {SegmentKind::spline, 64 * degree, {}, 0.75},
+                             {SegmentKind::spline, 25 * degree, {}, {}}};
+    scene.spline.segments = 6;
+    scene.objective.jerk = 1.0;
+    const Solution cubic = solve(scene);
+    ASSERT_EQ(cubic.certificate.verdict, Verdict::optimal);
+    scene.spline.degree = 5;
+    scene.spline.continuity = 2;
+    const Solution quintic = solve(scene);
+    ASSERT_EQ(quintic.certificate.verdict, Verdict::optimal);
+    EXPECT_LE(quintic.certificate.objective, cubic.certificate.objective * (1.0 + 1e-7));
+}
+
 }  // namespace
 }  // namespace camopt
