@@ -25,14 +25,12 @@ constexpr double least_error = 1e-15, most_error = 1.0;
 constexpr double least_seconds = 1e-4, most_seconds = 100.0;
 
 const char* page_style =
-    "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
-    ".title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
-    ".caption{font-size:14px;font-weight:600;fill:#111}.count{font-size:12px;fill:#444}"
-    ".legend{font-size:12px;fill:#222}.mark{stroke-width:1.4;fill-opacity:.6}"
-    ".s0{stroke:#7fbde6;fill:#7fbde6}.s1{stroke:#0072b2;fill:#0072b2}.s2{stroke:#003a5c;fill:#003a5c}"
-    ".s3{stroke:#d55e00;fill:#d55e00}.s4{stroke:#e69f00;fill:#e69f00}.s5{stroke:#009e73;fill:#009e73}"
-    ".s6{stroke:#cc79a7;fill:#cc79a7}.s7{stroke:#7a5cc4;fill:#7a5cc4}.s8{stroke:#333;fill:#333}.s9{stroke:#"
-    "c0a000;fill:#c0a000}"
+    ".count{font-size:12px;fill:#444}.legend{font-size:12px;fill:#222}"
+    ".mark{stroke-width:1.4;fill-opacity:.6}.s0{stroke:#7fbde6;fill:#7fbde6}"
+    ".s1{stroke:#0072b2;fill:#0072b2}.s2{stroke:#003a5c;fill:#003a5c}"
+    ".s3{stroke:#d55e00;fill:#d55e00}.s4{stroke:#e69f00;fill:#e69f00}"
+    ".s5{stroke:#009e73;fill:#009e73}.s6{stroke:#cc79a7;fill:#cc79a7}"
+    ".s7{stroke:#7a5cc4;fill:#7a5cc4}.s8{stroke:#333;fill:#333}.s9{stroke:#c0a000;fill:#c0a000}"
     ".mark.hollow{fill:none}.target{stroke:#888;stroke-width:1;stroke-dasharray:4 4}";
 
 struct Mark {
@@ -161,7 +159,7 @@ void draw_legend(SvgCanvas& canvas, double left, double top, std::span<const Cam
 }  // namespace
 
 std::string cam_error_against_time_svg(std::span<const CamMeasurement> rows, const std::string& machine) {
-    SvgCanvas canvas(page_width, page_height, std::string(page_style) + std::string(plot_frame_style()),
+    SvgCanvas canvas(page_width, page_height, page_style,
                      "Scenes with a cam: error of the objective against run time");
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(36, 42, "Scenes with a cam: error of the objective against run time", "title");

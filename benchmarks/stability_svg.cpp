@@ -22,15 +22,12 @@ constexpr double least_error = 1e-17, most_error = 1e-2;
 constexpr double least_condition = 1.0, most_condition = 1e16;
 
 const char* page_style =
-    "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
-    ".title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
-    ".caption{font-size:14px;font-weight:600;fill:#111}.label{font-size:13px;fill:#222;text-anchor:end}"
-    ".count{font-size:12px;fill:#444}.legend{font-size:12px;fill:#222}.mark{stroke-width:1.2;fill-opacity:."
-    "45}"
+    ".label{font-size:13px;fill:#222;text-anchor:end}.count{font-size:12px;fill:#444}"
+    ".legend{font-size:12px;fill:#222}.mark{stroke-width:1.2;fill-opacity:.45}"
     ".structured{stroke:#0072b2;fill:#0072b2}.ipopt{stroke:#d55e00;fill:#d55e00}"
     ".slsqp{stroke:#009e73;fill:#009e73}.wrong{stroke:#c00;fill:#c00;fill-opacity:1}"
-    ".ordinates{stroke:#d55e00;fill:none;stroke-width:1.8}.coefficients{stroke:#009e73;fill:none;stroke-"
-    "width:1.8}"
+    ".ordinates{stroke:#d55e00;fill:none;stroke-width:1.8}"
+    ".coefficients{stroke:#009e73;fill:none;stroke-width:1.8}"
     ".states{stroke:#0072b2;fill:none;stroke-width:1.8}.dashed{stroke-dasharray:5 4}"
     ".target{stroke:#888;stroke-width:1;stroke-dasharray:4 4}";
 
@@ -151,8 +148,7 @@ void draw_legends(SvgCanvas& canvas) {
 }  // namespace
 
 std::string stability_svg(std::span<const StabilityRow> rows, const std::string& machine) {
-    SvgCanvas canvas(page_width, page_height, std::string(page_style) + std::string(plot_frame_style()),
-                     "Numerical stability");
+    SvgCanvas canvas(page_width, page_height, page_style, "Numerical stability");
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(36, 42, "Numerical stability: extreme scenes, and what comes out", "title");
     canvas.text(36, 66,

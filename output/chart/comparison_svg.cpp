@@ -32,10 +32,6 @@ constexpr double longest_bar = 3.0;
 constexpr std::size_t most_letters = 52;  // of a remark
 
 const char* page_style =
-    "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
-    ".title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
-    ".value{font-size:12px;fill:#222}.value.right{text-anchor:end}.faint{fill:#777}"
-    ".head{font-size:12px;font-weight:600;fill:#333;text-anchor:end}.head.left{text-anchor:start}"
     ".best{font-weight:600;fill:#0072b2}.remark{font-size:11px;fill:#555}"
     ".optimum-bar{fill:#0072b2}.law-bar{fill:#8c8c8c}.broken-bar{fill:#f6f6f6;stroke:#b5b5b5}"
     ".hatch{fill:none;stroke:#b5b5b5;stroke-width:1.2}.cut{fill:none;stroke:#fff;stroke-width:3}"
@@ -175,7 +171,7 @@ std::string comparison_svg(const Comparison& comparison) {
     const double remark_left = first_column + column_width * static_cast<double>(columns.size() - 1) + 18;
     const double width = remarks ? remark_left + 400 : std::max(remark_left + 22, 1000.0);
     const std::string title = solution.scene.title.empty() ? "Comparison of laws" : solution.scene.title;
-    SvgCanvas canvas(width, bottom + 56, std::string(page_style) + std::string(plot_frame_style()), title);
+    SvgCanvas canvas(width, bottom + 56, page_style, title);
     canvas.rectangle(0, 0, width, bottom + 56, "page");
     canvas.text(margin, 38, title, "title");
     canvas.text(margin, 61, verdict_sentence(solution), "subtitle");

@@ -151,13 +151,7 @@ void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content)
 }  // namespace
 
 std::string_view panel_style() {
-    return "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;"
-           "fill:#222}"
-           ".end{text-anchor:end}.middle{text-anchor:middle}"
-           ".tick{font-size:11px;fill:#555}.faint{fill:#888}"
-           ".unit{fill:#555}.caption{font-size:13px;font-weight:600}.compare{fill:#555}"
-           ".frame{fill:none;stroke:#999;stroke-width:1}.grid{stroke:#ececec;stroke-width:1}"
-           ".zero{stroke:#b5b5b5;stroke-width:1}.axis{stroke:#999;stroke-width:1}"
+    return ".unit,.compare{fill:#555}.axis{stroke:#8a8a8a;stroke-width:1}"
            ".segment{stroke:#555;stroke-width:1;stroke-dasharray:8 3}"
            ".segment-label{font-size:11.5px;fill:#444;paint-order:stroke;stroke:#fff;stroke-width:4px}"
            ".breakpoint{stroke:#9a9a9a;stroke-width:1}"
@@ -166,8 +160,8 @@ std::string_view panel_style() {
            ".limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 4;stroke-linecap:round}"
            ".limit-label{font-size:11.5px;fill:#c81e1e;paint-order:stroke;stroke:#fff;stroke-width:4px}"
            ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
-           ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px;"
-           "stroke-linejoin:round}";
+           ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-"
+           "linejoin:round}";
 }
 
 void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& content) {

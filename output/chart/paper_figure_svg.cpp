@@ -25,13 +25,12 @@ constexpr int colours = 8;
 constexpr double padding = 0.04;  // of the range, around the values
 
 const char* page_style =
-    "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
     ".title{font-size:16px;font-weight:600;fill:#111}.key{font-size:12px;fill:#333}"
     ".l0,.l1,.l2,.l3,.l4,.l5,.l6,.l7{fill:none;stroke-width:1.8;stroke-linejoin:round}"
-    ".l0{stroke:#0b6bb5}.l1{stroke:#d1495b}.l2{stroke:#2a9d5c}.l3{stroke:#8d5fc4}.l4{stroke:#c98a10}"
-    ".l5{stroke:#19a3a3}.l6{stroke:#7a5a44}.l7{stroke:#666}"
-    ".p0{fill:#0b6bb5}.p1{fill:#d1495b}.p2{fill:#2a9d5c}.p3{fill:#8d5fc4}.p4{fill:#c98a10}"
-    ".p5{fill:#19a3a3}.p6{fill:#7a5a44}.p7{fill:#666}";
+    ".l0{stroke:#0b6bb5}.l1{stroke:#d1495b}.l2{stroke:#2a9d5c}.l3{stroke:#8d5fc4}"
+    ".l4{stroke:#c98a10}.l5{stroke:#19a3a3}.l6{stroke:#7a5a44}.l7{stroke:#666}.p0{fill:#0b6bb5}"
+    ".p1{fill:#d1495b}.p2{fill:#2a9d5c}.p3{fill:#8d5fc4}.p4{fill:#c98a10}.p5{fill:#19a3a3}"
+    ".p6{fill:#7a5a44}.p7{fill:#666}";
 
 struct Range {
     double lower = std::numeric_limits<double>::infinity(), upper = -lower;
@@ -148,7 +147,7 @@ std::string paper_figure_svg(const PaperFigure& figure) {
         static_cast<double>((figure.series.size() + legend_columns - 1) / legend_columns);
     const PlotFrame frame = frame_of(figure);
     const double page_height = frame.vertical.begin + margin_below + legend_row * legend_rows + 4;
-    SvgCanvas canvas(page_width, page_height, page_style + std::string(plot_frame_style()), figure.title);
+    SvgCanvas canvas(page_width, page_height, page_style, figure.title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 34, figure.title, "title");
     draw_plot_frame(canvas, frame);

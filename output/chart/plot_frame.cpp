@@ -31,12 +31,6 @@ double PlotAxis::place(double value) const {
     return begin + part * (end - begin);
 }
 
-std::string_view plot_frame_style() {
-    return ".grid{stroke:#e6e6e6;stroke-width:1}.frame{fill:none;stroke:#8a8a8a;stroke-width:1}"
-           ".tick{font-size:11px;fill:#444}.tick.middle{text-anchor:middle}.tick.right{text-anchor:end}"
-           ".axis-title{font-size:12px;fill:#333;text-anchor:middle}";
-}
-
 void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame) {
     const PlotAxis &across = frame.horizontal, &up = frame.vertical;
     for (const PlotTick& tick : frame.vertical_ticks) {

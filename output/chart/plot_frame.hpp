@@ -33,9 +33,6 @@ struct PlotFrame {
     std::string horizontal_title, vertical_title;  ///< empty: none
 };
 
-/// CSS rules the frame uses: grid, frame, tick, axis-title.
-[[nodiscard]] std::string_view plot_frame_style();
-
 void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame);
 
 /// Powers of ten in [lower, upper], every `stride`-th with a label: "10⁻⁹".

@@ -31,16 +31,12 @@ constexpr int angle_digits = 5;         // as in the report
 constexpr double label_room = 130;      // px: nearer to the frame's end a label grows away from it
 
 const char* page_style =
-    "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;fill:#222}"
-    ".page{fill:#fff}.title{font-size:20px;font-weight:600}.caption{font-size:13px;font-weight:600}.end{text-"
-    "anchor:end}"
-    ".middle{text-anchor:middle}.zero{stroke:#a8a8a8;stroke-width:1}"
+    ".caption{font-size:13px;font-weight:600}"
     ".knot{stroke:#c4c4c4;stroke-width:1;stroke-dasharray:2 3}"
     ".curve{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
     ".limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 4;stroke-linecap:round}"
     ".limit-label{font-size:11.5px;fill:#c81e1e;paint-order:stroke;stroke:#fff;stroke-width:4px}"
-    ".warning{fill:#d00000}"
-    ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
+    ".warning{fill:#d00000}.peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
     ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-"
     "linejoin:round}";
 
@@ -228,8 +224,7 @@ std::vector<Mark> shown_marks(const std::vector<ProfileMark>& marks, double fact
 std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
                                  std::string_view title, const std::optional<ProfileDiagramMarks>& marks) {
     const Pieces pieces = profile_pieces(shape, steps);
-    SvgCanvas canvas(page_width, page_height, std::string(page_style) + std::string(plot_frame_style()),
-                     title);
+    SvgCanvas canvas(page_width, page_height, page_style, title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 38, title, "title");
     Panel pressure = pressure_panel(limits), curvature = curvature_panel(shape, limits);

@@ -18,10 +18,6 @@ constexpr double page_width = 1160, page_height = 1004;
 constexpr PanelFrame convergence_place{84, 120, 480, 392}, acceleration_place{668, 120, 452, 170},
     jerk_place{668, 342, 452, 170}, law_place{40, 632, 1080, 330};
 
-const char* page_style =
-    "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
-    ".title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}";
-
 const SplineCurve* best_curve(const ReferenceTable& table) {
     for (const ConvergenceRow& row : table.convergence)
         if (row.segments == 12 && row.optimum.curve) return &*row.optimum.curve;
@@ -44,9 +40,8 @@ void draw_curves(SvgCanvas& canvas, const SplineCurve& best) {
 }  // namespace
 
 std::string reference_table_svg(const ReferenceTable& table) {
-    const std::string style =
-        std::string(page_style) + std::string(plot_frame_style()) + std::string(reference_panel_style());
-    SvgCanvas canvas(page_width, page_height, style, "The best cubic spline beside the modified sine");
+    SvgCanvas canvas(page_width, page_height, reference_panel_style(),
+                     "The best cubic spline beside the modified sine");
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(40, 42, "The best cubic spline beside the modified sine", "title");
     canvas.text(40, 66,

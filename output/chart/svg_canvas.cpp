@@ -7,6 +7,21 @@
 
 namespace camopt {
 
+namespace {
+
+/// What every picture has: its page, titles, the frame of a plot. A picture's own rules come behind and hold.
+constexpr std::string_view common_style =
+    ".page{fill:#fff}.title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
+    ".caption{font-size:14px;font-weight:600;fill:#111}.value{font-size:12px;fill:#222}"
+    ".value.right,.end{text-anchor:end}.middle{text-anchor:middle}.faint{fill:#777}"
+    ".head{font-size:12px;font-weight:600;fill:#333;text-anchor:end}.head.left{text-anchor:start}"
+    ".grid{stroke:#e6e6e6;stroke-width:1}.frame{fill:none;stroke:#8a8a8a;stroke-width:1}"
+    ".zero{stroke:#a8a8a8;stroke-width:1}"
+    ".tick{font-size:11px;fill:#444}.tick.middle{text-anchor:middle}.tick.right{text-anchor:end}"
+    ".axis-title{font-size:12px;fill:#333;text-anchor:middle}";
+
+}  // namespace
+
 std::string svg_number(double value) {
     std::string text = fmt::format("{:.2f}", value);
     text.erase(text.find_last_not_of('0') + 1);
@@ -18,8 +33,9 @@ SvgCanvas::SvgCanvas(double width, double height, std::string_view style, std::s
     content_ = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "role=\"img\">\n<title>{2}</title>\n<style>{3}</style>\n",
-        svg_number(width), svg_number(height), xml_text(title), style);
+        "role=\"img\">\n<title>{2}</title>\n<style>text{{font-family:{3};font-size:12px;fill:#222}}{4}{5}</"
+        "style>\n",
+        svg_number(width), svg_number(height), xml_text(title), picture_fonts, common_style, style);
 }
 
 void SvgCanvas::line(double x1, double y1, double x2, double y2, std::string_view css_class) {

@@ -8,9 +8,13 @@
 
 namespace camopt {
 
+/// Fonts of every picture and page, as CSS names them.
+inline constexpr std::string_view picture_fonts = "'DejaVu Sans','Helvetica Neue',Arial,sans-serif";
+
 class SvgCanvas {
  public:
-    /// style: CSS rules; title: what a screen reader says.
+    /// style: CSS rules besides those that every picture has (page, title, subtitle, caption, value, head,
+    /// frame and ticks of a plot …), which they overrule; title: what a screen reader says.
     SvgCanvas(double width, double height, std::string_view style, std::string_view title);
 
     void line(double x1, double y1, double x2, double y2, std::string_view css_class);

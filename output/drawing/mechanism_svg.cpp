@@ -20,17 +20,15 @@ constexpr int motion_samples = 720;
 constexpr double page = 900.0, margin = 46.0, head = 56.0;
 
 const char* const style =
-    "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:13px;fill:#222}"
-    ".page{fill:#fff}.title{font-size:20px;font-weight:600}"
-    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+    "text{font-size:13px}.cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
     ".pitch{fill:none;stroke:#0072b2;stroke-width:1;stroke-dasharray:6 4}"
     ".link{fill:none;stroke:#444;stroke-width:5;stroke-linecap:round;stroke-linejoin:round}"
     ".ghost{fill:none;stroke:#9a9a9a;stroke-width:1.4;stroke-linejoin:round}"
     ".roller{fill:#fff;fill-opacity:.75;stroke:#d55e00;stroke-width:2.2}"
-    ".joint{fill:#fff;stroke:#444;stroke-width:2}"
-    ".pivot{fill:#222;stroke:#fff;stroke-width:1.5}"
+    ".joint{fill:#fff;stroke:#444;stroke-width:2}.pivot{fill:#222;stroke:#fff;stroke-width:1.5}"
     ".guide{stroke:#009e73;stroke-width:9;stroke-opacity:.35;stroke-linecap:round}"
-    ".slider{fill:#009e73}.label{text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:4px}"
+    ".slider{fill:#009e73}"
+    ".label{text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:4px}"
     ".beside{paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
 /// The outputs between which the mechanism moves.

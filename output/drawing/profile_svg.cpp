@@ -37,20 +37,17 @@ constexpr double arrow_radius = 0.42, arrow_head = 9, arrow_begin = 35 * degree,
 constexpr double undercut_ring = 14;  // px
 
 const char* page_style =
-    "text{font-family:'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;fill:#222}"
-    ".page{fill:#fff}.title{font-size:20px;font-weight:600}"
     ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
     ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
     ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
-    ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}.prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-"
-    "dasharray:2 3}"
+    ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}"
+    ".prime{fill:none;stroke:#8a8a8a;stroke-width:1;stroke-dasharray:2 3}"
     ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
     ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
     "width:3px}"
-    ".bare{stroke:#fff}"
-    ".arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
-    ".ring{fill:none;stroke:#d00000;stroke-width:1.2}.undercut{fill:none;stroke:#d00000;stroke-width:3.2}."
-    "warning{fill:#d00000;font-weight:600}";
+    ".bare{stroke:#fff}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
+    ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
+    ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}.warning{fill:#d00000;font-weight:600}";
 
 using Pieces = std::vector<std::vector<ProfilePoint>>;
 
@@ -213,9 +210,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     const Pieces pieces = profile_pieces(shape, steps);
     const FollowerDrawing follower = follower_drawing(shape, pieces);
     SvgCanvas canvas(page_width, page_height,
-                     std::string(page_style) + std::string(plot_frame_style()) +
-                         std::string(follower_style()) + std::string(profile_legend_style()),
-                     title);
+                     page_style + std::string(follower_style()) + std::string(profile_legend_style()), title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 38, title, "title");
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));

@@ -2,6 +2,7 @@
 #include "output/chart/sweep/sweep_html.hpp"
 
 #include "core/printable.hpp"
+#include "output/chart/svg_canvas.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/words/number_text.hpp"
 
@@ -12,13 +13,14 @@ namespace camopt {
 namespace {
 
 const char* page_style =
-    "body{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif;margin:16px;color:#222}"
-    "svg{max-width:100%;height:auto}table{border-collapse:collapse;font-size:13px;margin-top:16px}"
+    "body{margin:16px;color:#222}"
+    "svg{max-width:100%;height:auto}"
+    "table{border-collapse:collapse;font-size:13px;margin-top:16px}"
     "th,td{padding:3px 9px;text-align:right;border-bottom:1px solid #e3e3e3;white-space:nowrap}"
     "th{cursor:pointer;position:sticky;top:0;background:#fff;border-bottom:2px solid #888}"
     "tr.marked td{background:#dcecf7}.marked-dot{stroke:#d55e00;stroke-width:2.5}"
-    "#tip{position:fixed;display:none;background:#fff;border:1px solid #888;padding:6px 9px;font-size:12px;"
-    "box-shadow:1px 2px 5px #0003;pointer-events:none;white-space:pre}";
+    "#tip{position:fixed;display:none;background:#fff;border:1px solid #888;padding:6px "
+    "9px;font-size:12px;box-shadow:1px 2px 5px #0003;pointer-events:none;white-space:pre}";
 
 // Sorting compares numbers as numbers; empty cells come last.
 const char* page_script = R"js(
@@ -78,9 +80,10 @@ std::string picture_page(std::string_view title, std::string_view svg, const Pic
     if (const std::size_t begin = svg.find("<svg"); begin != std::string_view::npos) svg.remove_prefix(begin);
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
-        "charset=\"utf-8\"/>\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}\n<div "
+        "charset=\"utf-8\"/>\n<title>{}</title>\n<style>body{{font-family:{}}}{}</style>\n</"
+        "head>\n<body>\n{}\n<div "
         "id=\"tip\"></div>\n<table>\n<thead>\n<tr>",
-        xml_text(title), page_style, svg);
+        xml_text(title), picture_fonts, page_style, svg);
     for (const std::string& head : table.heads) page += fmt::format("<th>{}</th>", xml_text(head));
     page += "</tr>\n</thead>\n<tbody>\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {

@@ -97,18 +97,15 @@ void draw_head(SvgCanvas& canvas, const SweepPicture& picture, const std::string
 }  // namespace
 
 std::string sweep_panel_style() {
-    return "text{font-family:'DejaVu Sans','Helvetica Neue',Arial,sans-serif}.page{fill:#fff}"
-           ".title{font-size:20px;font-weight:600;fill:#111}.subtitle{font-size:13px;fill:#444}"
-           ".panel-title{font-size:14px;font-weight:600;fill:#222}.corner{font-size:13px;font-weight:600;"
-           "fill:#333;text-anchor:middle}.value{font-size:12px;fill:#222}.value.right{text-anchor:end}"
-           ".faint{fill:#777}.head{font-size:12px;font-weight:600;fill:#333;text-anchor:end}"
-           ".head.left{text-anchor:start}.law-bar{fill:#8c8c8c}"
+    return ".panel-title{font-size:14px;font-weight:600;fill:#222}"
+           ".corner{font-size:13px;font-weight:600;fill:#333;text-anchor:middle}.law-bar{fill:#8c8c8c}"
            ".law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10.5px;fill:#111}"
            ".law-number.right{text-anchor:end}.dot{stroke:#222;stroke-width:.4}.off-front{fill:#c4c4c4}"
            ".shut{fill:#e4e4e4}.failed{fill:#f4c7c3}.cross{fill:none;stroke:#b3261e;stroke-width:2}"
            ".row-line{fill:none;stroke:#0072b2;stroke-width:1.8}.row-dot{fill:#0072b2;stroke:#0072b2}"
-           ".row-dot.off{fill:#fff}.limit-line{fill:none;stroke:#555;stroke-width:1.3;stroke-dasharray:5 4}" +
-           std::string(plot_frame_style()) + colour_scale_style();
+           ".row-dot.off{fill:#fff}"
+           ".limit-line{fill:none;stroke:#555;stroke-width:1.3;stroke-dasharray:5 4}" +
+           colour_scale_style();
 }
 
 std::string row_class(const char* kind, const std::string& colour, const SweepRow& row) {
