@@ -6,7 +6,7 @@
 #include "apps/pareto_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
@@ -40,6 +40,7 @@ const char* examples =
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
+    "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
@@ -153,21 +154,34 @@ void add_nc(CLI::App& command, ExportRequest& request) {
 }
 
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
-    CLI::App& command = *program.add_subcommand(
-        "export", "Solve a scene and write its disk, barrel or cylindrical cam for CAD, CAM and machine");
-    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    CLI::App& command = *program.add_subcommand("export",
+                                                "Write the cam of a scene, which is solved, or of a result "
+                                                "folder, which is used as it is, for CAD, CAM "
+                                                "and machine");
+    command
+        .add_option("WHAT", request.scene,
+                    "Scene file (TOML), or the folder that `camopt solve SCENE --out DIR` wrote: nothing is "
+                    "solved again")
+        ->type_name("");
     command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
-    command.add_flag("--csv", request.csv, "flanks.csv: points and normals of both flanks");
-    command.add_flag("--step", request.step, "flanks.step: both flanks as B-spline surfaces");
+    command.add_flag(
+        "--csv", request.csv,
+        "Points of the cam: profile.csv, guide.csv; of spatial cams flanks.csv, both flanks with normals");
+    command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
+    command.add_flag("--step", request.step,
+                     "flanks.step: both flanks of a spatial cam as B-spline surfaces");
     command.add_flag("--stl", request.stl,
                      "Solids: cam.stl of a disk cam; groove.stl and, of an indexing cam, cam.stl");
-    command.add_flag("--obj", request.obj, "cam.obj: for viewing");
-    command.add_flag("--picture", request.picture, "cam.svg: a shaded picture");
+    command.add_flag("--obj", request.obj, "cam.obj: spatial cams for viewing");
+    command.add_flag("--picture", request.picture,
+                     "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
     constexpr int most_sections = 1000, most_angles = 100'000;
     command.add_option("--sections", request.sections, "Points of a flank along the roller; default: 9")
         ->type_name("N")
         ->check(CLI::Range(2, most_sections));
-    command.add_option("--points", request.points, "Points of a flank over the turn; default: 361")
+    command
+        .add_option("--points", request.points,
+                    "Points over the turn; default: 361, of a plane cam's table as many as it needs")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
     command.add_option("--thickness-mm", request.thickness_mm, "Thickness of a disk cam")

@@ -34,12 +34,13 @@ struct CompareRequest {
 [[nodiscard]] ExitCode compare_command(const CompareRequest& request);
 
 struct ExportRequest {
-    std::string scene;                  ///< file
+    std::string scene;                  ///< file, or a result folder: then nothing is solved
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
-    bool csv = false, stl = false, obj = false, step = false, picture = false, nc = false;
-    int sections = 9, points = 361;              ///< of a flank: along the roller, over the turn
+    bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
+    int sections = 9;                            ///< of a flank along the roller
+    std::optional<int> points = {};              ///< over the turn
     double thickness_mm = 20.0, bore_mm = 10.0;  ///< of disk cams: not in the scene, chosen
     std::string post;                            ///< file of the post-processor; empty: the generic one
     std::optional<double> cutter_mm;             ///< none: the roller's diameter; disk cams: 16

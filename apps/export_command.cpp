@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// camopt export: optimise a scene with a barrel or cylindrical cam and write the cam: points, surfaces,
-// solids, a picture, the NC program with its check.
+// camopt export: the cam of a scene, which is optimised, or of a result folder, which is used as it is:
+// points, surfaces, drawings, solids, a picture, the NC program with its check.
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
@@ -8,26 +8,30 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/csv/guide_files.hpp"
 #include "output/disk/disk_export.hpp"
+#include "output/drawing/cam_profile.hpp"
+#include "output/drawing/mechanism_dxf.hpp"
 #include "output/report/folder_update.hpp"
+#include "output/report/mechanism_files.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/report/result_folder_reader.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
+#include "profiles/factory/cam_kinds.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
 #include "studies/solve/solve.hpp"
+#include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -35,8 +39,7 @@ namespace camopt::apps {
 
 namespace {
 
-constexpr double whole_turn = 2.0 * std::numbers::pi;
-constexpr double same_angle = 1e-9;  // rad
+constexpr int flank_points = 361;  // over the turn
 
 /// What was written, and what the check of a program found.
 struct Exported {
@@ -45,18 +48,52 @@ struct Exported {
     std::string fault;  ///< why the program was not written; empty: it was, or none was asked for
 };
 
-Solution solved(const ExportRequest& request) {
+bool is_folder(const std::string& what) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(what, ignored);
+}
+
+/// Throws where the cam of this scene has no such files.
+void check_wishes(const ExportRequest& request, const Scene& scene) {
+    if (!scene.cam && !scene.mechanism)
+        throw InputError(
+            fmt::format("{}: export is for disk, barrel and cylindrical cams, remote and inverse "
+                        "ones, and this scene has none",
+                        request.scene));
+    if (scene.cam && (request.step || request.obj))
+        throw InputError(fmt::format(
+            "{}: of a disk cam export writes --stl and --nc, --csv, --dxf and --picture", request.scene));
+    if (scene.cam) return;
+    const std::string& type = scene.mechanism->type;
+    const bool plane = cam_kind(type)->is_plane_curve;
+    if (!plane && request.dxf)
+        throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
+                                     request.scene, type));
+    if (plane && (request.step || request.obj || request.stl || request.nc))
+        throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
+                                     request.scene, type));
+}
+
+Solution read_back(const ExportRequest& request) {
+    if (!request.solver.empty() || !request.settings.empty())
+        throw InputError(
+            fmt::format("{}: {}: found with a result folder, which is used as it is; allowed: with "
+                        "a scene",
+                        request.scene, request.solver.empty() ? "--set" : "--solver"));
+    const auto load = [](const std::string& text, const std::string& name) {
+        return load_scene(SceneText{name, text}, {});
+    };
+    Solution solution = read_result_folder(request.scene, load).solution;
+    check_wishes(request, solution.scene);
+    return solution;
+}
+
+Solution delivered(const ExportRequest& request) {
+    if (is_folder(request.scene)) return read_back(request);
     std::vector<std::string> settings = request.settings;
     if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
     const Scene scene = load_scene(request.scene, settings);
-    const bool spatial = scene.mechanism && is_spatial(*scene.mechanism);
-    if (!scene.cam && !spatial)
-        throw InputError(fmt::format("{}: export is for disk, barrel and cylindrical cams", request.scene));
-    if (scene.cam && (request.csv || request.step || request.obj || request.picture))
-        throw InputError(
-            fmt::format("{}: of a disk cam export writes --stl and --nc; `camopt solve … --out DIR --dxf` "
-                        "writes the rest",
-                        request.scene));
+    check_wishes(request, scene);
     const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
     Solution solution = solve(scene, control);
     end_progress();
@@ -95,21 +132,6 @@ void set_safety(const ExportRequest& request, Options& options) {
     options.gouge_tolerance = request.gouge_mm * units::millimetre;
 }
 
-/// The delivered motion by the cam angle. What is left of the turn rests where the motion ends.
-FollowerMotion follower_motion(const Solution& solution) {
-    const auto motion = std::make_shared<const MotionChain>(*solution.motion);
-    const MotionScale scale = motion_scale(solution.scene);
-    FollowerMotion result;
-    result.state = [motion, scale](double theta) -> FollowerState {
-        const double x = theta / scale.unit_angle, end = motion->end();
-        if (x >= end) return {state_of(motion->at(end, Side::left), scale).s, 0.0, 0.0};
-        return state_of(motion->at(std::max(x, motion->begin())), scale);
-    };
-    for (const double x : motion->breakpoints()) result.breakpoints.push_back(scale.unit_angle * x);
-    if (result.end() < whole_turn - same_angle) result.breakpoints.push_back(whole_turn);
-    return result;
-}
-
 NcExportOptions nc_options(const ExportRequest& request) {
     NcExportOptions options;
     if (request.cutter_mm) options.cutter_diameter = *request.cutter_mm * units::millimetre;
@@ -125,17 +147,16 @@ NcExportOptions nc_options(const ExportRequest& request) {
 
 void export_spatial(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                     Exported& result) {
-    const SpatialCam cam =
-        spatial_cam(spatial_follower(*solution.scene.mechanism), solution.scene.mechanism->rotation,
-                    solution.mechanism->mechanism.dimensions);
-    const FollowerMotion motion = follower_motion(solution);
+    const SpatialCam cam = solved_spatial_cam(solution);
+    const MotionChain turn = whole_turn(solution);
+    const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
     CamExportOptions options;
     options.csv = request.csv;
     options.stl = request.stl;
     options.obj = request.obj;
     options.step = request.step;
     options.picture = request.picture;
-    options.sampling = {request.sections, request.points, 0.0, 0.0};
+    options.sampling = {request.sections, request.points.value_or(flank_points), 0.0, 0.0};
     options.title = title_of(solution);
     for (const std::filesystem::path& file : write_cam_files(folder.aside(), cam, motion, options))
         folder.add(file.filename().string());
@@ -147,13 +168,35 @@ void export_spatial(const ExportRequest& request, const Solution& solution, Fold
     }
 }
 
+/// Of the plane mechanisms that are no disk cam.
+void export_plane(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
+    if (request.dxf) folder.write("profile.dxf", mechanism_dxf(solution).text);
+    if (!request.csv && !request.picture) return;
+    if (has_inverse_cam(solution)) {
+        const GuideTexts texts = guide_texts(solution, request.points);
+        if (request.csv) folder.write("guide.csv", texts.csv);
+        if (request.picture) folder.write("guide.svg", texts.svg);
+        return;
+    }
+    const MechanismTexts texts = mechanism_texts(solution, request.points);
+    if (request.csv) folder.write("profile.csv", texts.csv);
+    if (request.picture) folder.write("mechanism.svg", texts.svg);
+}
+
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
     const MotionChain motion = cam_motion(solution);
     const ProfileShape shape = profile_shape(solution.cam->cam, motion, motion_scale(solution.scene));
+    if (request.csv || request.dxf || request.picture) {
+        const CamProfileTexts texts = cam_profile(solution, {.points = request.points, .dxf = request.dxf});
+        if (request.csv) folder.write("profile.csv", texts.csv);
+        if (request.dxf) folder.write("profile.dxf", *texts.dxf);
+        if (request.picture) folder.write("profile.svg", texts.svg);
+    }
     if (request.stl) {
         const DiskSolid solid{request.thickness_mm * units::millimetre,
-                              0.5 * request.bore_mm * units::millimetre, request.points};
+                              0.5 * request.bore_mm * units::millimetre,
+                              request.points.value_or(flank_points)};
         folder.write("cam.stl", stl_bytes(disk_solid(shape, solid), title_of(solution)));
     }
     if (request.nc) {
@@ -176,10 +219,11 @@ void export_disk(const ExportRequest& request, const Solution& solution, FolderU
 ExitCode export_command(const ExportRequest& request) {
     prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written
-    const Solution solution = solved(request);
+    const Solution solution = delivered(request);
     Exported exported;
     FolderUpdate folder(request.out);
-    if (solution.motion && solution.mechanism) export_spatial(request, solution, folder, exported);
+    if (solution.motion && has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
+    if (solution.motion && has_plane_mechanism(solution)) export_plane(request, solution, folder);
     if (solution.motion && solution.cam) export_disk(request, solution, folder, exported);
     exported.written = folder.finish();
     print(summary_text(solution, exported.written) + exported.text);

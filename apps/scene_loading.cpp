@@ -26,6 +26,11 @@ Scene load_scene(const std::string& file, const std::vector<std::string>& settin
     return scene;
 }
 
+LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::string>& settings) {
+    const SceneText given{file, input::scene_file_text(file)};
+    return {load_scene(given, settings), input::scene_with_overrides(given.text, file, settings)};
+}
+
 SceneText read_scene_text(const std::string& file) {
     return {file, read_text_file(file)};
 }

@@ -13,6 +13,14 @@ namespace camopt::apps {
 /// Throws InputError for whatever is wrong with the file or the settings (KEY=VALUE).
 [[nodiscard]] Scene load_scene(const std::string& file, const std::vector<std::string>& settings);
 
+/// The same with the text of the scene as read: settings are worked into it (input::scene_with_overrides).
+struct LoadedScene {
+    Scene scene;
+    std::string text;
+};
+[[nodiscard]] LoadedScene load_scene_and_text(const std::string& file,
+                                              const std::vector<std::string>& settings);
+
 /// A scene file that is read once and made into scenes many times.
 struct SceneText {
     std::string name;  ///< of the file, for messages

@@ -37,10 +37,11 @@ std::string plane_types() {
     return fmt::format("{} and {}", fmt::join(types, ", "), last);
 }
 
-Scene requested_scene(const SolveRequest& request) {
+LoadedScene requested_scene(const SolveRequest& request) {
     std::vector<std::string> settings = request.settings;
     if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    Scene scene = load_scene(request.scene, settings);
+    LoadedScene loaded = load_scene_and_text(request.scene, settings);
+    const Scene& scene = loaded.scene;
     if (request.dxf && scene.mechanism && !cam_kind(scene.mechanism->type)->is_plane_curve)
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with "
@@ -55,7 +56,7 @@ Scene requested_scene(const SolveRequest& request) {
                 "{}: found in a scene without a cam; allowed: where the scene has a [cam], whose profile it "
                 "is about",
                 option));
-    return scene;
+    return loaded;
 }
 
 Solution solve_with_progress(const Scene& scene) {
@@ -92,12 +93,12 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
 }  // namespace
 
 ExitCode solve_command(const SolveRequest& request) {
-    const Scene scene = requested_scene(request);
+    LoadedScene loaded = requested_scene(request);
     if (!request.out.empty())
         prepare_folder(request.out);  // a wrong folder is told before the work, not after
     const InterruptWatch watch;       // until the files are written: Ctrl-C must not lose them
-    Solution solution = solve_with_progress(scene);
-    const RunOrigin origin{request.scene, request.command};
+    Solution solution = solve_with_progress(loaded.scene);
+    const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
     print(text);

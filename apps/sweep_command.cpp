@@ -9,7 +9,7 @@
 #include "apps/sweep_solve.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 #include "studies/sweep/sweep_check.hpp"
 
 #include <fmt/format.h>

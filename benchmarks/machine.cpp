@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/machine.hpp"
 
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 #include "solvers/registry.hpp"
 
 #include <Eigen/Core>

@@ -3,7 +3,9 @@
 
 #include "core/errors.hpp"
 #include "core/file_bytes.hpp"
+#include "core/printable.hpp"
 #include "input/cam_reader.hpp"
+#include "input/document_text.hpp"
 #include "input/key_check.hpp"
 #include "input/mechanism_reader.hpp"
 #include "input/motion_reader.hpp"
@@ -14,6 +16,7 @@
 
 #include <cstdint>
 #include <system_error>
+#include <utility>
 
 namespace camopt::input {
 namespace {
@@ -152,17 +155,31 @@ Scene read_scene(std::string_view toml, std::string_view source_name, const Know
     return SceneReader(source, known).read();
 }
 
-Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known,
-                      std::span<const std::string> overrides) {
+std::string scene_with_overrides(std::string_view toml, std::string_view source_name,
+                                 std::span<const std::string> overrides) {
+    if (overrides.empty() && printable_lines(toml) == toml) return std::string(toml);
+    Node root = parse_document(toml, source_name);
+    apply_overrides(root, overrides);
+    std::string origin = printable(source_name);
+    for (const std::string& text : overrides) origin += " --set " + printable(text);
+    return fmt::format("# {}\n{}", origin, document_text(root));
+}
+
+std::string scene_file_text(const std::filesystem::path& path) {
     const std::string name = path.string();
     std::error_code error;
     if (std::filesystem::is_directory(path, error))
         throw InputError(name + ": found a directory; allowed: a scene file in TOML");
-    const FileBytes file = file_bytes(path, most_scene_bytes);
+    FileBytes file = file_bytes(path, most_scene_bytes);
     if (!file.fault.empty())
         throw InputError(
             fmt::format("{}: cannot be read: {}; allowed: a scene file in TOML", name, file.fault));
-    return read_scene(file.bytes, name, known, overrides);
+    return std::move(file.bytes);
+}
+
+Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known,
+                      std::span<const std::string> overrides) {
+    return read_scene(scene_file_text(path), path.string(), known, overrides);
 }
 
 }  // namespace camopt::input

@@ -26,8 +26,18 @@ struct KnownNames {
 [[nodiscard]] Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known,
                                     std::span<const std::string> overrides = {});
 
+/// What read_scene_file reads; throws InputError where it cannot.
+[[nodiscard]] std::string scene_file_text(const std::filesystem::path& path);
+
 /// `source_name` stands in the place of FILE.
 [[nodiscard]] Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                                std::span<const std::string> overrides = {});
+
+/// The scene as one text without overrides: read_scene of it is the same Scene, bit for bit. Where there are
+/// no overrides it is the text as given, comments and all; with some, and where the text holds what a
+/// terminal would obey instead of showing, it is written anew and says so in its first line. Throws
+/// InputError for text that is no TOML and overrides that do not fit; keys and values are not looked at.
+[[nodiscard]] std::string scene_with_overrides(std::string_view toml, std::string_view source_name,
+                                               std::span<const std::string> overrides);
 
 }  // namespace camopt::input

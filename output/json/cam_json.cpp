@@ -55,6 +55,17 @@ Json smallest_json(const Writer& writer, const std::optional<SmallestCamReport>&
             {"to_deg", writer.degrees(smallest->end)}};
 }
 
+/// In SI, bit for bit: millimetres may not read back as the same metres.
+Json exact_dimensions_json(const DiskCam& cam) {
+    Json json = Json::object();
+    for (int d = 0; d < dimension_count; ++d) {
+        const auto index = static_cast<DimensionIndex>(d);
+        if (has_dimension(cam.follower, index))
+            json[std::string(name_of(index)) + "_m"] = number_json(cam[index]);
+    }
+    return json;
+}
+
 Json forward_check_json(const Writer& writer, const Solution& solution) {
     const std::optional<ForwardCheckReport>& check = solution.cam->forward_check;
     if (!check) return nullptr;
@@ -85,6 +96,7 @@ Json cam_json(const Solution& solution) {
     const CamSummary& summary = cam.summary;
     const Writer writer(solution);
     Json json = Json::object();
+    json["type"] = "disk";
     json["follower"] = name_of(cam.cam.follower);
     json["rotation"] = name_of(cam.cam.rotation);
     json["pressure_angle_deg"] = writer.extreme(summary.pressure_angle, degree);
@@ -100,6 +112,7 @@ Json cam_json(const Solution& solution) {
         json["contact_offset_mm"] = writer.extreme(summary.contact_offset, millimetre);
     json["smallest"] = smallest_json(writer, cam.smallest);
     json["forces"] = forces_json(writer, cam);
+    json["dimensions"] = exact_dimensions_json(cam.cam);
     json["forward_check"] = forward_check_json(writer, solution);
     return json;
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/certificate_json.hpp"
 
-#include "core/errors.hpp"
+#include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/version.hpp"
-#include "output/report/text_file.hpp"
-
-#include <fmt/format.h>
 
 #include <map>
 #include <vector>
@@ -58,69 +54,6 @@ Json cases_json(const std::vector<CaseProof>& cases) {
     return list;
 }
 
-double number_or(const Json& json, double missing) {
-    return json.is_null() ? missing : json.get<double>();
-}
-
-/// Throws InputError where the list does not have `size` entries.
-Eigen::VectorXd read_vector(const Json& json, std::size_t size, double missing, const char* name) {
-    if (!json.is_array() || json.size() != size)
-        throw InputError(fmt::format("{}: expected a list of {} numbers, found {}", name, size, json.size()));
-    Eigen::VectorXd values(static_cast<Eigen::Index>(size));
-    for (std::size_t i = 0; i < size; ++i) values[static_cast<Eigen::Index>(i)] = number_or(json[i], missing);
-    return values;
-}
-
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-void read_row(const Json& row, int index, int columns, Triplets& entries) {
-    const auto indices = row.at("indices").get<std::vector<int>>();
-    const auto values = row.at("values").get<std::vector<double>>();
-    if (indices.size() != values.size())
-        throw InputError(
-            fmt::format("row {}: {} indices, but {} values", index, indices.size(), values.size()));
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-        if (indices[k] < 0 || indices[k] >= columns)
-            throw InputError(
-                fmt::format("row {}: index {}, allowed 0 to {}", index, indices[k], columns - 1));
-        entries.emplace_back(index, indices[k], values[k]);
-    }
-}
-
-void read_rows(const Json& rows, DualityProof& proof) {
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    const int columns = static_cast<int>(proof.variables.size());
-    proof.lower.resize(count);
-    proof.upper.resize(count);
-    proof.multipliers.resize(count);
-    Triplets entries;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Json& row = rows.at(static_cast<std::size_t>(i));
-        proof.rows.push_back(row.at("name").get<std::string>());
-        proof.lower[i] = number_or(row.at("lower"), -infinity);
-        proof.upper[i] = number_or(row.at("upper"), infinity);
-        proof.multipliers[i] = row.at("multiplier").get<double>();
-        read_row(row, static_cast<int>(i), columns, entries);
-    }
-    proof.matrix.resize(count, columns);
-    proof.matrix.setFromTriplets(entries.begin(), entries.end());
-}
-
-DualityProof read_proof(const Json& json) {
-    DualityProof proof;
-    proof.statement = json.at("statement").get<std::string>();
-    proof.variables = json.at("variables").get<std::vector<std::string>>();
-    const std::size_t variables = proof.variables.size();
-    proof.cost = read_vector(json.at("cost"), variables, infinity, "cost");
-    proof.constant = json.at("constant").get<double>();
-    read_rows(json.at("rows"), proof);
-    proof.box.lower = read_vector(json.at("box").at("lower"), variables, -infinity, "box.lower");
-    proof.box.upper = read_vector(json.at("box").at("upper"), variables, infinity, "box.upper");
-    proof.bound = number_or(json.at("bound"), -infinity);
-    proof.limits_relaxed_by = json.value("limits_relaxed_by", 0.0);
-    return proof;
-}
-
 }  // namespace
 
 std::string_view how_to_check() {
@@ -160,20 +93,6 @@ std::string certificate_json(const Certificate& certificate) {
     json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);
     json["cases"] = cases_json(certificate.cases);
     return json_text(json);
-}
-
-DualityProof read_certificate(const std::filesystem::path& path) {
-    const std::string text = read_text_file(path);
-    try {
-        const Json json = Json::parse(text);
-        const Json& proof = json.at("proof");
-        if (proof.is_null()) throw InputError("the certificate holds no proof");
-        return read_proof(proof);
-    } catch (const Json::exception& error) {
-        throw InputError(fmt::format("{}: not a certificate of camopt: {}", path.string(), error.what()));
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-    }
 }
 
 }  // namespace camopt

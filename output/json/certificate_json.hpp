@@ -5,7 +5,6 @@
 
 #include "solvers/certificate/certificate.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,9 +14,5 @@ namespace camopt {
 [[nodiscard]] std::string_view how_to_check();
 
 [[nodiscard]] std::string certificate_json(const Certificate& certificate);
-
-/// The proof stored in a file, bit for bit as it was written. Throws InputError where the file cannot be
-/// read, is no certificate, holds no proof, or holds lists whose lengths do not match.
-[[nodiscard]] DualityProof read_certificate(const std::filesystem::path& path);
 
 }  // namespace camopt

@@ -2,9 +2,9 @@
 #include "output/json/comparison_json.hpp"
 
 #include "core/units.hpp"
+#include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/segment_json.hpp"
-#include "output/json/version.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/display_scale.hpp"
 

@@ -15,6 +15,16 @@ Json extreme_json(const Solution& solution, const std::optional<CamExtreme>& ext
             {"at_deg", number_json(extreme->at * solution.scene.motion.unit_angle() / degree)}};
 }
 
+/// In SI, bit for bit: millimetres may not read back as the same metres.
+Json exact_dimensions_json(const MechanismSpec& spec, const std::vector<double>& numbers) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const MechanismDimension& dimension = spec.dimensions[i];
+        json[dimension.name + (dimension.is_angle ? "_rad" : "_m")] = number_json(numbers[i]);
+    }
+    return json;
+}
+
 Json check_json(const Solution& solution) {
     const std::optional<ForwardCheckReport>& check = solution.mechanism->forward_check;
     if (!check) return nullptr;
@@ -58,6 +68,7 @@ Json mechanism_json(const Solution& solution) {
     json["regularity"] = extreme_json(solution, summary.regularity, 1.0);
     json["undercut"] = summary.undercut();
     json["base_radius_mm"] = number_json(summary.base_radius / millimetre);
+    json["dimensions"] = exact_dimensions_json(spec, solution.mechanism->mechanism.dimensions);
     json["forward_check"] = check_json(solution);
     return json;
 }

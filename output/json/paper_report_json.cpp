@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/paper_report_json.hpp"
 
+#include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/version.hpp"
 
 #include <cstddef>
 

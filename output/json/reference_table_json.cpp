@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/reference_table_json.hpp"
 
+#include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/version.hpp"
 #include "output/words/reference_table_rows.hpp"
 
 namespace camopt {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/result_json.hpp"
 
+#include "core/version.hpp"
 #include "output/json/cam_json.hpp"
 #include "output/json/json_text.hpp"
+#include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
-#include "output/json/version.hpp"
 #include "output/words/display_scale.hpp"
 
 #include <optional>
@@ -149,6 +150,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     if (certificate.verdict == Verdict::infeasible) json["conflict"] = conflict_json(solution);
     json["spline"] = spline_json(solution.curve);
     json["segments"] = segments_json(solution);
+    json["motion"] = solution.motion ? motion_json(*solution.motion) : Json(nullptr);
     json["design"] = design_json(solution);
     json["dimensions"] = dimensions_json(solution);
     json["cam"] = cam_json(solution);

@@ -9,6 +9,9 @@ namespace camopt {
 struct RunOrigin {
     std::string scene_file;  ///< as given; empty for a scene built in C++
     std::string command;     ///< the command line; empty where there was none
+    /// The scene as solved, in TOML (input::scene_with_overrides). Empty for a scene built in C++: then the
+    /// folder cannot be read back.
+    std::string scene_text = {};
 };
 
 }  // namespace camopt

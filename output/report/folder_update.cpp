@@ -20,7 +20,6 @@ namespace camopt {
 
 namespace {
 
-constexpr const char* mark = "INCOMPLETE.txt";
 constexpr const char* mark_text =
     "camopt was stopped while it put new files into this folder: files of two runs may lie side by side.\n"
     "Run the command again; this file goes when it ends well.\n";
@@ -82,8 +81,8 @@ void FolderUpdate::add(const std::string& name) {
 std::vector<std::filesystem::path> FolderUpdate::finish() {
     std::vector<std::filesystem::path> paths;
     if (names_.empty()) return paths;
-    write_text_file(aside_ / mark, mark_text);
-    move_file(aside_ / mark, folder_ / mark);
+    write_text_file(aside_ / incomplete_mark, mark_text);
+    move_file(aside_ / incomplete_mark, folder_ / incomplete_mark);
     remove_file(folder_ / names_.back());
     for (const std::string& name : names_) {
         if (name != names_.back()) move_file(aside_ / name, folder_ / name);
@@ -92,7 +91,7 @@ std::vector<std::filesystem::path> FolderUpdate::finish() {
     for (const std::string& name : earlier_)
         if (std::ranges::find(names_, name) == names_.end()) remove_file(folder_ / name);
     move_file(aside_ / names_.back(), folder_ / names_.back());
-    remove_file(folder_ / mark);
+    remove_file(folder_ / incomplete_mark);
     return paths;
 }
 

@@ -17,6 +17,9 @@
 
 namespace camopt {
 
+/// Stands in a folder whose files may be of two runs.
+inline constexpr const char* incomplete_mark = "INCOMPLETE.txt";
+
 class FolderUpdate {
  public:
     /// Creates the folder and the one aside. Throws InputError where it cannot.

@@ -3,7 +3,7 @@
 
 #include "core/printable.hpp"
 #include "core/units.hpp"
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 #include "output/report/report_sections.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/infeasible_words.hpp"

@@ -28,7 +28,7 @@ namespace {
 constexpr std::array optional_files = {
     "motion.csv",           "motion.svg",  "profile.csv",   "profile.svg",
     "profile_diagrams.svg", "profile.dxf", "mechanism.svg", "pressure_angle.svg",
-    "curvature.svg",        "guide.csv",   "guide.svg"};
+    "curvature.svg",        "guide.csv",   "guide.svg",     "scene.toml"};
 
 }  // namespace
 
@@ -74,6 +74,7 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     }
     if (options.dxf && has_plane_mechanism(solution))
         writer.write("profile.dxf", mechanism_dxf(solution).text);
+    if (!origin.scene_text.empty()) writer.write("scene.toml", origin.scene_text);
     writer.write("report.md", report_markdown(solution, origin));
     writer.write("certificate.json", certificate_json(solution.certificate));
     writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The result folder: result.json, certificate.json, report.md; with a motion motion.csv and motion.svg; with
-// a cam profile.csv, profile.svg, profile_diagrams.svg and, where asked for, profile.dxf.
+// The result folder: result.json, certificate.json, report.md and, where the scene was a text, scene.toml;
+// with a motion motion.csv and motion.svg; with a cam profile.csv, profile.svg, profile_diagrams.svg and,
+// where asked for, profile.dxf. report/result_folder_reader.hpp reads it back.
 #pragma once
 
 #include "output/json/run_origin.hpp"

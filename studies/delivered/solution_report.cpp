@@ -55,35 +55,37 @@ Peaks peaks_of_law(const std::string& key, double begin, double width, double ri
     return peaks;
 }
 
-void report_segments(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
-    const CamModel& model = problem.model();
-    const MotionFamily& family = model.design;
+SplineCurve curve_of(const ChainPart& part) {
+    return part_of_run(dynamic_cast<const SplineCurve&>(*part.shape), part.begin, part.end, -part.x0);
+}
+
+void report_segments(Solution& solution) {
     const MotionChain& motion = *solution.motion;
     JoinedMeans means;
-    for (int s = 0; s < static_cast<int>(family.stretches().size()); ++s) {
-        const MotionFamily::Stretch& stretch = family.stretches()[s];
+    for (std::size_t s = 0; s < motion.parts().size(); ++s) {
+        const ChainPart& part = motion.parts()[s];
         const ProgramSegment& written = solution.scene.motion.segments[s];
         SegmentReport report{written.kind,
                              written.law,
-                             stretch.begin,
-                             stretch.end,
-                             motion.at(stretch.begin, Side::right).derivative[0],
-                             motion.at(stretch.end, Side::left).derivative[0],
+                             part.begin,
+                             part.end,
+                             motion.at(part.begin, Side::right).derivative[0],
+                             motion.at(part.end, Side::left).derivative[0],
                              {},
                              {},
                              0};
         const bool first = s == 0;
         report.continuity = first && !solution.scene.motion.closed
                                 ? -1
-                                : continuity_at(motion, first ? motion.end() : stretch.begin, stretch.begin);
+                                : continuity_at(motion, first ? motion.end() : part.begin, part.begin);
         if (written.kind == SegmentKind::spline) {
-            report.curve = stretch_curve(family, family.run_curve(stretch.run, problem.design_values(x)), s);
+            report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);
             report.peaks = normalised_peaks(
-                own, {stretch.end - stretch.begin, measured_displacement(report.to - report.from)});
+                own, {part.end - part.begin, measured_displacement(report.to - report.from)});
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
-            means.add(*report.peaks, stretch.end - stretch.begin);
+            means.add(*report.peaks, part.end - part.begin);
         }
         if (written.kind == SegmentKind::law) {
             raise_peaks(
@@ -106,17 +108,15 @@ void report_peak_limits(Solution& solution) {
     report("jerk", limits.jerk, &Peaks::jerk);
 }
 
-void report_cam(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
-    const CamModel& model = problem.model();
-    const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
-    if (model.mechanism) {
+void report_cam(Solution& solution, Delivered&& delivered) {
+    if (delivered.mechanism) {
         solution.mechanism =
-            mechanism_report(solution.scene, model.mechanism->dimensions_at(parameters), *solution.motion);
+            mechanism_report(solution.scene, std::move(*delivered.mechanism), *solution.motion);
         const auto limits = mechanism_constraints(solution.scene, *solution.mechanism);
         solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
     }
-    if (!model.cam) return;
-    solution.cam = cam_report(solution.scene, model.cam->cam_at(parameters), *solution.motion);
+    if (!delivered.cam) return;
+    solution.cam = cam_report(solution.scene, *delivered.cam, *solution.motion);
     const std::vector<ConstraintReport> constraints = cam_constraints(solution.scene, *solution.cam);
     solution.constraints.insert(solution.constraints.end(), constraints.begin(), constraints.end());
 }
@@ -147,17 +147,16 @@ CamExtreme general_pressure_angle(const LimitSpec& limits, const CamSummary& sum
 
 }  // namespace
 
-SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch) {
+SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift) {
+    const SplineSpace& space = run.space();
+    const int first = space.segment_of(begin + shift, Side::right);
+    const int last = space.segment_of(end + shift, Side::left);
     std::vector<double> breakpoints;
-    std::vector<int> segments;
-    for (const MotionFamily::Piece& piece : family.pieces()) {
-        if (piece.stretch != stretch) continue;
-        if (breakpoints.empty()) breakpoints.push_back(piece.begin);
-        breakpoints.push_back(piece.end);
-        segments.push_back(piece.segment);
-    }
+    for (int i = first; i <= last + 1; ++i) breakpoints.push_back(space.breakpoints()[i] - shift);
+    breakpoints.front() = begin;  // there and back by the shift is not exact
+    breakpoints.back() = end;
     return {SplineSpace(run.degree(), run.continuity(), std::move(breakpoints)),
-            run.pieces()(Eigen::all, segments)};
+            run.pieces().middleCols(first, last - first + 1)};
 }
 
 ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
@@ -211,17 +210,26 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     return all;
 }
 
-void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
-    solution.motion = std::make_shared<MotionChain>(problem.motion(x));
+void report_delivered(Solution& solution, Delivered delivered) {
+    solution.motion = std::move(delivered.motion);
     if (solution.scene.motion.type == MotionType::program) {
-        report_segments(solution, problem, x);
+        report_segments(solution);
     } else {
-        solution.curve = problem.curve(x);
+        solution.curve = dynamic_cast<const SplineCurve&>(*solution.motion->parts().front().shape);
         solution.peaks = solution.motion_peaks = peaks_of(*solution.curve);
     }
     report_peak_limits(solution);
-    report_cam(solution, problem, x);
-    const MotionFamily& design = problem.model().design;
+    report_cam(solution, std::move(delivered));
+}
+
+void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
+    const CamModel& model = problem.model();
+    const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
+    Delivered delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}, {}};
+    if (model.cam) delivered.cam = model.cam->cam_at(parameters);
+    if (model.mechanism) delivered.mechanism = model.mechanism->dimensions_at(parameters);
+    report_delivered(solution, std::move(delivered));
+    const MotionFamily& design = model.design;
     const Eigen::VectorXd values = problem.design_values(x);
     const std::vector<int> reported = design.reported_entries();
     solution.design.values = values(reported);

@@ -5,13 +5,28 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <memory>
+#include <optional>
+#include <vector>
+
 namespace camopt {
 
-/// Fills motion, curve, segments, peaks, cam, constraints and design of the solution from x.
+/// report_delivered of the optimizer's x, and the design.
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x);
 
-/// The spline of one stretch of a program, over x.
-[[nodiscard]] SplineCurve stretch_curve(const MotionFamily& family, const SplineCurve& run, int stretch);
+/// What a solve delivers: all that is reported of the motion and its cam follows from it and the scene. Of a
+/// DRD or RR scene one spline, of a program one part a segment.
+struct Delivered {
+    std::shared_ptr<const MotionChain> motion;
+    std::optional<DiskCam> cam;                    ///< where the scene has a disk cam
+    std::optional<std::vector<double>> mechanism;  ///< dimensions of any other mechanism
+};
+
+/// Fills motion, curve, segments, peaks, cam and constraints of a solution that has its scene.
+void report_delivered(Solution& solution, Delivered delivered);
+
+/// The part of a spline over [begin, end] of x, where the spline's own x is x + shift; both at breakpoints.
+[[nodiscard]] SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift);
 
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);

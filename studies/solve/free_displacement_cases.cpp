@@ -136,7 +136,8 @@ void DisplacementCases::find_worst(DisplacementCase& part, const CamModel& model
         const MotionFamily::Stretch& stretch = family_.stretches()[static_cast<std::size_t>(box.stretch)];
         const double found = stretch.to.value(design) - stretch.from.value(design);
         const double measure = std::max(std::abs(found), standing_displacement);
-        const SplineCurve curve = stretch_curve(family_, family_.run_curve(stretch.run, design), box.stretch);
+        const SplineCurve curve =
+            part_of_run(family_.run_curve(stretch.run, design), stretch.begin, stretch.end, stretch.shift);
         const Peaks own = normalised_peaks(peaks_of(curve), {stretch.end - stretch.begin, measure});
         double excess = 0.0;
         for (std::size_t p = 0; p < model.parameters.size(); ++p) {

@@ -35,8 +35,8 @@ SpatialCam solved_spatial_cam(const Solution& solution) {
 
 ForwardCheckReport check_spatial_cam(const Solution& solution, int points) {
     const SpatialCam cam = solved_spatial_cam(solution);
-    const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
+    const MotionChain motion = whole_turn(solution);
     const FollowerMotion turn = follower_motion(motion, scale);
     const FlankGrid grid = flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points});
     SpatialForwardCheckInput input;

@@ -10,7 +10,7 @@
 
 namespace camopt {
 
-/// The motion must outlive what is returned.
+/// The motion must outlive what is returned. Of a cam: its whole_turn (studies/check/check_cam.hpp).
 [[nodiscard]] FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale);
 
 /// Whether the scene's cam is a barrel or a cylindrical one.
@@ -19,8 +19,8 @@ namespace camopt {
 /// Of a solution whose scene has one, with the dimensions that were chosen. Throws InputError for another.
 [[nodiscard]] SpatialCam solved_spatial_cam(const Solution& solution);
 
-/// Both flanks at both ends of the roller drive the follower: about `points` points a section
-/// (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by the lift.
+/// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` points a
+/// section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by the lift.
 [[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, int points = 2000);
 
 }  // namespace camopt

@@ -4,7 +4,7 @@
 #include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/json/paper_report_json.hpp"
 #include "output/nc/post_processor.hpp"
 #include "output/report/result_folder.hpp"

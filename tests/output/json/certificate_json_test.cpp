@@ -2,6 +2,7 @@
 #include "output/json/certificate_json.hpp"
 
 #include "core/errors.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/report/text_file.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/result_json.hpp"
 
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>

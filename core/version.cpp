@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/version.hpp"
+#include "core/version.hpp"
 
 namespace camopt {
 

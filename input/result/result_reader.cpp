@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "input/result/result_reader.hpp"
+
+#include "core/nlp.hpp"
+#include "core/version.hpp"
+#include "input/result/json_source.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt::input {
+
+namespace {
+
+CurveRecord read_curve(const JsonSource& json) {
+    CurveRecord curve;
+    curve.degree = json.at("degree").integer();
+    curve.continuity = json.at("continuity").integer();
+    if (curve.degree != 3 && curve.degree != 5)
+        json.at("degree").fail(fmt::format("found {}; allowed: 3 or 5", curve.degree));
+    curve.breakpoints = json.at("breakpoints").numbers();
+    const std::vector<JsonSource> pieces = json.at("pieces").items();
+    curve.pieces.resize(curve.degree + 1, static_cast<Eigen::Index>(pieces.size()));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::vector<double> piece = pieces[i].numbers();
+        if (static_cast<Eigen::Index>(piece.size()) != curve.pieces.rows())
+            pieces[i].fail(
+                fmt::format("found {} numbers; allowed: {}, degree + 1", piece.size(), curve.pieces.rows()));
+        curve.pieces.col(static_cast<Eigen::Index>(i)) =
+            Eigen::Map<const Eigen::VectorXd>(piece.data(), curve.pieces.rows());
+    }
+    return curve;
+}
+
+PartRecord read_part(const JsonSource& json, std::size_t curves) {
+    PartRecord part;
+    part.begin = json.at("begin").number();
+    part.end = json.at("end").number();
+    if (const JsonSource curve = json.at("curve"); !curve.is_null()) {
+        part.curve = curve.integer();
+        if (static_cast<std::size_t>(*part.curve) >= curves)
+            curve.fail(
+                fmt::format("found {}; allowed: one of the {} curves, counted from 0", *part.curve, curves));
+    }
+    part.law = json.at("law").words();
+    part.x0 = json.at("x0").number();
+    part.x_scale = json.at("x_scale").number();
+    part.y0 = json.at("y0").number();
+    part.y_scale = json.at("y_scale").number();
+    if (part.x_scale == 0.0) json.at("x_scale").fail("found 0; allowed: any other number");
+    return part;
+}
+
+std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
+    if (json.is_null()) return {};
+    ForwardCheckRecord check;
+    // What was not finite stands as null.
+    const auto number = [&](const char* key) {
+        const JsonSource value = json.at(key);
+        return value.is_null() ? infinity : value.number();
+    };
+    check.deviation = number(json.has("deviation_deg") ? "deviation_deg" : "deviation_mm");
+    check.relative = number("relative");
+    check.points = json.at("points").integer();
+    check.seconds = json.at("seconds").number();
+    check.at_deg = json.at("at_deg").number();
+    return check;
+}
+
+std::optional<CamRecord> read_cam(const JsonSource& json) {
+    if (json.is_null()) return {};
+    CamRecord cam;
+    for (const auto& [name, value] : json.at("dimensions").members())
+        cam.dimensions.emplace_back(name, value.number());
+    cam.forward_check = read_forward_check(json.at("forward_check"));
+    return cam;
+}
+
+SolverRecord read_solver(const JsonSource& json) {
+    SolverRecord solver;
+    solver.name = json.at("name").text();
+    solver.termination = json.at("termination").text();
+    solver.iterations = json.at("iterations").integer();
+    solver.exchange_rounds = json.at("exchange_rounds").integer();
+    solver.native_status = json.at("native_status").words();
+    solver.choice = json.at("choice").words();
+    solver.convex = json.at("convex").flag();
+    solver.starts = json.at("starts").integer();
+    return solver;
+}
+
+EvaluationRecord read_evaluations(const JsonSource& json) {
+    return {json.at("cost").count(),     json.at("gradient").count(), json.at("constraints").count(),
+            json.at("jacobian").count(), json.at("hessian").count(),  json.at("profile_points").count()};
+}
+
+void read_motion(const JsonSource& json, ResultRecord& record) {
+    if (json.is_null())
+        json.fail(
+            fmt::format("found none: the verdict is {}; allowed: a result with a motion", record.verdict));
+    for (const JsonSource& curve : json.at("curves").items()) record.curves.push_back(read_curve(curve));
+    for (const JsonSource& part : json.at("parts").items())
+        record.parts.push_back(read_part(part, record.curves.size()));
+}
+
+}  // namespace
+
+ResultRecord read_result(std::string_view text, std::string_view source_name) {
+    const JsonSource json(text, source_name);
+    if (const JsonSource written = json.at("camopt"); written.words() != version())
+        written.fail(fmt::format("found a result of camopt {}; allowed: of {}: solve its scene again",
+                                 written.words(), version()));
+    ResultRecord record;
+    record.scene_file = json.at("scene").words();
+    record.command = json.at("command").words();
+    record.verdict = json.at("verdict").text();
+    read_motion(json.at("motion"), record);
+    const JsonSource limit = json.at("bound").at("any_curve_limit");
+    if (!limit.is_null()) record.any_curve_limit = limit.number();
+    record.cam = read_cam(json.at("cam"));
+    const JsonSource design = json.at("design");
+    record.design = {design.at("kind").text(), design.at("names").texts(), design.at("values").numbers()};
+    record.solver = read_solver(json.at("solver"));
+    record.solver.proof_source = json.at("bound").at("source").words();
+    record.evaluations = read_evaluations(json.at("evaluations"));
+    record.seconds_total = json.at("seconds").at("total").number();
+    record.seconds_solve = json.at("seconds").at("solve").number();
+    record.notes = json.at("notes").texts();
+    return record;
+}
+
+}  // namespace camopt::input

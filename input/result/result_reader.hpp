@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// result.json → plain values: what cannot be made again from the scene and the delivered motion. Doubles come
+// back bit for bit as they were delivered. Which of them are still those of the motion is asked where a
+// Solution is made of them (studies/restored/restored_solution.hpp).
+// Errors: InputError "FILE: KEY: found …; allowed: …".
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace camopt::input {
+
+/// A spline of the delivered motion: pieces (degree + 1) x segments, as SplineCurve takes them.
+struct CurveRecord {
+    int degree = 0, continuity = 0;
+    std::vector<double> breakpoints;
+    Eigen::MatrixXd pieces;
+};
+
+/// One part of the chain (splines/motion_chain.hpp): a dwell where it names neither a curve nor a law.
+struct PartRecord {
+    double begin = 0.0, end = 0.0;
+    std::optional<int> curve;  ///< index in ResultRecord::curves
+    std::string law;           ///< key of the catalogue
+    double x0 = 0.0, x_scale = 1.0, y0 = 0.0, y_scale = 1.0;
+};
+
+struct ForwardCheckRecord {
+    double deviation = 0.0;  ///< in deg or mm
+    double relative = 0.0, at_deg = 0.0, seconds = 0.0;
+    int points = 0;
+};
+
+struct CamRecord {
+    std::vector<std::pair<std::string, double>> dimensions;  ///< "base_radius_m"; m or rad
+    std::optional<ForwardCheckRecord> forward_check;
+};
+
+struct DesignRecord {
+    std::string kind;
+    std::vector<std::string> names;
+    std::vector<double> values;
+};
+
+struct SolverRecord {
+    std::string name, termination, native_status, choice, proof_source;
+    int iterations = 0, exchange_rounds = 0, starts = 0;
+    bool convex = true;
+};
+
+struct EvaluationRecord {
+    long cost = 0, gradient = 0, constraints = 0, jacobian = 0, hessian = 0, profile_points = 0;
+};
+
+struct ResultRecord {
+    std::string scene_file, command;
+    std::string verdict;
+    std::optional<double> any_curve_limit;
+    std::vector<CurveRecord> curves;
+    std::vector<PartRecord> parts;
+    std::optional<CamRecord> cam;
+    DesignRecord design;
+    SolverRecord solver;
+    EvaluationRecord evaluations;
+    double seconds_total = 0.0, seconds_solve = 0.0;
+    std::vector<std::string> notes;
+};
+
+/// Throws InputError for text that is no result of this version of camopt, and for one without a motion.
+[[nodiscard]] ResultRecord read_result(std::string_view json, std::string_view source_name);
+
+}  // namespace camopt::input
