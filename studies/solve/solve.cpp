@@ -24,6 +24,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace camopt {
@@ -55,9 +56,32 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
 }
 
-FreeDisplacements displacements_left_free(const Scene& scene) {
-    if (scene.motion.type != MotionType::program) return {};
-    return free_displacements(scene, scene_family(scene, DesignKind::states));
+/// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
+class SceneModels {
+ public:
+    SceneModels(const Scene& scene, const Peaks& reference) : scene_(scene), reference_(reference) {}
+
+    [[nodiscard]] const CamModel& with_states() {
+        if (!with_states_) with_states_ = scene_model(scene_, DesignKind::states, reference_);
+        return *with_states_;
+    }
+    /// To be kept; it is made anew if it is asked for again.
+    [[nodiscard]] CamModel taken(DesignKind kind) {
+        if (kind != DesignKind::states || !with_states_) return scene_model(scene_, kind, reference_);
+        CamModel model = std::move(*with_states_);
+        with_states_.reset();
+        return model;
+    }
+
+ private:
+    const Scene& scene_;
+    const Peaks& reference_;
+    std::optional<CamModel> with_states_;
+};
+
+bool leaves_displacements_free(const Scene& scene, SceneModels& models) {
+    if (scene.motion.type != MotionType::program) return false;
+    return !free_displacements(scene, models.with_states().design).stretches.empty();
 }
 
 /// Who solves a problem that is not convex: Ipopt where this build has it.
@@ -68,9 +92,9 @@ std::string general_solver() {
     return "structured";
 }
 
-bool is_general(const Scene& scene) {
+bool is_general(const Scene& scene, SceneModels& models) {
     return (scene.cam || scene.mechanism || scene.objective.torque > 0.0) &&
-           needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+           needs_starts(models.with_states());
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
@@ -101,11 +125,9 @@ ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Soluti
     return std::move(all.result);
 }
 
-}  // namespace
-
-BackendChoice choose_backend(const Scene& scene) {
+BackendChoice chosen_backend(const Scene& scene, SceneModels& models) {
     BackendChoice choice{scene.solver.name, {}, scene.spline.design};
-    const bool general = choice.solver == "auto" && is_general(scene);
+    const bool general = choice.solver == "auto" && is_general(scene, models);
     if (choice.solver == "auto") {
         choice.solver = general ? general_solver() : "structured";
         choice.reason =
@@ -115,7 +137,7 @@ BackendChoice choose_backend(const Scene& scene) {
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
     }
-    if (!displacements_left_free(scene).stretches.empty()) {
+    if (leaves_displacements_free(scene, models)) {
         choice.reason =
             "displacements are free, and peaks are measured by them: relaxations bound them case by "
             "case, and ordinary solves try them" +
@@ -129,15 +151,14 @@ BackendChoice choose_backend(const Scene& scene) {
     return choice;
 }
 
-namespace {
-
 /// A scene whose objective is near one (CostScale).
 Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
                       GridMemory* memory) {
     const Stopwatch watch;
     Solution solution;
     solution.scene = scene;
-    const BackendChoice choice = choose_backend(scene);
+    SceneModels models(scene, reference);
+    const BackendChoice choice = chosen_backend(scene, models);
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
     solution.reference_peaks = reference;
@@ -146,7 +167,7 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     solution.solver.choice = choice.reason;
     solution.design.kind = choice.design;
 
-    CamModel model = scene_model(scene, choice.design, solution.reference_peaks);
+    CamModel model = models.taken(choice.design);
     CamProblem problem = memory != nullptr ? memory->problem(std::move(model)) : CamProblem(std::move(model));
     const MotionFamily& design = problem.model().design;
     for (const ConditionConflict& conflict : design.redundant()) {
@@ -203,6 +224,12 @@ void note_time_limit(Solution& solution) {
 }
 
 }  // namespace
+
+BackendChoice choose_backend(const Scene& scene) {
+    const Peaks reference = reference_peaks(scene);
+    SceneModels models(scene, reference);
+    return chosen_backend(scene, models);
+}
 
 Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
     const Scene scene = with_written_limits(given);
