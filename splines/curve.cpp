@@ -7,11 +7,21 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 namespace camopt {
 
 namespace {
-// Widths within this of each other are alike.
-constexpr double much_wider = 2.0;
+
+/// What the rounding of a piece's coefficients grows to in a control point: those of t^m are known to 1/h^m
+/// of their last digit.
+double growth(const Eigen::RowVectorXd& weights, double width) {
+    double sum = 0.0, power = 1.0;
+    for (Eigen::Index m = 0; m < weights.size(); ++m, power /= width) sum += std::abs(weights[m]) * power;
+    return sum;
+}
+
 }  // namespace
 
 SplineCurve::SplineCurve(SplineSpace space, Eigen::MatrixXd pieces)
@@ -65,14 +75,18 @@ Eigen::VectorXd SplineCurve::coefficients() const {
     const int step = p - continuity();
     Eigen::VectorXd result(space_.dimension());
     for (int j = 0; j < result.size(); ++j) {
-        // Any segment of the support gives the same number. The middle one rounds least, unless another is
-        // much wider: from a narrow one the knots of the others lie far away.
+        // Any segment of the support gives the same number, but not the same rounding: from a narrow one the
+        // knots of the others lie far away.
         const int last = std::min(j / step, space_.segments() - 1);
         const int first = j <= p ? 0 : (j - p + step - 1) / step;
-        int segment = (first + last) / 2;
-        for (int i = first; i <= last; ++i)
-            if (space_.width(i) > much_wider * space_.width(segment)) segment = i;
-        result[j] = blossom_weights(space_, j, segment) * pieces_.col(segment);
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = first; i <= last; ++i) {
+            const Eigen::RowVectorXd weights = blossom_weights(space_, j, i);
+            const double grown = growth(weights, space_.width(i));
+            if (!(grown < least)) continue;
+            least = grown;
+            result[j] = weights * pieces_.col(i);
+        }
     }
     return result;
 }

@@ -156,6 +156,27 @@ TEST(DesignVector, ANarrowSegmentEndsAtRest) {
     }
 }
 
+/// Of the control points as they are published.
+TEST(DesignVector, OrdinatesOfUnevenQuinticsEndAtRest) {
+    DesignRequest request = rise(DesignKind::ordinates, 5, 12);
+    request.space = SplineSpace(
+        5, 4, {0.0,    0.0369, 0.0433, 0.1164, 0.1555, 0.1917, 0.21,   0.3036, 0.344,  0.3871, 0.4425,
+               0.4566, 0.4618, 0.5427, 0.6222, 0.6301, 0.735,  0.8404, 0.8555, 0.9875, 0.9944, 1.0});
+    const DesignVector design = DesignVector::make(request);
+    Eigen::VectorXd x(design.size());
+    for (int j = 0; j < design.size(); ++j) {
+        const double at = request.space.breakpoints()[static_cast<std::size_t>(j) + 1];
+        x[j] = at * at * at * (10.0 - at * (15.0 - 6.0 * at)) + 1e-3 * std::sin(20.0 * at) * at * (1.0 - at);
+    }
+    const SplineCurve curve = design.curve(x);
+    // Three control points at either end are its displacement.
+    const Eigen::VectorXd points = curve.coefficients();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        EXPECT_NEAR(points[k], 0.0, 1e-16) << k;
+        EXPECT_NEAR(points[points.size() - 1 - k], 1.0, 2e-15) << k;
+    }
+}
+
 TEST(DesignVector, FunctionalsAreTheCurvesDerivatives) {
     for (const DesignKind kind : kinds) {
         for (const int degree : {3, 5}) {
