@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// That the cam can be built at rest, where its dimensions move: each sum of reach_of(follower) is a linear row of
-// its own, where the ranges do not keep it anyhow.
+// That the cam can be built at rest, where its dimensions move: each sum of reach_of(follower) is a linear
+// row of its own, where the ranges do not keep it anyhow.
 #pragma once
 
 #include "objectives/model.hpp"

@@ -31,8 +31,7 @@ std::string degrees_at(const Solution& solution, double x) {
 std::string undercut_remark(const Solution& solution) {
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;
-    if (has_edge(cam.cam.follower))
-        return "No undercut: a knife edge follows any pitch curve.";
+    if (has_edge(cam.cam.follower)) return "No undercut: a knife edge follows any pitch curve.";
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
     return fmt::format(
         "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the follower "

@@ -85,8 +85,8 @@ TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
     displacements.resize(1);
     points[0].pitch_curvature = 0.0;
     points[0].cam_radius = HUGE_VAL;
-    const auto cells =
-        numbers(lines_of(profile_csv(points, displacements, follower_of(FollowerType::translating_knife)))[1]);
+    const auto cells = numbers(
+        lines_of(profile_csv(points, displacements, follower_of(FollowerType::translating_knife)))[1]);
     EXPECT_TRUE(std::isnan(cells[9]));
     EXPECT_TRUE(std::isnan(cells[10]));
     EXPECT_EQ(cells[11], 1.0);
@@ -95,7 +95,9 @@ TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
 TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
     auto [points, displacements] = sample(FollowerType::translating_flat);
     displacements.pop_back();
-    EXPECT_EQ(refusal([&] { (void)profile_csv(points, displacements, follower_of(FollowerType::translating_flat)); }),
+    EXPECT_EQ(refusal([&] {
+                  (void)profile_csv(points, displacements, follower_of(FollowerType::translating_flat));
+              }),
               "profile.csv: 97 points and 96 displacements");
 }
 
