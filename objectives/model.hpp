@@ -39,7 +39,7 @@ struct Parameter {
 
 /// A rule and where it holds.
 struct PlacedRule {
-    std::shared_ptr<const PointRule> rule;  ///< immutable, shared by a problem and its tie-break
+    std::shared_ptr<const PointRule> rule;  ///< shared by a problem and its tie-break
     int stretch = -1;                       ///< of the family; -1: everywhere
 
     template <typename Rule>

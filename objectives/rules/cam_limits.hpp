@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The limits of a scene with a cam as rules g <= 0.
 //
-//   pressure angle   (± N cos φm − D sin φm)/L,  tan φ = N/D:  linear or convex as MECHANISMS §5 lists
+//   pressure angle   (± N cos φm − D sin φm)/L,  tan φ = N/D:  linear or convex: docs/theory/
 //   convex radius    (r + ρ_min) κ − 1 for rollers and knife edges, (ρ_min − ρ)/base for flat faces
 //   concave radius   −(ρ_c − r) κ − 1
 //   undercut margin  margin − regularity

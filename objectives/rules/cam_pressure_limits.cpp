@@ -77,8 +77,8 @@ RangeAlong pressure_range(const DiskCam& cam, StateAlong state, const PressureSi
 }
 
 /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
-/// MECHANISMS §5. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex where the cosine
-/// is concave for the upper side, where it is convex for the lower one.
+/// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex
+/// where the cosine is concave for the upper side, where it is convex for the lower one.
 bool pressure_is_convex(const CamVariables& cam, const PressureSide& side, double least, double most) {
     if (!is_oscillating(cam.cam.follower)) return true;
     if (!cam.variables.empty() || !std::isfinite(least) || !std::isfinite(most)) return false;

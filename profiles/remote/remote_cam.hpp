@@ -13,7 +13,7 @@
 // Numerator and denominator are given the sign that makes the denominator positive in this mechanism.
 // Frames and signs otherwise as in profiles/disk/disk_cam.hpp; coordinates are those of the scene.
 // Linkages, dimensions and branches: profiles/remote/remote_spec.hpp. SI, rad. Out of reach: NaN; `fault` has
-// the words. Source: seed 003 (tappet shedding; it prints no formulas), docs/papers/003.md.
+// the words. Source: docs/papers/003.md (tappet shedding; the paper prints no formulas).
 #pragma once
 
 #include "profiles/remote/remote_spec.hpp"

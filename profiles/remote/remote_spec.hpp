@@ -58,7 +58,7 @@ enum class RemoteBranch { left, right };
 /// What the pressure angle is measured at.
 enum class PressurePoint {
     roller_center,  ///< the usual definition: the roller turns freely
-    contact_point   ///< the contact point, taken as fixed to the lever (seed 003)
+    contact_point   ///< the contact point, taken as fixed to the lever (paper 003)
 };
 [[nodiscard]] const char* name_of(PressurePoint value);
 

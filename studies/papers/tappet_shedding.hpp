@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mechanism and the motions of seed 003, tappet shedding of a loom: lever, coupler, rocker, coupler,
+// The mechanism and the motions of paper 003, tappet shedding of a loom: lever, coupler, rocker, coupler,
 // heald frame. The angles and the lift are the paper's; every dimension of the mechanism is chosen, it gives
 // none.
 #pragma once

@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(All, CamRules, testing::ValuesIn(cases()), [](const aut
 });
 
 TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {
-    // MECHANISMS §5: both sides convex where |ψ − 90°| <= φ_max.
+    // docs/theory/pressure_angle.md: both sides convex where |ψ − 90°| <= φ_max.
     for (const double start_degrees : {75.0, 40.0}) {
         Scene scene = scene_of({FollowerType::oscillating_roller, Rotation::counterclockwise, false});
         scene.limits = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference numbers of MECHANISMS §4, to the digits given there.
+// The reference numbers of docs/theory/remote_follower.py, to the digits given there.
 #include "tappet.hpp"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tappet shedding mechanism of MECHANISMS §4 and its motions. All its dimensions are chosen: the paper
-// gives none.
+// The tappet shedding mechanism of docs/papers/003.md and its motions. All its dimensions are chosen: the
+// paper gives none.
 #pragma once
 
 #include "core/motion.hpp"

@@ -32,7 +32,7 @@ Scene scene_of(MotionType type, int segments) {
     return scene;
 }
 
-/// MATH.md section 5: lift 20 mm in 60 deg, roller 10 mm, |φ| <= 30 deg.
+/// docs/theory/pressure_angle.md: lift 20 mm in 60 deg, roller 10 mm, |φ| <= 30 deg.
 Scene pressure_scene(double base_radius) {
     Scene scene = scene_of(MotionType::drd, 24);
     scene.motion.lift = 20e-3;

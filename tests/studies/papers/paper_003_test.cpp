@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of paper 003 against MECHANISMS §4: largest pressure angles by both definitions, verdicts,
-// forward checks.
+// The report of paper 003 against docs/theory/remote_follower.py: largest pressure angles by both
+// definitions, verdicts, forward checks.
 #include "studies/papers/paper_003.hpp"
 
 #include "studies/check/mechanism_check.hpp"
@@ -52,7 +52,7 @@ TEST(Paper003, ReportsTheReferenceNumbersAndBothVerdicts) {
 }
 
 TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
-    // MECHANISMS §4, MT60: 2.9e-6, 5.9e-9, 1.8e-11 mm; ours goes through the points with a smoother curve.
+    // A polygon's, MT60: 2.9e-6, 5.9e-9, 1.8e-11 mm; ours goes through the points with a smoother curve.
     const MechanismSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
     const MotionChain motion = tappet_motion("modified_trapezoid", 60);

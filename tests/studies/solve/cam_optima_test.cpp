@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cam in the loop: proved optima of MATH.md §5, the smallest cams of §8, flat faces, what is left out.
+// The cam in the loop: proved optima and smallest cams of docs/theory/pressure_angle.md, flat faces, what is
+// left out.
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
@@ -83,7 +84,7 @@ TEST(PressureAngle, EveryBackendFindsTheSame) {
     }
 }
 
-constexpr double any_motion_mm = 24.0813;  // h / (exp(β tan φ) − 1), MATH.md §8
+constexpr double any_motion_mm = 24.0813;  // h / (exp(β tan φ) − 1)
 
 Scene smallest_cam_scene(int segments, double weight) {
     Scene scene = pressure_angle_scene(0, segments);
