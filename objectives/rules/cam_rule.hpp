@@ -8,6 +8,7 @@
 #include "profiles/disk/quantity_along.hpp"
 #include "profiles/sampling.hpp"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,8 +27,9 @@ struct CamVariables {
     DiskCam cam;
     MotionScale scale;
     std::vector<Variable> variables;
-    /// How many points of a profile were evaluated: shared by all rules of a problem.
-    std::shared_ptr<long> profile_points = std::make_shared<long>(0);
+    /// How many points of a profile were evaluated: shared by all rules of a problem; threads may count at
+    /// once.
+    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
 
     [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
     /// The cam for all parameters of a problem.

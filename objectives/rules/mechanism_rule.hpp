@@ -9,6 +9,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -27,8 +28,8 @@ struct MechanismVariables {
     std::vector<double> dimensions;
     MotionScale scale;
     std::vector<Variable> variables;
-    /// How many points were evaluated: shared by all rules of a problem.
-    std::shared_ptr<long> profile_points = std::make_shared<long>(0);
+    /// How many points were evaluated: shared by all rules of a problem; threads may count at once.
+    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
 
     /// The dimensions for all parameters of a problem.
     [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;

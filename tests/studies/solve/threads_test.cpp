@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What docs/embedding.md promises to programs with several threads: solves at once are the same as solves one
+// after another, and what they share is not written to while it is evaluated. The preset tsan looks on.
+#include "objectives/scene_model.hpp"
+#include "profiles/remote/remote_cam.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/cam_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+
+constexpr int threads = 2;
+
+/// Every one of them at once.
+void at_once(const std::function<void(int)>& work) {
+    std::vector<std::thread> running;
+    for (int k = 0; k < threads; ++k) running.emplace_back(work, k);
+    for (std::thread& thread : running) thread.join();
+}
+
+Scene plain_scene() {
+    Scene scene;
+    scene.spline.segments = 8;
+    paper_weights(scene);
+    return scene;
+}
+
+Scene roller_scene() {
+    Scene scene = pressure_angle_scene(60.0, 8);
+    scene.solver.starts = 1;
+    return scene;
+}
+
+/// A lever that a coupler joins to a slider: its formulas are shared by all copies of the scene.
+Scene linkage_scene() {
+    Scene scene = plain_scene();
+    scene.motion.lift = 30 * units::millimetre;
+    scene.motion.rise = 120 * units::degree;
+    scene.solver.starts = 1;
+    scene.limits.pressure_angle = degrees(45.0, "limits.pressure_angle_deg");
+    MechanismSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
+    spec.choices["lever_branch"] = "right";
+    const std::pair<RemoteDimension, double> millimetres[] = {
+        {RemoteDimension::roller_radius, 15},   {RemoteDimension::roller_arm, 100},
+        {RemoteDimension::lever_pivot_x, -100}, {RemoteDimension::lever_pivot_y, 50},
+        {RemoteDimension::lever_arm, 150},      {RemoteDimension::coupler, 200},
+        {RemoteDimension::slider_x, 45},        {RemoteDimension::slider_y, 245}};
+    for (const auto& [which, value] : millimetres)
+        spec.dimensions[static_cast<std::size_t>(which)].value = Dimension(value * units::millimetre);
+    spec.dimensions[static_cast<std::size_t>(RemoteDimension::slider_angle)].value =
+        Dimension(90 * units::degree);
+    scene.mechanism = spec;
+    scene.mechanism->formulas = std::make_shared<RemoteCam>(spec);
+    return scene;
+}
+
+void expect_the_same(const Solution& one, const Solution& other) {
+    EXPECT_EQ(one.certificate.verdict, other.certificate.verdict);
+    EXPECT_EQ(one.certificate.objective, other.certificate.objective);
+    EXPECT_EQ(one.evaluations.profile_points, other.evaluations.profile_points);
+    ASSERT_TRUE(one.curve && other.curve);
+    EXPECT_EQ(one.curve->coefficients(), other.curve->coefficients());
+}
+
+void expect_side_by_side(const Scene& scene) {
+    const Solution alone = solve(scene);
+    std::vector<Solution> found(threads);
+    at_once([&](int k) { found[static_cast<std::size_t>(k)] = solve(scene); });
+    for (const Solution& solution : found) expect_the_same(alone, solution);
+}
+
+TEST(Threads, SolveOneSceneAtOnce) {
+    expect_side_by_side(plain_scene());
+}
+
+TEST(Threads, SolveOneCamAtOnce) {
+    expect_side_by_side(roller_scene());
+}
+
+TEST(Threads, SolveOneLinkageAtOnceWithSharedFormulas) {
+    expect_side_by_side(linkage_scene());
+}
+
+TEST(Threads, SolveTwoScenesAtOnce) {
+    const std::vector<Scene> scenes = {plain_scene(), roller_scene()};
+    std::vector<Solution> found(threads);
+    at_once([&](int k) {
+        const auto at = static_cast<std::size_t>(k);
+        found[at] = solve(scenes[at]);
+    });
+    for (std::size_t k = 0; k < scenes.size(); ++k) expect_the_same(solve(scenes[k]), found[k]);
+}
+
+/// All rules of one model at many points; the sum of what they are.
+double evaluated(const CamModel& model, int points) {
+    double sum = 0.0;
+    for (int i = 0; i < points; ++i) {
+        const double x = (i + 0.5) / points;
+        const MotionPoint point{x, {x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x), 6.0 - 12.0 * x, -12.0}};
+        for (const PlacedRule& rule : model.rules) {
+            const auto size = static_cast<Eigen::Index>(rule->parameters().size());
+            sum += rule->evaluate(point, Eigen::VectorXd::Ones(size)).value;
+        }
+    }
+    return sum;
+}
+
+TEST(Threads, EvaluateOneModelAtOnceAndCountEveryPoint) {
+    constexpr int points = 2000;
+    for (const Scene& scene : {roller_scene(), linkage_scene()}) {
+        const CamModel model = scene_model(scene, DesignKind::automatic, reference_peaks(scene));
+        const auto& counted = model.cam ? *model.cam->profile_points : *model.mechanism->profile_points;
+        const double alone = evaluated(model, points);
+        const long once = counted;
+        ASSERT_GT(once, 0);
+        std::vector<double> sums(threads);
+        at_once([&](int k) { sums[static_cast<std::size_t>(k)] = evaluated(model, points); });
+        for (const double sum : sums) EXPECT_EQ(sum, alone);
+        EXPECT_EQ(counted, (1 + threads) * once);
+    }
+}
+
+}  // namespace
+}  // namespace camopt
