@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` puts down: the libraries and headers of every folder that has a target, a CMake package
-# with one component a folder, and the camopt program where it is built.
-include(GNUInstallDirs)
+# What `cmake --install` puts down: the promised headers in include/camopt, what they are made of in
+# include/camopt/detail, a CMake package, a pkg-config file, and the camopt program where it is built. The libraries
+# are the folders, with one component each, or the one shared library (BUILD_SHARED_LIBS). Either package can be installed
+# by itself, as the tests do: cmake --install … --component camopt_static, camopt_shared.
 include(CMakePackageConfigHelpers)
 
 get_property(modules GLOBAL PROPERTY CAMOPT_MODULES)
 set(camopt_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/camopt)
-
-# camopt::camopt: everything, for those who do not want to choose.
-add_library(camopt_all INTERFACE)
-add_library(camopt::camopt ALIAS camopt_all)
+set(camopt_detail_dir ${CMAKE_INSTALL_INCLUDEDIR}/camopt/detail)
+if(BUILD_SHARED_LIBS)
+  set(camopt_only_static EXCLUDE_FROM_ALL)
+  set(camopt_only_shared "")
+else()
+  set(camopt_only_static "")
+  set(camopt_only_shared EXCLUDE_FROM_ALL)
+endif()
 
 # What a consumer of the static libraries has to find, by the target that a link line names.
 set(camopt_package_of_Eigen3::Eigen Eigen3)
@@ -48,6 +53,8 @@ endfunction()
 
 # Modules stand in the order of the data flow, so what a module needs has its own closure already.
 set(component_table "")
+set(camopt_pc_static "")
+set(camopt_packages "")
 foreach(module IN LISTS modules)
   camopt_link_line(${module} direct packages)
   set(needs_${module} ${direct})
@@ -58,25 +65,51 @@ foreach(module IN LISTS modules)
   list(REMOVE_DUPLICATES packages)
   string(APPEND component_table "set(_camopt_needs_${module} \"${needs_${module}}\")\n"
                                 "set(_camopt_packages_${module} \"${packages}\")\n")
+  list(PREPEND camopt_pc_static -lcamopt_${module})
 
-  target_link_libraries(camopt_all INTERFACE camopt::${module})
   install(TARGETS camopt_${module} EXPORT camopt-${module}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/camopt)
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT camopt_static ${camopt_only_static}
+    FILE_SET HEADERS DESTINATION ${camopt_detail_dir} COMPONENT camopt_static ${camopt_only_static})
   install(EXPORT camopt-${module} FILE camopt-${module}-targets.cmake NAMESPACE camopt::
-    DESTINATION ${camopt_package_dir})
+    DESTINATION ${camopt_package_dir} COMPONENT camopt_static ${camopt_only_static})
+  # The shared library's headers are the same files, of targets that are not exported with it.
+  get_target_property(headers camopt_${module} HEADER_SET)
+  foreach(header IN LISTS headers)
+    cmake_path(ABSOLUTE_PATH header BASE_DIRECTORY ${PROJECT_SOURCE_DIR} NORMALIZE)
+    cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE place)
+    cmake_path(GET place PARENT_PATH place)
+    install(FILES ${header} DESTINATION ${camopt_detail_dir}/${place} COMPONENT camopt_shared ${camopt_only_shared})
+  endforeach()
 endforeach()
+install(TARGETS camopt_shared EXPORT camopt-shared
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT camopt_shared NAMELINK_COMPONENT camopt_shared
+  ${camopt_only_shared})
+install(EXPORT camopt-shared FILE camopt-shared-targets.cmake NAMESPACE camopt:: DESTINATION ${camopt_package_dir}
+  COMPONENT camopt_shared ${camopt_only_shared})
 
-configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/camoptConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/camoptConfig.cmake INSTALL_DESTINATION ${camopt_package_dir})
+# A package of each kind under the same names: who looks for camopt does not see which he got.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/camoptConfig.cmake ${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
-  DESTINATION ${camopt_package_dir})
+include(CamoptPkgConfig)
+foreach(kind static shared)
+  set(kind_dir ${PROJECT_BINARY_DIR}/package/${kind})
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/camopt${kind}Config.cmake.in
+    ${kind_dir}/camoptConfig.cmake INSTALL_DESTINATION ${camopt_package_dir}
+    PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+  camopt_pkg_config(${kind} ${kind_dir}/camopt.pc)
+  set(here COMPONENT camopt_${kind} ${camopt_only_${kind}})
+  install(FILES ${kind_dir}/camoptConfig.cmake ${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
+    DESTINATION ${camopt_package_dir} ${here})
+  install(FILES ${kind_dir}/camopt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${here})
+  install(DIRECTORY include/camopt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${here} FILES_MATCHING PATTERN "*.hpp")
+  # In the tree a header is named from the root of the tree; installed, from include/.
+  install(CODE "set(camopt_include_dir \"${CMAKE_INSTALL_INCLUDEDIR}/camopt\")" ${here})
+  install(SCRIPT cmake/CamoptInstalledIncludes.cmake ${here})
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} ${here})
+endforeach()
 install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
   cmake/FindCamoptSuiteSparse.cmake cmake/FindCamoptOpenCascade.cmake
-  DESTINATION ${camopt_package_dir}/modules)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -6,6 +6,10 @@ option(CAMOPT_BUILD_APPS "Build the camopt command line" ${PROJECT_IS_TOP_LEVEL}
 option(CAMOPT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(CAMOPT_INSTALL "Rules for cmake --install" ${PROJECT_IS_TOP_LEVEL})
+if(PROJECT_IS_TOP_LEVEL)
+  option(BUILD_SHARED_LIBS "camopt::camopt, and what is installed, is one shared library" OFF)
+endif()
 option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.
@@ -17,6 +21,7 @@ endforeach()
 set(CAMOPT_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
 option(CAMOPT_COVERAGE "Instrument every target for coverage" OFF)
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+# A parent project's build type is its own.
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()

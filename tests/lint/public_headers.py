@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""public_headers.py INSTALLED: the headers of an installed camopt stand alone. They include the standard library,
+"""public_headers.py INCLUDE: the headers of an installed camopt (INCLUDE/camopt) stand alone. They include the standard library,
 Eigen and one another, hold no conditional compilation, and name no type of another library."""
 
 import pathlib
@@ -36,7 +36,12 @@ def faults_of(root, path):
 def main():
     root = pathlib.Path(sys.argv[1])
     headers = [path for path in source_tree.files(root) if path.suffix == ".hpp"]
+    promised = [path for path in headers if path.parent.as_posix() == "camopt"]
     faults = [fault for path in headers for fault in faults_of(root, path)]
+    if promised:
+        faults += [f"{path}: stands outside of camopt/" for path in headers if path.parts[0] != "camopt"]
+        if len(promised) > 60:
+            faults.append(f"camopt/: {len(promised)} headers are promised to embedders; about 40 are meant")
     source_tree.report("public_headers", faults, len(headers))
 
 

@@ -52,6 +52,7 @@ PLANTED = [
     ("public_headers", "core/b.hpp", "#pragma once\nstruct B { nlopt_opt handle; };\n", "names another library"),
     ("public_headers", "core/b.hpp", "#pragma once\n#include \"core/hidden.hpp\"\n", "which is not installed"),
     ("public_headers", "core/b.hpp", "int b();\n", "no '#pragma once'"),
+    ("public_headers", "camopt/b.hpp", "#pragma once\n", "stands outside of camopt/"),
     ("doc_links", "docs/x.md", "[gone](gone.md)\n", "'gone.md' does not exist"),
     ("doc_links", "docs/x.md", "[a](../README.md#no-such)\n", "no such heading"),
     ("doc_links", "docs/x.md", "see `core/gone.hpp`\n", "`core/gone.hpp` does not exist"),

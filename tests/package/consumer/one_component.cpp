@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rest-to-rest cubic y = 3x² − 2x³ passes (1/2, 1/2).
-#include "splines/curve.hpp"
-
+#include <camopt/spline_curve.hpp>
 #include <iostream>
 
 int main() {

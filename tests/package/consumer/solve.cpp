@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/solve/solve.hpp"
-
+#include <camopt/solve.hpp>
 #include <iostream>
 
 int main() {

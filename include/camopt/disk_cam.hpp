@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Disk cams: one point of the follower's motion makes one point of the cam (profile_point), and the
+// quantities that limits are made of (pressure angle, radii, forces) with exact partials. Frames and signs
+// stand in the header this one brings; m, rad, s' in m/rad.
+#pragma once
+
+#include "profiles/disk/disk_cam.hpp"

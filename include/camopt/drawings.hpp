@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Cams as DXF text: arcs within a tolerance (m) of the exact curve; files in mm. Errors: InputError for a
+// tolerance that is not positive and a cam that is not finite.
+#pragma once
+
+#include "output/drawing/cam_profile.hpp"
+#include "output/drawing/mechanism_dxf.hpp"
+#include "output/drawing/profile_dxf.hpp"

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// The finished cam turned under its follower, by its points alone: does the follower move as designed?
+// check_cam(solution) for a solved scene, forward_check(input) for points of any origin. m, rad.
+#pragma once
+
+#include "studies/check/check_cam.hpp"
+#include "studies/check/forward_check.hpp"

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Inverse cams: the guide that makes a feeder move as wished, and the check that pushes a roller through the
+// finished guide. m, rad, s.
+#pragma once
+
+#include "studies/inverse/inverse_forward.hpp"
+#include "studies/inverse/inverse_guide.hpp"
+#include "studies/inverse/solved_guide.hpp"

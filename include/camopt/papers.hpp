@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The papers behind camopt computed again: their tables and figures beside the numbers found here.
+#pragma once
+
+#include "studies/papers/paper_catalogue.hpp"

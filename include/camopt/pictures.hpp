@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Motion, cam and mechanism as SVG text, to scale where they show a machine.
+#pragma once
+
+#include "output/chart/motion_svg.hpp"
+#include "output/drawing/mechanism_svg.hpp"
+#include "output/drawing/profile_svg.hpp"

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The published spline-versus-modified-sine tables beside what is true. Peaks without units.
+#pragma once
+
+#include "studies/compare/reference_table.hpp"

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// A scene: what must move, what counts, which limits hold, how fine the spline may be, and the cam. Plain
+// values in SI and radians with the defaults of a scene file. find_fault(scene) says what is wrong with one;
+// validate(scene) throws InputError with it. Every study validates what it is given.
+//
+// Scenes may be copied and read by several threads; the formulas of a mechanism (Scene::mechanism->formulas)
+// are shared by the copies and constant.
+#pragma once
+
+#include "scene/scene.hpp"
+#include "scene/spellings.hpp"

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The version of this camopt, "MAJOR.MINOR.PATCH".
+#pragma once
+
+#include "output/json/version.hpp"

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// A solution and a comparison in words: the verdict in a sentence, limits, what would help. UTF-8, display
+// units. Nothing throws.
+#pragma once
+
+#include "output/words/comparison_text.hpp"
+#include "output/words/solution_text.hpp"
