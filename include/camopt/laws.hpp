@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The classical motion laws as Motions with closed-form derivatives and exact peaks: law_catalogue() lists
-// them, make_law("modified-sine") makes one; the others take free parameters.
+// them, make_law("modified_sine") makes one; the others take free parameters.
 //
 //   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0 on 0 <= x <= 1.
 //

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A solution as files: report, table of the motion, proof, pictures, profile. Files of an earlier run are
-// replaced together. Display units (mm, degrees). Errors: InputError naming the folder or file.
+// A solution as files (report, table of the motion, proof, pictures, profile), and read back without solving
+// (read_result_folder). Files of an earlier run are replaced together. Display units (mm, degrees). Errors:
+// InputError naming the folder or file, and what does not fit.
 #pragma once
 
 #include "output/report/report.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/report/result_folder_reader.hpp"

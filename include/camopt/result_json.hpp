@@ -5,4 +5,5 @@
 #pragma once
 
 #include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/json/result_json.hpp"

@@ -2,4 +2,4 @@
 // The version of this camopt, "MAJOR.MINOR.PATCH".
 #pragma once
 
-#include "output/json/version.hpp"
+#include "core/version.hpp"

@@ -24,7 +24,7 @@ inline void paper_weights(Scene& scene) {
     reference.jerk = 69.0;
 }
 
-/// MATH.md §5: rise 60°, lift 20 mm, |φ| <= 30°, cubic, roller of 10 mm on the cam axis.
+/// docs/theory/pressure_angle.md: rise 60°, lift 20 mm, |φ| <= 30°, cubic, roller of 10 mm on the cam axis.
 inline Scene pressure_angle_scene(double prime_radius_mm, int segments = 24) {
     Scene scene;
     scene.motion.lift = 20e-3;

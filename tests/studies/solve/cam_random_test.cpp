@@ -3,6 +3,7 @@
 // do not find anything better.
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
+#include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ namespace {
 using namespace testing_support;
 using enum DimensionIndex;
 
-constexpr int random_scenes = 50;
+/// The search finds the best of many starts in at least 24 of 25 scenes.
+constexpr int scenes_for_one_better = 25;
 constexpr int many_starts = 40;
 constexpr int dense_points = 20000;
 
@@ -54,8 +56,8 @@ Scene random_scene(unsigned seed) {
     return scene;
 }
 
-/// The largest relative violation of the limits, from the motion alone: formulas of MECHANISMS.md §5 written
-/// out, pitch curve of a translating roller.
+/// The largest relative violation of the limits, from the motion alone: formulas of a translating roller,
+/// written out by its pitch curve.
 double worst_violation(const Scene& scene, const Motion& motion) {
     const CamSpec& cam = *scene.cam;
     const double roller = cam[roller_radius].low;
@@ -82,8 +84,9 @@ double worst_violation(const Scene& scene, const Motion& motion) {
 }
 
 TEST(RandomRollerCams, KeepTheirLimitsAndMoreStartsFindNothingBetter) {
+    const int random_scenes = scenes_to_try(12, 50);
     int better = 0, delivered = 0, infeasible = 0, proved = 0, bitten = 0;
-    for (unsigned seed = 1; seed <= random_scenes; ++seed) {
+    for (unsigned seed = 1; seed <= static_cast<unsigned>(random_scenes); ++seed) {
         Scene scene = random_scene(seed);
         const Solution solution = solve(scene);
         const Verdict verdict = solution.certificate.verdict;
@@ -109,7 +112,7 @@ TEST(RandomRollerCams, KeepTheirLimitsAndMoreStartsFindNothingBetter) {
         "%d starts found better in %d\n",
         delivered, proved, bitten, infeasible, many_starts, better);
     EXPECT_GE(bitten, random_scenes / 4);
-    EXPECT_LE(better, 2);
+    EXPECT_LE(better, random_scenes / scenes_for_one_better);
 }
 
 }  // namespace

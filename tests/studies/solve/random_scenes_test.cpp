@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// 200 seeded scenes through every backend: whatever a verdict says is checked on the delivered knots and
-// coefficients by code that shares nothing with the library.
+// 200 seeded scenes through every backend (through those that are slow the first 32 of them, but in long
+// runs): whatever a verdict says is checked on the delivered knots and coefficients by code that shares
+// nothing with the library.
 #include "studies/solve/solve.hpp"
 #include "tests/studies/independent_spline.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
+#include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@ using testing_support::IndependentSpline;
 using testing_support::is_available;
 using testing_support::normalised_limit;
 using testing_support::paper_objective;
+using testing_support::scenes_to_try;
 
 constexpr int scene_count = 200;
 constexpr double allowed = 1e-7;
@@ -98,8 +101,10 @@ class RandomScenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(RandomScenes, NoVerdictClaimsMoreThanTheCurveKeeps) {
     if (!is_available(GetParam())) GTEST_SKIP() << GetParam() << " is not part of this build";
+    const bool slow = GetParam().starts_with("nlopt");
+    const int scenes = scenes_to_try(slow ? 32 : scene_count, scene_count);
     std::map<Verdict, int> verdicts;
-    for (int number = 0; number < scene_count; ++number) {
+    for (int number = 0; number < scenes; ++number) {
         Scene scene = random_scene(number);
         scene.solver.name = GetParam();
         if (GetParam() == "nlopt.cobyla") scene.solver.max_seconds = 0.4;
