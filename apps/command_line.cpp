@@ -7,6 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/version.hpp"
+#include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
@@ -268,13 +269,21 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
                      "Go on with the sweep in the folder; start where there is none");
 }
 
+std::vector<std::string> traded_names() {
+    std::vector<std::string> names;
+    for (const CostTerm& term : cost_terms())
+        if (term.traded) names.emplace_back(term.name());
+    return names;
+}
+
 void add_pareto(CLI::App& command, ParetoWords& words) {
     CLI::Option* const pareto =
         command
             .add_option(
                 "--pareto", words.goals,
-                "Trace the front of two figures by limits instead of weights: velocity, acceleration, "
-                "jerk, rms_acceleration, rms_jerk, or a variable dimension")
+                fmt::format("Trace the front of two figures by limits instead of weights: {}, or a variable "
+                            "dimension",
+                            fmt::join(traded_names(), ", ")))
             ->type_name("FIRST,SECOND");
     CLI::Option* const points =
         command

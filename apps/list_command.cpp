@@ -2,6 +2,7 @@
 // camopt list: the laws, followers and solvers that this camopt knows.
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
+#include "core/peak_figures.hpp"
 #include "input/follower_kinds.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/json/json_text.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt::apps {
@@ -39,18 +41,14 @@ Json laws_json() {
         Json parameters = Json::object();
         for (const LawParameter& parameter : info.parameters)
             parameters[parameter.name] = number_json(parameter.value);
-        list.push_back({{"key", info.key},
-                        {"title", info.title},
-                        {"source", info.source},
-                        {"continuity", info.continuity},
-                        {"parameters", parameters},
-                        {"velocity", number_json(peaks.velocity.value)},
-                        {"acceleration", number_json(peaks.acceleration.value)},
-                        {"jerk", number_json(peaks.jerk.value)},
-                        {"torque", number_json(peaks.torque.value)},
-                        {"rms_velocity", number_json(peaks.rms_velocity)},
-                        {"rms_acceleration", number_json(peaks.rms_acceleration)},
-                        {"rms_jerk", number_json(peaks.rms_jerk)}});
+        Json law = {{"key", info.key},
+                    {"title", info.title},
+                    {"source", info.source},
+                    {"continuity", info.continuity},
+                    {"parameters", parameters}};
+        for (const PeakFigure& figure : peak_figures)
+            law[std::string(figure.name)] = number_json(figure.of(peaks));
+        list.push_back(std::move(law));
     }
     return list;
 }

@@ -9,11 +9,8 @@ namespace {
 using enum KeyType;
 using namespace spellings;
 
-const Range right_angle = {.low = 0.0, .high = 90.0, .low_included = false, .high_included = false};
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
-const Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
 constexpr auto needs_cam = Availability::needs_cam;
-constexpr auto needs_forces = Availability::needs_forces;
 
 std::vector<std::string_view> kinds_of_cams() {
     std::vector<std::string_view> types;
@@ -109,33 +106,6 @@ std::vector<KeyRow> dimension_weight_rows() {
     };
 }
 
-std::vector<KeyRow> cam_limit_rows() {
-    return {
-        {"limits", "pressure_angle", number, angle, right_angle, {}, "none",
-         "Cap on the pressure angle at every cam angle; where the two below replace it still at rest and in dwells.", needs_cam},
-        {"limits", "rise_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower rises; at rest and in dwells the least of the three holds.", needs_cam},
-        {"limits", "return_pressure_angle", number, angle, right_angle, {}, "pressure_angle",
-         "Cap on the pressure angle while the follower returns; at rest and in dwells the least of the three holds.", needs_cam},
-        {"limits", "cam_radius_min", number, length, not_negative, {}, "none",
-         "Least convex radius of curvature of the cam surface; 0: just no undercut.", needs_cam},
-        {"limits", "concave_radius_min", number, length, not_negative, {}, "none",
-         "Least concave radius of curvature of the cam surface; not for flat faces, which touch no concave cam.",
-         needs_cam},
-        {"limits", "undercut_margin", number, plain, below_one, {}, "none",
-         "Least distance from undercut: 1 - roller radius / radius of the pitch curve (roller), cam radius / "
-         "base radius (flat face); 0: just no undercut.", needs_cam},
-        {"limits", "contact_force_min", number, force, not_negative, {}, "none",
-         "Least force that presses a translating follower on the cam.", needs_forces},
-        {"limits", "contact_moment_min", number, moment, not_negative, {}, "none",
-         "Least moment that presses an oscillating follower on the cam.", needs_forces,
-         "contact_force_min"},
-        {"limits", "torque_max", number, moment, positive, {}, "none",
-         "Cap on the torque of the camshaft, to either side.", needs_forces},
-        {"limits", "hertz_pressure_max", number, pressure, positive, {}, "none",
-         "Cap on the Hertz pressure; needs `forces.contact_width`.", needs_forces},
-    };
-}
 // clang-format on
 
 }  // namespace camopt::input

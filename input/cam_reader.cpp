@@ -3,6 +3,7 @@
 
 #include "input/mechanism_reader.hpp"
 #include "profiles/factory/cam_kinds.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -122,18 +123,16 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
 
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {
     if (scene.cam)
-        for (const char* quantity : {"contact_force_min", "contact_moment_min"})
-            check_force_unit(source, "limits", quantity, is_oscillating(scene.cam->follower));
-    limits.pressure_angle = read_limit(source, "pressure_angle");
-    limits.rise_pressure_angle = read_limit(source, "rise_pressure_angle");
-    limits.return_pressure_angle = read_limit(source, "return_pressure_angle");
-    limits.cam_radius_min = read_limit(source, "cam_radius_min");
-    limits.concave_radius_min = read_limit(source, "concave_radius_min");
-    limits.undercut_margin = read_limit(source, "undercut_margin");
-    limits.contact_force_min = read_limit(source, "contact_force_min");
-    if (!limits.contact_force_min) limits.contact_force_min = read_limit(source, "contact_moment_min");
-    limits.torque_max = read_limit(source, "torque_max");
-    limits.hertz_pressure_max = read_limit(source, "hertz_pressure_max");
+        for (const LimitRow& row : limit_rows()) {
+            if (row.swinging.name == nullptr) continue;
+            for (const char* quantity : {row.name, row.swinging.name})
+                check_force_unit(source, "limits", quantity, is_oscillating(scene.cam->follower));
+        }
+    for (const LimitRow& row : limit_rows()) {
+        std::optional<WrittenLimit>& limit = row.in(limits);
+        limit = read_limit(source, row.name);
+        if (!limit && row.swinging.name != nullptr) limit = read_limit(source, row.swinging.name);
+    }
 }
 
 }  // namespace camopt::input

@@ -7,15 +7,11 @@
 
 namespace camopt::input::spellings {
 
-using camopt::spellings::acceleration_limit;
 using camopt::spellings::angle;
 using camopt::spellings::force;
-using camopt::spellings::jerk_limit;
 using camopt::spellings::length;
 using camopt::spellings::moment;
 using camopt::spellings::plain;
-using camopt::spellings::pressure;
-using camopt::spellings::velocity_limit;
 
 inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
                                     {"_in", "in", units::inch},
@@ -43,10 +39,9 @@ using camopt::spellings::positive;
 
 namespace camopt::input {
 
-/// Rows of [cam], [forces] and of what [objective] and [limits] say about a cam.
+/// Rows of [cam], [forces] and of what [objective] says about a cam.
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
-[[nodiscard]] std::vector<KeyRow> cam_limit_rows();
 
 }  // namespace camopt::input

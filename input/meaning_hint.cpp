@@ -3,9 +3,12 @@
 
 #include "core/spelling_hint.hpp"
 #include "input/scene_keys.hpp"
+#include "scene/limit_table.hpp"
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 namespace camopt::input {
 namespace {
@@ -40,24 +43,22 @@ constexpr std::array synonyms = {
     Synonym{"cam", "lever_length", "arm_length"},
     Synonym{"cam", "follower_type", "follower"},
     Synonym{"cam", "direction", "rotation"},
-    Synonym{"limits", "max_velocity", "velocity"},
-    Synonym{"limits", "velocity_max", "velocity"},
-    Synonym{"limits", "max_acceleration", "acceleration"},
-    Synonym{"limits", "acceleration_max", "acceleration"},
-    Synonym{"limits", "max_jerk", "jerk"},
-    Synonym{"limits", "jerk_max", "jerk"},
-    Synonym{"limits", "max_pressure_angle", "pressure_angle"},
-    Synonym{"limits", "pressure_angle_max", "pressure_angle"},
-    Synonym{"limits", "transmission_angle", "pressure_angle"},
-    Synonym{"limits", "undercut", "undercut_margin"},
-    Synonym{"limits", "min_radius", "cam_radius_min"},
-    Synonym{"limits", "radius_min", "cam_radius_min"},
     Synonym{"solver", "backend", "name"},
     Synonym{"solver", "method", "name"},
     Synonym{"solver", "max_time", "max_seconds"},
     Synonym{"solver", "time_limit", "max_seconds"},
     Synonym{"solver", "timeout", "max_seconds"},
 };
+
+std::vector<Synonym> all_synonyms() {
+    std::vector<Synonym> all(synonyms.begin(), synonyms.end());
+    const auto add = [&](std::string_view name, std::span<const std::string_view> words) {
+        for (const std::string_view word : words) all.push_back({"limits", word, name});
+    };
+    for (const PeakLimitRow& row : peak_limit_rows()) add(row.name(), row.also_called);
+    for (const LimitRow& row : limit_rows()) add(row.name, row.also_called);
+    return all;
+}
 
 struct PartSynonym {
     std::string_view word, part;
@@ -118,7 +119,8 @@ std::string motion_meant(std::string_view text) {
 }  // namespace
 
 std::string key_meant(std::string_view table, std::string_view written) {
-    for (const Synonym& synonym : synonyms) {
+    static const std::vector<Synonym> all = all_synonyms();
+    for (const Synonym& synonym : all) {
         if (synonym.table != table || !written.starts_with(synonym.word)) continue;
         const std::string_view suffix = written.substr(synonym.word.size());
         for (const KeyRow& row : scene_keys()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/peak_limits.hpp"
 
+#include "scene/limit_table.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,9 +44,8 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
 
 LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) {
     LimitSpec limits;
-    limits.velocity = read_limit(source, motion, "velocity", 1);
-    limits.acceleration = read_limit(source, motion, "acceleration", 2);
-    limits.jerk = read_limit(source, motion, "jerk", 3);
+    for (const PeakLimitRow& row : peak_limit_rows())
+        row.in(limits) = read_limit(source, motion, row.name(), row.order());
     return limits;
 }
 

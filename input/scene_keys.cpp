@@ -3,6 +3,14 @@
 
 #include "input/key_spellings.hpp"
 #include "profiles/factory/cam_kinds.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace camopt::input {
 namespace {
@@ -13,6 +21,13 @@ using namespace spellings;
 const Range within_turn = Range::above_up_to(0.0, 360.0);
 
 using Rows = std::vector<KeyRow>;
+
+/// From SI to the unit of the spelling: 90 deg, not 90.00000000000001.
+Range range_in(Range range, const Spelling& spelling) {
+    for (double* bound : {&range.low, &range.high})
+        if (std::isfinite(*bound)) *bound = as_written(*bound / spelling.factor);
+    return range;
+}
 
 // A row is read as a row.
 // clang-format off
@@ -92,51 +107,58 @@ Rows spline() {
     };
 }
 
+/// As the manual lists them: what is convex before what is not.
+std::vector<const CostTerm*> listed_terms() {
+    std::vector<const CostTerm*> terms;
+    for (const CostTerm& term : cost_terms()) terms.push_back(&term);
+    std::ranges::stable_partition(
+        terms, [](const CostTerm* term) { return term->kind != CostTerm::Kind::torque; });
+    return terms;
+}
+
 Rows objective() {
-    return {
-        {"objective", "velocity", number, plain, not_negative, {}, "0", "Weight of the velocity peak V."},
-        {"objective", "acceleration", number, plain, not_negative, {}, "0",
-         "Weight of the acceleration peak A."},
-        {"objective", "jerk", number, plain, not_negative, {}, "0", "Weight of the jerk peak J."},
-        {"objective", "rms_acceleration", number, plain, not_negative, {}, "0",
-         "Weight of the root mean square of the acceleration."},
-        {"objective", "rms_jerk", number, plain, not_negative, {}, "0",
-         "Weight of the root mean square of the jerk."},
-        {"objective", "torque", number, plain, not_negative, {}, "0",
-         "Weight of the torque peak Q, the largest magnitude of y'·y''; not convex."},
-    };
+    Rows rows;
+    for (const CostTerm* term : listed_terms())
+        rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
+    return rows;
+}
+
+/// The first is the default.
+std::vector<std::string_view> tie_break_words() {
+    std::vector<std::string_view> words;
+    for (const TieBreak value : tie_breaks) words.emplace_back(name_of(value));
+    return words;
 }
 
 Rows reference() {
-    return {
+    static const std::string first_tie_break = fmt::format("\"{}\"", name_of(tie_breaks.front()));
+    Rows rows = {
         {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
          "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers."},
-        {"objective", "tie_break", text, plain, any, {"rms_jerk", "none"}, "\"rms_jerk\"",
+        {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
          "Among curves equally good within the tolerance take the one of least ∫ y'''²; `\"none\"` keeps "
          "the solver's point."},
-        {"objective.reference", "velocity", number, plain, positive, {}, "none",
-         "Reference of the velocity peak; needed where its weight is > 0, and so are the others."},
-        {"objective.reference", "acceleration", number, plain, positive, {}, "none",
-         "Reference of the acceleration peak."},
-        {"objective.reference", "jerk", number, plain, positive, {}, "none", "Reference of the jerk peak."},
-        {"objective.reference", "rms_acceleration", number, plain, positive, {}, "none",
-         "Reference of the root mean square of the acceleration."},
-        {"objective.reference", "rms_jerk", number, plain, positive, {}, "none",
-         "Reference of the root mean square of the jerk."},
-        {"objective.reference", "torque", number, plain, positive, {}, "none",
-         "Reference of the torque peak."},
     };
+    for (const CostTerm* term : listed_terms())
+        rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",
+                        term->reference_meaning});
+    return rows;
 }
 
 Rows limits() {
-    return {
-        {"limits", "velocity", number, velocity_limit, positive, {}, "none",
-         "Cap on the velocity: on the normalised peak V, or in time (needs a speed)."},
-        {"limits", "acceleration", number, acceleration_limit, positive, {}, "none",
-         "Cap on the acceleration: on the normalised peak A, or in time (needs a speed)."},
-        {"limits", "jerk", number, jerk_limit, positive, {}, "none",
-         "Cap on the jerk: on the normalised peak J, or in time (needs a speed)."},
-    };
+    Rows rows;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        rows.push_back({"limits", row.name(), number, row.spellings, positive, {}, "none", row.meaning});
+    for (const LimitRow& row : limit_rows()) {
+        const Availability needs = row.needs_forces ? Availability::needs_forces : Availability::needs_cam;
+        rows.push_back({"limits", row.name, number, row.spellings, range_in(row.range, row.spellings.front()),
+                        {}, row.default_text, row.meaning, needs});
+        if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
+            rows.push_back({"limits", swinging.name, number, swinging.spellings,
+                            range_in(row.range, swinging.spellings.front()), {}, row.default_text,
+                            swinging.meaning, needs, row.name});
+    }
+    return rows;
 }
 
 Rows solver() {
@@ -179,9 +201,8 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
 const std::vector<KeyRow>& scene_keys() {
     static const std::vector<KeyRow> rows = [] {
         Rows all;
-        for (const Rows& part :
-             {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
-              rows_of_kinds(), force_rows(), limits(), cam_limit_rows(), solver()})
+        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
+                                 reference(), cam_rows(), rows_of_kinds(), force_rows(), limits(), solver()})
             all.insert(all.end(), part.begin(), part.end());
         for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
         return all;

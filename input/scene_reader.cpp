@@ -11,6 +11,7 @@
 #include "input/motion_reader.hpp"
 #include "input/overrides.hpp"
 #include "input/peak_limits.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -81,17 +82,13 @@ class SceneReader {
 
     ObjectiveSpec read_objective() const {
         ObjectiveSpec objective;
-        source_.read_number("objective", "velocity", objective.velocity);
-        source_.read_number("objective", "acceleration", objective.acceleration);
-        source_.read_number("objective", "jerk", objective.jerk);
-        source_.read_number("objective", "torque", objective.torque);
-        source_.read_number("objective", "rms_acceleration", objective.rms_acceleration);
-        source_.read_number("objective", "rms_jerk", objective.rms_jerk);
+        for (const CostTerm& term : cost_terms())
+            source_.read_number("objective", term.name(), objective.*term.weight);
         for (int i = 0; i < dimension_count; ++i)
             source_.read_number("objective", name_of(static_cast<DimensionIndex>(i)),
                                 objective.dimensions[static_cast<std::size_t>(i)]);
         objective.reference = read_reference();
-        source_.read_choice("objective", "tie_break", {TieBreak::none, TieBreak::rms_jerk},
+        source_.read_choice("objective", "tie_break", std::span<const TieBreak>(tie_breaks),
                             objective.tie_break);
         return objective;
     }
@@ -108,12 +105,8 @@ class SceneReader {
         }
         constexpr std::string_view table = "objective.reference";
         reference.numeric = true;
-        reference.velocity = source_.number(table, "velocity");
-        reference.acceleration = source_.number(table, "acceleration");
-        reference.jerk = source_.number(table, "jerk");
-        reference.torque = source_.number(table, "torque");
-        reference.rms_acceleration = source_.number(table, "rms_acceleration");
-        reference.rms_jerk = source_.number(table, "rms_jerk");
+        for (const CostTerm& term : cost_terms())
+            reference.*term.reference = source_.number(table, term.name());
         return reference;
     }
 

@@ -2,6 +2,7 @@
 #include "input/scene_source.hpp"
 
 #include "core/errors.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,8 @@ std::pair<std::string_view, std::optional<std::size_t>> split_index(std::string_
 /// Members of Scene that are called otherwise in the file ("return" is a word of C++), or may be.
 std::string_view other_name(std::string_view member) {
     if (member == "return_angle") return "return";
-    if (member == "contact_force_min") return "contact_moment_min";
+    if (const LimitRow* row = limit_named(member); row != nullptr && row->swinging.name != nullptr)
+        return row->swinging.name;
     return member == "mass" ? "inertia" : member;
 }
 

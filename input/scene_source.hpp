@@ -9,6 +9,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -53,6 +54,11 @@ class SceneSource {
     template <typename Choice>
     void read_choice(std::string_view table_path, std::string_view quantity,
                      std::initializer_list<Choice> values, Choice& target) const {
+        read_choice(table_path, quantity, std::span<const Choice>(values.begin(), values.size()), target);
+    }
+    template <typename Choice>
+    void read_choice(std::string_view table_path, std::string_view quantity, std::span<const Choice> values,
+                     Choice& target) const {
         const auto given = find(table_path, quantity);
         if (!given) return;
         for (const Choice value : values)

@@ -8,6 +8,7 @@
 #include "objectives/rules/cam_reach.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -33,51 +34,50 @@ struct WeightedPeak {
 /// then.
 class Units {
  public:
-    [[nodiscard]] double of(double value, double (*of_law)(const Peaks&)) {
+    [[nodiscard]] double of(const PeakFigure& figure, const Peaks& reference) {
+        const double value = figure.of(reference);
         if (std::isfinite(value) && value > 0.0) return value;
         if (!fallback_) fallback_ = make_law(fallback_law)->peaks();
-        return of_law(*fallback_);
-    }
-    /// Of a term that needs no unit while it has no weight.
-    [[nodiscard]] double of_term(double weight, double value, double (*of_law)(const Peaks&)) {
-        return weight > 0.0 ? of(value, of_law) : 1.0;
+        return figure.of(*fallback_);
     }
 
  private:
     std::optional<Peaks> fallback_;
 };
 
-std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& reference) {
-    static const std::optional<PeakLimit> none;
-    const ObjectiveSpec& objective = scene.objective;
-    const LimitSpec& limits = scene.limits;
-    Units units;
-    using Kind = Parameter::Kind;
-    return {
-        {Kind::peak, 1, objective.velocity, &limits.velocity,
-         units.of(reference.velocity.value, [](const Peaks& law) { return law.velocity.value; })},
-        {Kind::peak, 2, objective.acceleration, &limits.acceleration,
-         units.of(reference.acceleration.value, [](const Peaks& law) { return law.acceleration.value; })},
-        {Kind::peak, 3, objective.jerk, &limits.jerk,
-         units.of(reference.jerk.value, [](const Peaks& law) { return law.jerk.value; })},
-        {Kind::torque, 2, objective.torque, &none,
-         units.of_term(objective.torque, reference.torque.value,
-                       [](const Peaks& law) { return law.torque.value; })},
-        {Kind::rms, 2, objective.rms_acceleration, &none,
-         units.of_term(objective.rms_acceleration, reference.rms_acceleration,
-                       [](const Peaks& law) { return law.rms_acceleration; })},
-        {Kind::rms, 3, objective.rms_jerk, &none,
-         units.of_term(objective.rms_jerk, reference.rms_jerk,
-                       [](const Peaks& law) { return law.rms_jerk; })},
-    };
+Parameter::Kind parameter_kind(CostTerm::Kind kind) {
+    switch (kind) {
+        case CostTerm::Kind::peak:
+            return Parameter::Kind::peak;
+        case CostTerm::Kind::torque:
+            return Parameter::Kind::torque;
+        case CostTerm::Kind::rms:
+            break;
+    }
+    return Parameter::Kind::rms;
 }
 
-void require_finite(const char* name, double weight, double value, const std::string& law) {
+std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& reference) {
+    static const std::optional<PeakLimit> none;
+    Units units;
+    std::vector<WeightedPeak> peaks;
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(scene.objective);
+        // What can be capped has a unit without a weight too.
+        const bool needs_unit = term.limit != nullptr || weight > 0.0;
+        peaks.push_back({parameter_kind(term.kind), term.measured.order, weight,
+                         term.limit != nullptr ? &(scene.limits.*term.limit) : &none,
+                         needs_unit ? units.of(term.measured, reference) : 1.0});
+    }
+    return peaks;
+}
+
+void require_finite(const CostTerm& term, double weight, double value, const std::string& law) {
     if (weight > 0.0 && !(std::isfinite(value) && value > 0.0)) {
         throw InputError(
             fmt::format("objective.reference: \"{}\" has no finite {}, which has the weight {}; allowed: a "
                         "law whose {} is finite, numbers, or the weight 0",
-                        law, name, weight, name));
+                        law, term.name(), weight, term.name()));
     }
 }
 
@@ -115,23 +115,12 @@ Peaks reference_peaks(const Scene& scene) {
     const Reference& reference = scene.objective.reference;
     Peaks peaks;
     if (!reference.numeric) peaks = make_law(reference.law)->peaks();
-    const auto set = [](double& target, const std::optional<double>& number) {
-        if (number) target = *number;
-    };
-    set(peaks.velocity.value, reference.velocity);
-    set(peaks.acceleration.value, reference.acceleration);
-    set(peaks.jerk.value, reference.jerk);
-    set(peaks.torque.value, reference.torque);
-    set(peaks.rms_acceleration, reference.rms_acceleration);
-    set(peaks.rms_jerk, reference.rms_jerk);
-    const ObjectiveSpec& objective = scene.objective;
+    for (const CostTerm& term : cost_terms())
+        if (const std::optional<double>& number = reference.*term.reference)
+            term.measured.in(peaks) = *number;
     const std::string law = reference.numeric ? "numbers" : reference.law;
-    require_finite("velocity", objective.velocity, peaks.velocity.value, law);
-    require_finite("acceleration", objective.acceleration, peaks.acceleration.value, law);
-    require_finite("jerk", objective.jerk, peaks.jerk.value, law);
-    require_finite("torque", objective.torque, peaks.torque.value, law);
-    require_finite("rms_acceleration", objective.rms_acceleration, peaks.rms_acceleration, law);
-    require_finite("rms_jerk", objective.rms_jerk, peaks.rms_jerk, law);
+    for (const CostTerm& term : cost_terms())
+        require_finite(term, term.weight_in(scene.objective), term.measured.of(peaks), law);
     return peaks;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A cam mechanism of a scene: its numbers, and, where its formulas are there, what they say of its reach.
 #include "scene/cam_mechanism.hpp"
+#include "scene/limit_table.hpp"
 #include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
@@ -24,16 +25,14 @@ Fault dimension_fault(const MechanismDimension& dimension) {
 
 /// Limits that a mechanism beside the disk cam does not know.
 Fault foreign_limit(const Scene& scene) {
-    const LimitSpec& limits = scene.limits;
-    const auto refused = [](const char* name) {
-        return SceneFault{fmt::format("limits.{}", name), "a limit for a cam that is not of type \"disk\"",
-                          "only with cam.type = \"disk\""};
-    };
-    if (limits.rise_pressure_angle) return refused("rise_pressure_angle");
-    if (limits.return_pressure_angle) return refused("return_pressure_angle");
-    if (!scene.mechanism->formulas || scene.mechanism->formulas->planar()) return std::nullopt;
-    if (limits.cam_radius_min) return refused("cam_radius_min");
-    if (limits.concave_radius_min) return refused("concave_radius_min");
+    const auto& formulas = scene.mechanism->formulas;
+    const bool spatial = formulas && !formulas->planar();
+    for (const LimitRow& row : limit_rows())
+        if (row.in(scene.limits) &&
+            (row.cams == LimitRow::Cams::disk || (spatial && row.cams == LimitRow::Cams::planar)))
+            return SceneFault{fmt::format("limits.{}", row.name),
+                              "a limit for a cam that is not of type \"disk\"",
+                              "only with cam.type = \"disk\""};
     return std::nullopt;
 }
 

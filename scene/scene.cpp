@@ -43,8 +43,4 @@ const char* name_of(EndJerk value) {
     return value == EndJerk::free ? "free" : "zero";
 }
 
-const char* name_of(TieBreak value) {
-    return value == TieBreak::none ? "none" : "rms_jerk";
-}
-
 }  // namespace camopt

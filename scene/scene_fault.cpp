@@ -2,12 +2,13 @@
 // The checks of a scene: numbers against their ranges (one table), then what must hold between members.
 #include "core/errors.hpp"
 #include "core/range.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace camopt {
@@ -114,26 +115,20 @@ Fault dimension_weight_fault(const Scene& scene, bool& found) {
 Fault objective_fault(const Scene& scene) {
     const ObjectiveSpec& objective = scene.objective;
     const Reference& reference = objective.reference;
-    const std::array terms = {
-        std::tuple{"velocity", objective.velocity, reference.velocity},
-        std::tuple{"acceleration", objective.acceleration, reference.acceleration},
-        std::tuple{"jerk", objective.jerk, reference.jerk},
-        std::tuple{"torque", objective.torque, reference.torque},
-        std::tuple{"rms_acceleration", objective.rms_acceleration, reference.rms_acceleration},
-        std::tuple{"rms_jerk", objective.rms_jerk, reference.rms_jerk},
-    };
     bool weighs_dimension = false;
     if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
-    if (!weighs_dimension &&
-        std::ranges::none_of(terms, [](const auto& term) { return std::get<1>(term) > 0.0; }))
-        return SceneFault{
-            "objective", "no weight > 0",
-            "at least one of velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk > 0, or of a "
-            "dimension of the cam that is a range"};
-    for (const auto& [name, weight, number] : terms)
-        if (reference.numeric && weight > 0.0 && !number)
-            return SceneFault{fmt::format("objective.reference.{}", name), "no number",
-                              fmt::format("a number > 0, because objective.{} = {}", name, weight)};
+    if (!weighs_dimension && std::ranges::none_of(cost_terms(), [&](const CostTerm& term) {
+            return term.weight_in(objective) > 0.0;
+        }))
+        return SceneFault{"objective", "no weight > 0",
+                          fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
+                                      fmt::join(cost_term_names(), ", "))};
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(objective);
+        if (reference.numeric && weight > 0.0 && !(reference.*term.reference))
+            return SceneFault{fmt::format("objective.reference.{}", term.name()), "no number",
+                              fmt::format("a number > 0, because objective.{} = {}", term.name(), weight)};
+    }
     return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "splines/extrema.hpp"
 
+#include "core/peak_figures.hpp"
 #include "splines/polynomial.hpp"
 
 #include <cmath>
@@ -81,15 +82,13 @@ Peaks peaks_of(const SplineCurve& curve) {
         return [&curve, order](int segment) { return curve.derivative_polynomial(segment, order); };
     };
     Peaks peaks;
-    peaks.velocity = largest_magnitude(curve.space(), derivative(1));
-    peaks.acceleration = largest_magnitude(curve.space(), derivative(2));
-    peaks.jerk = largest_magnitude(curve.space(), derivative(3));
+    for (int order = 1; order <= 3; ++order) {
+        derivative_peak(peaks, order) = largest_magnitude(curve.space(), derivative(order));
+        derivative_mean(peaks, order) = std::sqrt(mean_square(curve, order));
+    }
     peaks.torque = largest_magnitude(curve.space(), [&](int segment) {
         return product(curve.derivative_polynomial(segment, 1), curve.derivative_polynomial(segment, 2));
     });
-    peaks.rms_velocity = std::sqrt(mean_square(curve, 1));
-    peaks.rms_acceleration = std::sqrt(mean_square(curve, 2));
-    peaks.rms_jerk = std::sqrt(mean_square(curve, 3));
     return peaks;
 }
 

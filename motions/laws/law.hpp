@@ -9,7 +9,7 @@
 // impulse of the jerk.
 //
 // Impulses: `at` gives the finite one-sided values of y'''; `peaks` and `jerk_extrema` count an impulse as
-// +infinity (y'' jumps up) or -infinity (y'' jumps down), and then rms_jerk is +infinity.
+// +infinity (y'' jumps up) or -infinity (y'' jumps down), and then its mean square is +infinity.
 // Signs: Peaks hold magnitudes, JerkExtrema signed values. `at` of an extremum is the first place it is
 // reached. Errors: x outside [0, 1], an unknown key and a parameter out of range throw InputError. Source:
 // each LawInfo names its own; the peaks are those of the formulas, found to rounding error.

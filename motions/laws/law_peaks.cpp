@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motions/laws/law_peaks.hpp"
 
+#include "core/peak_figures.hpp"
 #include "core/quadrature.hpp"
 #include "core/scalar_search.hpp"
 
@@ -172,16 +173,15 @@ Peaks find_peaks_without_impulses(const Law& law) {
         const std::array<double, 3> part = piece.squares();
         for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += part[r];
     }
-    peaks.rms_velocity = std::sqrt(sum[0]);
-    peaks.rms_acceleration = std::sqrt(sum[1]);
-    peaks.rms_jerk = std::sqrt(sum[2]);
+    for (int order = 1; order <= 3; ++order)
+        derivative_mean(peaks, order) = std::sqrt(sum[static_cast<std::size_t>(order) - 1]);
     return peaks;
 }
 
 Peaks find_peaks(const Law& law) {
     Peaks peaks = find_peaks_without_impulses(law);
     peaks.jerk = magnitude(jerk_range(pieces_of(law), law));
-    if (std::isinf(peaks.jerk.value)) peaks.rms_jerk = peaks.jerk.value;
+    if (std::isinf(peaks.jerk.value)) derivative_mean(peaks, 3) = peaks.jerk.value;
     return peaks;
 }
 

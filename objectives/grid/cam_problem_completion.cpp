@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From any x to one whose equalities hold and whose peaks are those of its motion.
+#include "core/peak_figures.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 #include "splines/extrema.hpp"
@@ -12,15 +13,14 @@ namespace camopt {
 /// The peaks of DRD and RR, whose normalised motion is the spline itself.
 void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {
     const Peaks peaks = peaks_of(curve);
-    const std::array<double, 4> peak = {0.0, peaks.velocity.value, peaks.acceleration.value,
-                                        peaks.jerk.value};
-    const std::array<double, 4> rms = {0.0, peaks.rms_velocity, peaks.rms_acceleration, peaks.rms_jerk};
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         double& value = x[model_->design.size() + static_cast<Eigen::Index>(p)];
-        if (parameter.kind == Parameter::Kind::peak) value = peak[parameter.order] / parameter.reference;
+        if (parameter.kind == Parameter::Kind::peak)
+            value = derivative_peak(peaks, parameter.order).value / parameter.reference;
         if (parameter.kind == Parameter::Kind::torque) value = peaks.torque.value / parameter.reference;
-        if (parameter.kind == Parameter::Kind::rms) value = rms[parameter.order] / parameter.reference;
+        if (parameter.kind == Parameter::Kind::rms)
+            value = derivative_mean(peaks, parameter.order) / parameter.reference;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "objectives/rules/cam_limit_parts.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "scene/limit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,8 +116,9 @@ void add_height(Rules& rules, const Shared& cam, const std::string& key) {
 void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std::string& key) {
     const LimitSpec& limits = scene.limits;
     // A limit of 0 leaves a cusp, on which nothing can press.
-    const bool regular = (limits.cam_radius_min && limits.cam_radius_min->value > 0.0) ||
-                         (limits.undercut_margin && limits.undercut_margin->value >= least_contact);
+    const auto& radius = limit_on(limits, LimitedFigure::convex_radius);
+    const auto& margin = limit_on(limits, LimitedFigure::regularity);
+    const bool regular = (radius && radius->value > 0.0) || (margin && margin->value >= least_contact);
     if (!regular) add_regularity(rules, cam, key + " (undercut)", least_contact);
     // |N| cos φm <= D sin φm to both sides holds the height up too.
     const PressureLimits pressure = pressure_limits(limits);
@@ -129,12 +131,13 @@ void add_forces(Rules& rules, const Scene& scene, const Shared& cam) {
     if (!scene.forces || !scene.motion.speed) return;
     const ForceSpec& force = *scene.forces;
     const double speed = *scene.motion.speed;
-    const LimitSpec& limits = scene.limits;
-    if (limits.contact_force_min) add_contact_force(rules, *limits.contact_force_min, force, speed, cam);
-    if (limits.torque_max) add_torque(rules, *limits.torque_max, force, speed, cam);
-    if (limits.hertz_pressure_max)
-        add_pressure_in_contact(rules, *limits.hertz_pressure_max, force, speed, cam);
-    const auto& of_contact = limits.hertz_pressure_max ? limits.hertz_pressure_max : limits.torque_max;
+    const auto& least_force = limit_on(scene.limits, LimitedFigure::contact_force);
+    const auto& torque = limit_on(scene.limits, LimitedFigure::torque);
+    const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
+    if (least_force) add_contact_force(rules, *least_force, force, speed, cam);
+    if (torque) add_torque(rules, *torque, force, speed, cam);
+    if (pressure) add_pressure_in_contact(rules, *pressure, force, speed, cam);
+    const auto& of_contact = pressure ? pressure : torque;
     if (of_contact) add_contact(rules, scene, cam, of_contact->key);
 }
 

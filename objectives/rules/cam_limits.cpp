@@ -2,6 +2,7 @@
 #include "objectives/rules/cam_limits.hpp"
 
 #include "objectives/rules/cam_limit_parts.hpp"
+#include "scene/limit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,12 +70,13 @@ void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limi
 void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam) {
     const bool roller = has_roller(cam->cam.follower);
     const double nominal = roller ? cam->cam[DimensionIndex::roller_radius] : 0.0;
-    if (const auto& limit = scene.limits.cam_radius_min; limit && (roller || limit->value > 0.0)) {
+    if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius);
+        limit && (roller || limit->value > 0.0)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (nominal + least)) : 1.0;
         add_roller_radius(rules, cam, *limit, least, scale);
     }
-    const auto& concave = scene.limits.concave_radius_min;
+    const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
     const bool may_bite =
         concave && (cam->is_variable(DimensionIndex::roller_radius) || concave->value > nominal);
     if (may_bite) {
@@ -85,7 +87,7 @@ void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam) {
 }
 
 void add_flat_radius(Rules& rules, const Scene& scene, const Shared& cam) {
-    const auto& limit = scene.limits.cam_radius_min;
+    const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius);
     if (!limit) return;
     const double base = cam->cam[DimensionIndex::base_radius];
     const double least = limit->value;
@@ -113,12 +115,13 @@ void add_face_width(Rules& rules, const Scene& scene, const Shared& cam) {
 
 /// The limit that speaks of the shape of the cam's surface, if any: what keeps it makes contact possible.
 const WrittenLimit* limit_of_contact(const Scene& scene) {
-    const LimitSpec& limits = scene.limits;
-    if (limits.cam_radius_min) return &*limits.cam_radius_min;
-    if (limits.undercut_margin) return &*limits.undercut_margin;
-    if (!scene.forces || !scene.motion.speed) return nullptr;
-    if (limits.hertz_pressure_max) return &*limits.hertz_pressure_max;
-    return limits.torque_max ? &*limits.torque_max : nullptr;
+    const bool press = scene.forces && scene.motion.speed;
+    for (const LimitedFigure figure : {LimitedFigure::convex_radius, LimitedFigure::regularity,
+                                       LimitedFigure::hertz_pressure, LimitedFigure::torque}) {
+        if (limit_row(figure).needs_forces && !press) continue;
+        if (const auto& limit = limit_on(scene.limits, figure)) return &*limit;
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -131,7 +134,7 @@ Rules cam_limits(const Scene& scene, const Shared& cam) {
     } else {
         add_roller_radii(rules, scene, cam);
     }
-    if (const auto& limit = scene.limits.undercut_margin)
+    if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
         add_regularity(rules, cam, limit->key, limit->value);
     if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(rules, cam, limit->key);
     add_face_width(rules, scene, cam);

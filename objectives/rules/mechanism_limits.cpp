@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/mechanism_rule.hpp"
+#include "scene/limit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
 }
 
 void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
-    const auto& limit = scene.limits.pressure_angle;
+    const auto& limit = limit_on(scene.limits, LimitedFigure::pressure_angle);
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
     const double length = mechanism->formulas->length(mechanism->dimensions);
     std::vector<int> active;
@@ -59,13 +60,13 @@ void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int st
     const double roller = mechanism->dimensions[static_cast<std::size_t>(index)];
     const bool moves = std::ranges::any_of(mechanism->variables,
                                            [&](const auto& variable) { return variable.dimension == index; });
-    if (const auto& limit = scene.limits.cam_radius_min) {
+    if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
         add_radius(rules, mechanism, {limit->key, station, {}, 2, scale}, least);
     }
     // The roller itself fits into any hollow larger than it.
-    const auto& concave = scene.limits.concave_radius_min;
+    const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
     if (!concave || !(moves || concave->value > roller)) return;
     const double least = concave->value;
     const double scale = std::clamp(least / std::max(least - roller, least_scale * least), 1.0, 1e3);
@@ -73,7 +74,7 @@ void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int st
 }
 
 void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
-    const auto& limit = scene.limits.undercut_margin;
+    const auto& limit = limit_on(scene.limits, LimitedFigure::regularity);
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
         const MechanismValue regularity = call(MechanismQuantity::regularity);

@@ -10,6 +10,7 @@
 #include "output/words/peak_comparison.hpp"
 #include "output/words/segment_table.hpp"
 #include "output/words/solution_text.hpp"
+#include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 
 #include <fmt/format.h>
@@ -38,9 +39,9 @@ struct Picture {
 
 const std::optional<PeakLimit>& limit_of(const LimitSpec& limits, int order) {
     static const std::optional<PeakLimit> none;
-    if (order == 1) return limits.velocity;
-    if (order == 2) return limits.acceleration;
-    return order == 3 ? limits.jerk : none;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (row.order() == order) return row.in(limits);
+    return none;
 }
 
 /// A normalised limit holds for each spline segment by its own angle and displacement: the ratio of the
@@ -140,7 +141,9 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     entry("optimum", "this motion");
     if (picture.reference.motion) entry("reference", picture.reference.title);
     const LimitSpec& limits = picture.solution.scene.limits;
-    if (limits.velocity || limits.acceleration || limits.jerk) entry("limit", "limit");
+    if (std::ranges::any_of(peak_limit_rows(),
+                            [&](const PeakLimitRow& row) { return row.in(limits).has_value(); }))
+        entry("limit", "limit");
     canvas.circle(x + 4, y - 4, 4, "peak");
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;

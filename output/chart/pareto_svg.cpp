@@ -24,8 +24,9 @@ std::string goal_title(const ParetoFront& front, int goal) {
         return words_of(name_of(front.request.goals[0])) + " and the scene’s other weights";
     const FrontGoal& which = front.request.goals[static_cast<std::size_t>(goal)];
     if (std::holds_alternative<DimensionIndex>(which)) return words_of(name_of(which)) + " (mm)";
-    static constexpr std::array<const char*, 5> symbols = {" V", " A", " J", "", ""};
-    return words_of(name_of(which)) + symbols[static_cast<std::size_t>(std::get<FrontFigure>(which))];
+    const CostTerm& term = cost_term(std::get<FrontFigure>(which));
+    return words_of(term.name()) +
+           (term.kind == CostTerm::Kind::peak ? fmt::format(" {}", term.symbol) : std::string());
 }
 
 double shown(const ParetoFront& front, const FrontPoint& point, int goal) {
@@ -40,9 +41,7 @@ bool is_drawn(const FrontPoint& point) {
 std::optional<double> law_value(const Peaks& peaks, const FrontGoal& goal) {
     const auto* figure = std::get_if<FrontFigure>(&goal);
     if (figure == nullptr) return {};
-    const std::array<double, 5> values = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value,
-                                          peaks.rms_acceleration, peaks.rms_jerk};
-    return values[static_cast<std::size_t>(*figure)];
+    return cost_term(*figure).measured.of(peaks);
 }
 
 struct LawMark {

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/words/comparison_words.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -27,12 +28,11 @@ std::vector<std::string> limit_keys(const Comparison& comparison) {
 
 void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits) {
     if (!row.misfit.empty()) {
-        line.blank(8 + static_cast<int>(limits));
+        line.blank(2 + cost_figure_count + static_cast<int>(limits));
         return;
     }
     line.number(row.objective).number(row.loss_percent);
-    line.number(row.peaks.velocity.value).number(row.peaks.acceleration.value).number(row.peaks.jerk.value);
-    line.number(row.peaks.torque.value).number(row.peaks.rms_acceleration).number(row.peaks.rms_jerk);
+    for (const CostTerm& term : cost_terms()) line.number(term.measured.of(row.peaks));
     for (const LimitOutcome& outcome : row.limits) {
         const double worst = outcome.reached.worst;
         line.number(outcome.reached.no_contact || std::isnan(worst) ? std::nullopt : std::optional(worst));
@@ -44,9 +44,9 @@ void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits) {
 std::string comparison_csv(const Comparison& comparison) {
     const std::vector<std::string> keys = limit_keys(comparison);
     CsvLine titles;
-    for (const char* title : {"law", "title", "fits", "feasible", "objective", "loss_percent", "velocity",
-                              "acceleration", "jerk", "torque", "rms_acceleration", "rms_jerk"})
+    for (const char* title : {"law", "title", "fits", "feasible", "objective", "loss_percent"})
         titles.words(title);
+    for (const CostTerm& term : cost_terms()) titles.words(term.name());
     for (const std::string& key : keys) titles.words(key);
     for (const char* title : {"base_radius_needed_mm", "broken", "note"}) titles.words(title);
     std::string text = titles.finish();

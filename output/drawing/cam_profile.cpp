@@ -8,6 +8,7 @@
 #include "output/drawing/profile_dxf.hpp"
 #include "output/drawing/profile_svg.hpp"
 #include "output/words/cam_words.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 
 #include <algorithm>
@@ -95,9 +96,10 @@ CamProfileTexts cam_profile(const Solution& solution, const CamProfileOptions& o
     ProfileShape shape = profile_shape(cam, motion, scale);
     shape.face_half_width = solution.scene.cam->face_half_width;
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
-    const ProfileDiagramLimits limits{pressure_spans(solution.scene, motion),
-                                      value_of(solution.scene.limits.cam_radius_min),
-                                      value_of(solution.scene.limits.concave_radius_min)};
+    const ProfileDiagramLimits limits{
+        pressure_spans(solution.scene, motion),
+        value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
+        value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     CamProfileTexts texts{
         csv_of(cam, motion, scale, options), profile_svg(shape, title),
         profile_diagrams_svg(shape, limits, title, marks_of(shape, solution.cam->summary, scale.unit_angle)),

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/chart/paper_figure_svg.hpp"
+#include "scene/limit_table.hpp"
 
 #include <cmath>
 #include <limits>
@@ -39,7 +40,7 @@ std::string pressure_angle_svg(const Solution& solution, const MechanismProfile&
     figure.series.push_back(series_of("pressure angle", profile, [](const MechanismPoint& point) {
         return point.pressure_angle / degree;
     }));
-    if (const auto& limit = solution.scene.limits.pressure_angle) {
+    if (const auto& limit = limit_on(solution.scene.limits, LimitedFigure::pressure_angle)) {
         PaperSeries both = level("limit", profile, limit->value / degree);
         const PaperSeries lower = level("", profile, -limit->value / degree);
         both.x.push_back(std::numeric_limits<double>::quiet_NaN());  // lifts the pen
@@ -56,7 +57,8 @@ std::string curvature_svg(const Solution& solution, const MechanismProfile& prof
         "curvature", "Curvature of the cam, > 0 convex", "cam angle (deg)", "curvature (1/mm)", {}};
     figure.series.push_back(
         series_of("cam", profile, [](const MechanismPoint& point) { return millimetre / point.cam_radius; }));
-    if (const auto& limit = solution.scene.limits.cam_radius_min; limit && limit->value > 0.0)
+    if (const auto& limit = limit_on(solution.scene.limits, LimitedFigure::convex_radius);
+        limit && limit->value > 0.0)
         figure.series.push_back(level("least convex radius", profile, millimetre / limit->value));
     return paper_figure_svg(figure);
 }

@@ -7,6 +7,7 @@
 #include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
 #include "output/words/display_scale.hpp"
+#include "scene/cost_table.hpp"
 
 #include <optional>
 #include <string_view>
@@ -46,13 +47,9 @@ Json reference_json(const Solution& solution) {
     const Reference& reference = solution.scene.objective.reference;
     const Peaks& peaks = solution.reference_peaks;
     const auto used = [](double value) { return value > 0.0 ? number_json(value) : Json(nullptr); };
-    return {{"law", reference.numeric ? Json(nullptr) : Json(reference.law)},
-            {"velocity", used(peaks.velocity.value)},
-            {"acceleration", used(peaks.acceleration.value)},
-            {"jerk", used(peaks.jerk.value)},
-            {"torque", used(peaks.torque.value)},
-            {"rms_acceleration", used(peaks.rms_acceleration)},
-            {"rms_jerk", used(peaks.rms_jerk)}};
+    Json json = {{"law", reference.numeric ? Json(nullptr) : Json(reference.law)}};
+    for (const CostTerm& term : cost_terms()) json[term.name()] = used(term.measured.of(peaks));
+    return json;
 }
 
 Json constraints_json(const Solution& solution) {

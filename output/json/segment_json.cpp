@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/segment_json.hpp"
 
+#include "core/peak_figures.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/segment_table.hpp"
 
 namespace camopt {
-
-namespace {}  // namespace
 
 Json spline_json(const std::optional<SplineCurve>& curve) {
     if (!curve) return nullptr;
@@ -19,13 +18,11 @@ Json spline_json(const std::optional<SplineCurve>& curve) {
 
 Json peaks_json(const std::optional<Peaks>& peaks) {
     if (!peaks) return nullptr;
-    return {{"velocity", extremum_json(peaks->velocity)},
-            {"acceleration", extremum_json(peaks->acceleration)},
-            {"jerk", extremum_json(peaks->jerk)},
-            {"torque", extremum_json(peaks->torque)},
-            {"rms_velocity", number_json(peaks->rms_velocity)},
-            {"rms_acceleration", number_json(peaks->rms_acceleration)},
-            {"rms_jerk", number_json(peaks->rms_jerk)}};
+    Json json = Json::object();
+    for (const PeakFigure& figure : peak_figures)
+        json[std::string(figure.name)] = figure.extremum != nullptr ? extremum_json((*peaks).*figure.extremum)
+                                                                    : number_json(figure.of(*peaks));
+    return json;
 }
 
 Json segments_json(const Solution& solution) {

@@ -5,6 +5,7 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -35,10 +36,11 @@ std::string undercut_remark(const Solution& solution) {
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
     return fmt::format(
         "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the follower "
-        "as designed. A larger base radius{} {}; the limit cam_radius_min_mm = 0 rules undercut out.",
+        "as designed. A larger base radius{} {}; the limit {} = 0 rules undercut out.",
         degrees_at(solution, summary.regularity.at),
         has_roller(cam.cam.follower) ? " or a smaller roller" : "",
-        is_oscillating(cam.cam.follower) ? "may help" : "helps");
+        is_oscillating(cam.cam.follower) ? "may help" : "helps",
+        limit_row(LimitedFigure::convex_radius).first_key());
 }
 
 std::string dimensions_at_their_ends(const Solution& solution) {

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/text_table.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 
@@ -111,17 +112,10 @@ std::string objective_words(const Comparison& comparison) {
     const ObjectiveSpec& objective = comparison.optimum.scene.objective;
     const Peaks& reference = comparison.optimum.reference_peaks;
     std::string text;
-    const auto add = [&](double weight, const char* symbol, double divisor) {
-        if (weight == 0.0) return;
-        text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), symbol,
-                            short_text(divisor, figures));
-    };
-    add(objective.velocity, "V", reference.velocity.value);
-    add(objective.acceleration, "A", reference.acceleration.value);
-    add(objective.jerk, "J", reference.jerk.value);
-    add(objective.torque, "Q", reference.torque.value);
-    add(objective.rms_acceleration, "rms A", reference.rms_acceleration);
-    add(objective.rms_jerk, "rms J", reference.rms_jerk);
+    for (const CostTerm& term : cost_terms())
+        if (const double weight = term.weight_in(objective); weight != 0.0)
+            text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), term.symbol,
+                                short_text(term.measured.of(reference), figures));
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; }))
         text += text.empty() ? "dimensions of the cam" : " + dimensions of the cam";
     return text;

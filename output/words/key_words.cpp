@@ -47,7 +47,7 @@ KeyWords key_words(std::string_view key) {
                                           : key.ends_with(".min") ? "least "
                                                                   : "";
     if (!end_of_range.empty()) key.remove_suffix(std::string_view(".max").size());
-    const std::size_t remark = key.find(' ');  // "cam_radius_min_mm (face turns back)"
+    const std::size_t remark = key.find(' ');  // "torque_max_nm (face turns back)"
     const std::string_view behind = remark == std::string_view::npos ? "" : key.substr(remark);
     key = key.substr(0, remark);
     for (const auto& [ending, unit] : units_of_keys) {

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 
 #include <fmt/format.h>
@@ -42,9 +43,9 @@ std::string undercut_remark(const Solution& solution) {
             degrees_at(solution, summary.regularity.at));
     return fmt::format(
         "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the roller as "
-        "designed. A smaller roller or a cam's centre farther from it helps; the limit cam_radius_min_mm = 0 "
+        "designed. A smaller roller or a cam's centre farther from it helps; the limit {} = 0 "
         "rules undercut out.",
-        degrees_at(solution, summary.regularity.at));
+        degrees_at(solution, summary.regularity.at), limit_row(LimitedFigure::convex_radius).first_key());
 }
 
 std::string limited_remark(const Solution& solution) {

@@ -2,6 +2,7 @@
 #include "output/words/peak_comparison.hpp"
 
 #include "output/words/display_scale.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -40,11 +41,7 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
 }
 
 std::string left_out_of_any_curve(const Scene& scene) {
-    const LimitSpec& limits = scene.limits;
-    const bool cam = limits.pressure_angle || limits.rise_pressure_angle || limits.return_pressure_angle ||
-                     limits.cam_radius_min || limits.concave_radius_min || limits.undercut_margin ||
-                     limits.contact_force_min || limits.torque_max || limits.hertz_pressure_max ||
-                     (scene.cam && scene.cam->face_half_width);
+    const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
     std::string text = cam ? "limits of the cam" : "";
     if (!scene.motion.via.empty()) text += text.empty() ? "via points" : " and via points";
     return text;

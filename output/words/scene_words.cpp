@@ -7,6 +7,8 @@
 #include "output/words/key_words.hpp"
 #include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
@@ -127,41 +129,30 @@ std::string force_line(const Scene& scene) {
     return text;
 }
 
-std::string limit_text(const std::string& key, double given, const std::string& unit) {
-    const bool least = key.find("_min") != std::string::npos || key.find("undercut") != std::string::npos;
-    const std::string words = key_words(key).words;
-    return fmt::format("{} {} {}{}{}", words, least ? ">=" : "<=", short_text(given), unit.empty() ? "" : " ",
-                       unit);
+std::string limit_text(const std::string& key, bool least, double given, const std::string& unit) {
+    return fmt::format("{} {} {}{}{}", key_words(key).words, least ? ">=" : "<=", short_text(given),
+                       unit.empty() ? "" : " ", unit);
 }
 
 /// Empty where nothing is limited.
 std::string limit_line(const Scene& scene) {
-    const LimitSpec& limits = scene.limits;
     std::string text;
-    for (const auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
-        if (*limit)
-            append(text, limit_text((*limit)->key, (*limit)->given, (*limit)->unit) +
-                             ((*limit)->unit.empty() ? " (normalised)" : ""));
-    for (const auto* limit :
-         {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
-          &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
-          &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
-        if (*limit) append(text, limit_text((*limit)->key, (*limit)->given(), (*limit)->unit));
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (const auto& limit = row.in(scene.limits))
+            append(text, limit_text(limit->key, false, limit->given, limit->unit) +
+                             (limit->unit.empty() ? " (normalised)" : ""));
+    for (const LimitRow& row : limit_rows())
+        if (const auto& limit = row.in(scene.limits))
+            append(text, limit_text(limit->key, row.is_least(), limit->given(), limit->unit));
     return text;
 }
 
 std::string reference_text(const Reference& reference) {
     if (!reference.numeric) return fmt::format("that of the law {}", words_of(reference.law));
     std::string numbers;
-    const auto add = [&](const char* name, const std::optional<double>& value) {
-        if (value) append(numbers, fmt::format("{} {}", name, short_text(*value)));
-    };
-    add("velocity", reference.velocity);
-    add("acceleration", reference.acceleration);
-    add("jerk", reference.jerk);
-    add("torque", reference.torque);
-    add("rms acceleration", reference.rms_acceleration);
-    add("rms jerk", reference.rms_jerk);
+    for (const CostTerm& term : cost_terms())
+        if (const std::optional<double>& value = reference.*term.reference)
+            append(numbers, fmt::format("{} {}", words_of(term.name()), short_text(*value)));
     return fmt::format("that of the reference given as numbers{}", numbers.empty() ? "" : ": " + numbers);
 }
 
@@ -171,12 +162,7 @@ std::string objective_line(const ObjectiveSpec& objective) {
         if (weight > 0.0)
             terms += fmt::format("{}{} × {}", terms.empty() ? "" : " + ", short_text(weight), name);
     };
-    term(objective.velocity, "velocity");
-    term(objective.acceleration, "acceleration");
-    term(objective.jerk, "jerk");
-    term(objective.torque, "torque");
-    term(objective.rms_acceleration, "rms acceleration");
-    term(objective.rms_jerk, "rms jerk");
+    for (const CostTerm& row : cost_terms()) term(row.weight_in(objective), words_of(row.name()));
     const std::size_t of_motion = terms.size();
     for (int i = 0; i < dimension_count; ++i)
         term(objective.dimensions[static_cast<std::size_t>(i)],

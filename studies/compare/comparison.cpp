@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/comparison.hpp"
 
+#include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
@@ -40,16 +41,12 @@ double dimension_of(const Bench& bench, int parameter) {
 double parameter_value(const Bench& bench, const Peaks& peaks, int index) {
     const Parameter& parameter = bench.model.parameters[static_cast<std::size_t>(index)];
     switch (parameter.kind) {
-        case Parameter::Kind::peak: {
-            const double peak = parameter.order == 1   ? peaks.velocity.value
-                                : parameter.order == 2 ? peaks.acceleration.value
-                                                       : peaks.jerk.value;
-            return peak / parameter.reference;
-        }
+        case Parameter::Kind::peak:
+            return derivative_peak(peaks, parameter.order).value / parameter.reference;
         case Parameter::Kind::torque:
             return peaks.torque.value / parameter.reference;
         case Parameter::Kind::rms:
-            return (parameter.order == 2 ? peaks.rms_acceleration : peaks.rms_jerk) / parameter.reference;
+            return derivative_mean(peaks, parameter.order) / parameter.reference;
         case Parameter::Kind::dimension:
             return dimension_of(bench, index);
         case Parameter::Kind::magnitude:

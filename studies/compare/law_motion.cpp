@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_motion.hpp"
 
+#include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "motions/laws/law_peaks.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
@@ -143,7 +144,7 @@ void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
         const Stroke& stroke = strokes[i];
         if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
             inner[i].jerk = {infinity, *x, Side::right};
-            inner[i].rms_jerk = infinity;
+            derivative_mean(inner[i], 3) = infinity;
             raise_peaks(result.motion_peaks, inner[i]);
         }
         if (stroke.kind != SegmentKind::spline) continue;

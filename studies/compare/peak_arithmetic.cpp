@@ -6,13 +6,10 @@
 namespace camopt {
 
 Peaks scaled_peaks(Peaks peaks, double size, double width) {
-    peaks.velocity.value *= size / width;
-    peaks.acceleration.value *= size / std::pow(width, 2);
-    peaks.jerk.value *= size / std::pow(width, 3);
-    peaks.torque.value *= size * size / std::pow(width, 3);
-    peaks.rms_velocity *= size / width;
-    peaks.rms_acceleration *= size / std::pow(width, 2);
-    peaks.rms_jerk *= size / std::pow(width, 3);
+    for (const PeakFigure& figure : peak_figures) {
+        const double sizes = figure.size_power == 2 ? size * size : size;
+        figure.in(peaks) *= sizes / std::pow(width, figure.width_power);
+    }
     return peaks;
 }
 
@@ -21,21 +18,22 @@ Peaks normalised_peaks(const Peaks& peaks, const StretchScale& scale) {
 }
 
 void raise_peaks(Peaks& peaks, const Peaks& other) {
-    for (const auto peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
-        if ((other.*peak).value > (peaks.*peak).value) peaks.*peak = other.*peak;
-    }
+    for (const PeakFigure& figure : peak_figures)
+        if (figure.extremum != nullptr && figure.of(other) > figure.of(peaks))
+            peaks.*figure.extremum = other.*figure.extremum;
 }
 
 void JoinedMeans::add(const Peaks& part, double width) {
-    const std::array<double, 3> rms = {part.rms_velocity, part.rms_acceleration, part.rms_jerk};
-    for (std::size_t k = 0; k < 3; ++k) squares_[k] += width * rms[k] * rms[k];
+    for (int order = 1; order <= 3; ++order) {
+        const double mean = derivative_mean(part, order);
+        squares_[static_cast<std::size_t>(order) - 1] += width * mean * mean;
+    }
     width_ += width;
 }
 
 void JoinedMeans::set(Peaks& whole) const {
-    whole.rms_velocity = std::sqrt(squares_[0] / width_);
-    whole.rms_acceleration = std::sqrt(squares_[1] / width_);
-    whole.rms_jerk = std::sqrt(squares_[2] / width_);
+    for (int order = 1; order <= 3; ++order)
+        derivative_mean(whole, order) = std::sqrt(squares_[static_cast<std::size_t>(order) - 1] / width_);
 }
 
 }  // namespace camopt

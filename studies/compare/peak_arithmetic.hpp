@@ -2,7 +2,7 @@
 // Peaks of parts of a motion brought to one scale and put together.
 #pragma once
 
-#include "core/peaks.hpp"
+#include "core/peak_figures.hpp"
 #include "objectives/model.hpp"
 
 #include <array>

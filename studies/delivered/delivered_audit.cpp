@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
+#include "scene/limit_table.hpp"
 #include "splines/basis.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
@@ -122,28 +123,32 @@ std::optional<Fault> cam_fault(const Solution& solution) {
 
 /// What a limit is measured by: itself, and where it may be 0 the cam's own size, in the unit of the report.
 double size_of_limit(const Solution& solution, const ConstraintReport& report) {
-    const LimitSpec& limits = solution.scene.limits;
-    double size = std::abs(report.limit);
-    const auto radius = [&](const std::optional<WrittenLimit>& limit) {
-        if (!limit) return;
-        const double base = solution.cam         ? solution.cam->cam[DimensionIndex::base_radius]
-                            : solution.mechanism ? solution.mechanism->summary.base_radius
-                                                 : 0.0;
-        if (std::isfinite(base)) size = std::max(size, base / limit->unit_value);
-    };
-    if (report.name == "cam_radius_min") radius(limits.cam_radius_min);
-    if (report.name == "concave_radius_min") radius(limits.concave_radius_min);
-    if (report.name == "undercut_margin") size = 1.0;
-    if (report.name == "contact_force_min" || report.name == "contact_moment_min")
-        if (solution.cam && solution.cam->summary.forces)
-            size = std::max(size, solution.cam->summary.forces->largest_force.value /
-                                      limits.contact_force_min->unit_value);
+    const double size = std::abs(report.limit);
+    const LimitRow* const row = limit_named(report.name);
+    if (row == nullptr || !row->in(solution.scene.limits)) return size;
+    const double unit = row->in(solution.scene.limits)->unit_value;
+    switch (row->size) {
+        case LimitRow::Size::itself:
+            break;
+        case LimitRow::Size::base_radius: {
+            const double base = solution.cam         ? solution.cam->cam[DimensionIndex::base_radius]
+                                : solution.mechanism ? solution.mechanism->summary.base_radius
+                                                     : 0.0;
+            return std::isfinite(base) ? std::max(size, base / unit) : size;
+        }
+        case LimitRow::Size::one:
+            return 1.0;
+        case LimitRow::Size::largest_force:
+            if (solution.cam && solution.cam->summary.forces)
+                return std::max(size, solution.cam->summary.forces->largest_force.value / unit);
+            break;
+    }
     return size;
 }
 
 std::optional<Fault> limit_fault(const Solution& solution) {
     for (const ConstraintReport& report : solution.constraints) {
-        const bool least = report.name.ends_with("_min") || report.name == "undercut_margin";
+        const bool least = is_least_limit(report.name);
         const double excess = least ? report.limit - report.worst : report.worst - report.limit;
         const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
         const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);

@@ -2,6 +2,7 @@
 #include "studies/delivered/delivered_objective.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "scene/cost_table.hpp"
 
 #include <array>
 #include <cmath>
@@ -38,15 +39,9 @@ double defined_objective(const Solution& solution) {
     const Peaks& reference = solution.reference_peaks;
     double sum = weighted_dimensions(solution);
     // A reference that a term of no weight would need may be infinite or absent.
-    const auto add = [&sum](double weight, double value, double by) {
-        if (weight > 0.0) sum += weight * value / by;
-    };
-    add(weights.velocity, peaks.velocity.value, reference.velocity.value);
-    add(weights.acceleration, peaks.acceleration.value, reference.acceleration.value);
-    add(weights.jerk, peaks.jerk.value, reference.jerk.value);
-    add(weights.torque, peaks.torque.value, reference.torque.value);
-    add(weights.rms_acceleration, peaks.rms_acceleration, reference.rms_acceleration);
-    add(weights.rms_jerk, peaks.rms_jerk, reference.rms_jerk);
+    for (const CostTerm& term : cost_terms())
+        if (const double weight = term.weight_in(weights); weight > 0.0)
+            sum += weight * term.measured.of(peaks) / term.measured.of(reference);
     return sum;
 }
 

@@ -2,6 +2,7 @@
 #include "studies/delivered/mechanism_report.hpp"
 
 #include "core/errors.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/check/mechanism_check.hpp"
 #include "studies/delivered/solution_report.hpp"
@@ -21,18 +22,41 @@ MechanismReport mechanism_report(const Scene& scene, std::vector<double> dimensi
     return report;
 }
 
+namespace {
+
+/// What a mechanism beside the disk cam can be limited by: nothing that needs forces, no stroke of its own.
+bool has_figure(LimitedFigure figure) {
+    const LimitRow& row = limit_row(figure);
+    return !row.needs_forces && row.cams != LimitRow::Cams::disk;
+}
+
+/// None where there is no such value.
+std::optional<CamExtreme> figure_of(const MechanismSummary& summary, LimitedFigure figure) {
+    switch (figure) {
+        case LimitedFigure::pressure_angle:
+            return summary.pressure_angle;
+        case LimitedFigure::convex_radius:
+            return summary.convex_radius;
+        case LimitedFigure::concave_radius:
+            return summary.concave_radius;
+        case LimitedFigure::regularity:
+            return summary.regularity;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
 std::vector<ConstraintReport> mechanism_constraints(const Scene& scene, const MechanismReport& report) {
-    const LimitSpec& limits = scene.limits;
-    const MechanismSummary& summary = report.summary;
     std::vector<ConstraintReport> all;
-    const auto add = [&](const std::optional<WrittenLimit>& limit, const std::optional<CamExtreme>& worst,
-                         int sign) {
-        if (limit) all.push_back(limit_report(*limit, worst.value_or(CamExtreme{infinity, 0.0}), sign));
-    };
-    add(limits.pressure_angle, summary.pressure_angle, 1);
-    add(limits.cam_radius_min, summary.convex_radius, -1);
-    add(limits.concave_radius_min, summary.concave_radius, -1);
-    add(limits.undercut_margin, summary.regularity, -1);
+    for (const LimitRow& row : limit_rows()) {
+        const auto& limit = row.in(scene.limits);
+        if (!limit || !has_figure(row.figure)) continue;
+        const std::optional<CamExtreme> worst = figure_of(report.summary, row.figure);
+        all.push_back(
+            limit_report(*limit, worst.value_or(CamExtreme{infinity, 0.0}), row.is_least() ? -1 : 1));
+    }
     return all;
 }
 

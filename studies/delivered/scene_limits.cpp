@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/scene_limits.hpp"
 
+#include "scene/limit_table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,15 +19,13 @@ namespace {
 constexpr double just_reached = 1e-7;
 constexpr int symmetry_samples = 64;  // between two breakpoints
 
-bool is_least(const ConstraintReport& reached) {
-    return reached.name.ends_with("_min") || reached.name == "undercut_margin";
-}
-
-void add_peak_limit(std::vector<LimitOutcome>& all, const std::pair<const char*, Extremum Peaks::*>& peak,
-                    const std::optional<PeakLimit>& limit, const Scene& scene, const MotionFigures& figures) {
+void add_peak_limit(std::vector<LimitOutcome>& all, const PeakLimitRow& row, const Scene& scene,
+                    const MotionFigures& figures) {
+    const std::optional<PeakLimit>& limit = row.in(scene.limits);
     if (!limit) return;
-    const Extremum& found = (limit->in_time() ? figures.motion_peaks : figures.peaks).*peak.second;
-    all.push_back(outcome_of({peak.first, limit->key, limit->given,
+    const Extremum& found =
+        derivative_peak(limit->in_time() ? figures.motion_peaks : figures.peaks, row.order());
+    all.push_back(outcome_of({row.name(), limit->key, limit->given,
                               found.value * limit->unit_per_normalised(), limit->unit, found.at, false},
                              scene.solver.tolerance));
 }
@@ -111,17 +111,15 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
 }
 
 LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance) {
-    const double excess = is_least(reached) ? reached.limit - reached.worst : reached.worst - reached.limit;
+    const double excess =
+        is_least_limit(reached.name) ? reached.limit - reached.worst : reached.worst - reached.limit;
     const double size = std::max(std::abs(reached.limit), std::min(std::abs(reached.worst), 1e300));
     return {reached, excess <= std::max(just_reached, 10.0 * tolerance) * size, excess};
 }
 
 std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {
     std::vector<LimitOutcome> all;
-    const LimitSpec& limits = scene.limits;
-    add_peak_limit(all, {"velocity", &Peaks::velocity}, limits.velocity, scene, figures);
-    add_peak_limit(all, {"acceleration", &Peaks::acceleration}, limits.acceleration, scene, figures);
-    add_peak_limit(all, {"jerk", &Peaks::jerk}, limits.jerk, scene, figures);
+    for (const PeakLimitRow& row : peak_limit_rows()) add_peak_limit(all, row, scene, figures);
     add_via_points(all, scene, figures.motion);
     add_symmetry(all, scene, figures.motion);
     add_end_jerk(all, scene, figures.motion);

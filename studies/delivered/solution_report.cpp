@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
 #include "studies/delivered/mechanism_report.hpp"
@@ -98,14 +99,12 @@ void report_segments(Solution& solution) {
 }
 
 void report_peak_limits(Solution& solution) {
-    const LimitSpec& limits = solution.scene.limits;
-    const auto report = [&](const char* name, const std::optional<PeakLimit>& limit, Extremum Peaks::*peak) {
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        const std::optional<PeakLimit>& limit = row.in(solution.scene.limits);
         const bool in_time = limit && limit->in_time();
-        report_peak_limit(solution, name, limit, (in_time ? solution.motion_peaks : solution.peaks).*peak);
-    };
-    report("velocity", limits.velocity, &Peaks::velocity);
-    report("acceleration", limits.acceleration, &Peaks::acceleration);
-    report("jerk", limits.jerk, &Peaks::jerk);
+        report_peak_limit(solution, row.name(), limit,
+                          derivative_peak(in_time ? solution.motion_peaks : solution.peaks, row.order()));
+    }
 }
 
 void report_cam(Solution& solution, Delivered&& delivered) {
@@ -123,12 +122,8 @@ void report_cam(Solution& solution, Delivered&& delivered) {
 
 /// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
 std::string plain_name(const std::string& key) {
-    for (const char* name : {"rise_pressure_angle", "return_pressure_angle", "pressure_angle",
-                             "cam_radius_min", "concave_radius_min", "undercut_margin", "contact_force_min",
-                             "contact_moment_min", "torque_max", "hertz_pressure_max"}) {
-        if (key.find(name) != std::string::npos) return name;
-    }
-    return key;
+    const char* const name = limit_name_in(key);
+    return name != nullptr ? name : key;
 }
 
 const CamExtreme& larger(const CamExtreme& one, const CamExtreme& other) {
@@ -138,11 +133,54 @@ const CamExtreme& larger(const CamExtreme& one, const CamExtreme& other) {
 /// What the general limit on the pressure angle speaks of: all, or the stroke that has none of its own, and
 /// always where the follower rests.
 CamExtreme general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
-    const bool rise = limits.rise_pressure_angle.has_value(), back = limits.return_pressure_angle.has_value();
+    const bool rise = limit_on(limits, LimitedFigure::rise_pressure_angle).has_value();
+    const bool back = limit_on(limits, LimitedFigure::return_pressure_angle).has_value();
     if (!rise && !back) return summary.pressure_angle;
     if (rise && back) return summary.rest_pressure_angle;
     return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
                   summary.rest_pressure_angle);
+}
+
+/// None where the scene has nothing it could be computed from.
+std::optional<CamExtreme> figure_of(LimitedFigure figure, const LimitSpec& limits,
+                                    const CamSummary& summary) {
+    const std::optional<ForceSummary>& forces = summary.forces;
+    if (limit_row(figure).needs_forces && !forces) return std::nullopt;
+    switch (figure) {
+        case LimitedFigure::pressure_angle:
+            return general_pressure_angle(limits, summary);
+        case LimitedFigure::rise_pressure_angle:
+            return larger(summary.rise_pressure_angle, summary.rest_pressure_angle);
+        case LimitedFigure::return_pressure_angle:
+            return larger(summary.return_pressure_angle, summary.rest_pressure_angle);
+        case LimitedFigure::convex_radius:
+            return summary.convex_radius;
+        case LimitedFigure::concave_radius:
+            return summary.concave_radius.value_or(CamExtreme{infinity, 0.0});
+        case LimitedFigure::regularity:
+            return summary.regularity;
+        case LimitedFigure::contact_force:
+            return forces->least_force;
+        case LimitedFigure::torque:
+            return forces->torque;
+        case LimitedFigure::hertz_pressure:
+            return forces->hertz_pressure;
+    }
+    return std::nullopt;
+}
+
+/// The limits that need forces, or those that do not.
+void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, const CamSummary& summary,
+                     bool of_forces) {
+    for (const LimitRow& row : limit_rows()) {
+        const auto& limit = row.in(scene.limits);
+        if (!limit || row.needs_forces != of_forces) continue;
+        const std::optional<CamExtreme> worst = figure_of(row.figure, scene.limits, summary);
+        if (!worst) continue;
+        all.push_back(limit_report(*limit, *worst, row.is_least() ? -1 : 1));
+        if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
+        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
+    }
 }
 
 }  // namespace
@@ -172,41 +210,17 @@ CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motio
 }
 
 std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report) {
-    const LimitSpec& limits = scene.limits;
     const CamSummary& summary = report.summary;
     std::vector<ConstraintReport> all;
-    const auto add = [&](const std::optional<WrittenLimit>& limit, const CamExtreme& worst, int sign) {
-        if (limit) all.push_back(limit_report(*limit, worst, sign));
-    };
-    add(limits.pressure_angle, general_pressure_angle(limits, summary), 1);
-    add(limits.rise_pressure_angle, larger(summary.rise_pressure_angle, summary.rest_pressure_angle), 1);
-    add(limits.return_pressure_angle, larger(summary.return_pressure_angle, summary.rest_pressure_angle), 1);
-    add(limits.cam_radius_min, summary.convex_radius, -1);
-    if (limits.concave_radius_min) {
-        all.push_back(limit_report(*limits.concave_radius_min,
-                                   summary.concave_radius.value_or(CamExtreme{infinity, 0.0}), -1));
-    }
-    add(limits.undercut_margin, summary.regularity, -1);
+    add_constraints(all, scene, summary, false);
     if (scene.cam->face_half_width) {
         const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
                                  "mm"};
         all.push_back(limit_report(width, summary.contact_offset, 1));
         all.back().name = "face_half_width";
+        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst);
     }
-    if (summary.forces) {
-        add(limits.contact_force_min, summary.forces->least_force, -1);
-        add(limits.torque_max, summary.forces->torque, 1);
-        if (summary.forces->hertz_pressure)
-            add(limits.hertz_pressure_max, *summary.forces->hertz_pressure, 1);
-        // A torque can be computed without a contact, but not exerted.
-        for (ConstraintReport& row : all) {
-            const bool needs_contact = row.name == "torque_max" || row.name == "hertz_pressure_max";
-            if (needs_contact && summary.no_contact) row.worst = infinity;
-        }
-    }
-    // A cam that is nowhere concave has an infinite concave radius; anything else infinite is no figure.
-    for (ConstraintReport& row : all)
-        row.no_contact = summary.no_contact && std::isinf(row.worst) && row.name != "concave_radius_min";
+    add_constraints(all, scene, summary, true);
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "scene/limit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,10 @@ constexpr double farthest = 1e3;
 // Pressure angles end short of the right angle.
 constexpr double largest_pressure_angle = 89.9 * units::degree;
 
-using WrittenMember = std::optional<WrittenLimit> LimitSpec::*;
-
-Adjustment limit_adjustment(const Scene& scene, WrittenMember member, bool grows, double end) {
-    const WrittenLimit limit = *(scene.limits.*member);
+/// Up to `end`, SI.
+Adjustment limit_adjustment(const Scene& scene, const LimitRow& row, double end) {
+    const WrittenLimit& limit = *row.in(scene.limits);
+    const bool grows = !row.is_least();
     const double given = limit.given();
     Adjustment adjustment;
     adjustment.key = limit.key;
@@ -32,9 +33,9 @@ Adjustment limit_adjustment(const Scene& scene, WrittenMember member, bool grows
     adjustment.least = grows ? given : end / limit.unit_value;
     adjustment.most = grows ? end / limit.unit_value : given;
     adjustment.limit = true;
-    adjustment.with = [member, unit = limit.unit_value](const Scene& one, double value) {
+    adjustment.with = [&row, unit = limit.unit_value](const Scene& one, double value) {
         Scene changed = one;
-        (changed.limits.*member)->value = value * unit;
+        row.in(changed.limits)->value = value * unit;
         return changed;
     };
     return adjustment;
@@ -42,22 +43,19 @@ Adjustment limit_adjustment(const Scene& scene, WrittenMember member, bool grows
 
 void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
     const LimitSpec& limits = scene.limits;
-    const auto add = [&](WrittenMember member, bool grows, double end) {
-        if (limits.*member) all.push_back(limit_adjustment(scene, member, grows, end));
-    };
     // Where both strokes have their own the general one holds at rest, if it is the least.
-    const bool both_replaced = limits.rise_pressure_angle && limits.return_pressure_angle;
-    if (!both_replaced || pressure_limits(limits).general_at_rest_alone())
-        add(&LimitSpec::pressure_angle, true, largest_pressure_angle);
-    add(&LimitSpec::rise_pressure_angle, true, largest_pressure_angle);
-    add(&LimitSpec::return_pressure_angle, true, largest_pressure_angle);
-    add(&LimitSpec::cam_radius_min, false, 0.0);
-    add(&LimitSpec::concave_radius_min, false, 0.0);
-    add(&LimitSpec::undercut_margin, false, 0.0);
-    add(&LimitSpec::contact_force_min, false, 0.0);
-    if (limits.torque_max) add(&LimitSpec::torque_max, true, farthest * limits.torque_max->value);
-    if (limits.hertz_pressure_max)
-        add(&LimitSpec::hertz_pressure_max, true, farthest * limits.hertz_pressure_max->value);
+    const bool both_replaced = limit_on(limits, LimitedFigure::rise_pressure_angle) &&
+                               limit_on(limits, LimitedFigure::return_pressure_angle);
+    for (const LimitRow& row : limit_rows()) {
+        const auto& limit = row.in(limits);
+        if (!limit) continue;
+        if (row.figure == LimitedFigure::pressure_angle && both_replaced &&
+            !pressure_limits(limits).general_at_rest_alone())
+            continue;
+        const bool is_angle = std::isfinite(row.range.high) && !row.is_least();
+        const double most = is_angle ? largest_pressure_angle : farthest * limit->value;
+        all.push_back(limit_adjustment(scene, row, row.is_least() ? row.range.low : most));
+    }
 }
 
 void add_rise(std::vector<Adjustment>& all, const Scene& scene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Caps on peaks, springs, speed: what a user could change beside the cam.
 #include "core/units.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <algorithm>
@@ -16,9 +17,7 @@ constexpr double first_change = 0.02;
 // No spring is that much stronger than asked for, no machine that much slower, no cap that much looser.
 constexpr double farthest = 1e3;
 
-using PeakMember = std::optional<PeakLimit> LimitSpec::*;
-
-Adjustment peak_adjustment(const PeakLimit& limit, PeakMember member) {
+Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     Adjustment adjustment;
     adjustment.key = limit.key;
     adjustment.given = limit.given;
@@ -27,9 +26,9 @@ Adjustment peak_adjustment(const PeakLimit& limit, PeakMember member) {
     adjustment.least = limit.given;
     adjustment.most = farthest * limit.given;
     adjustment.limit = true;
-    adjustment.with = [member](const Scene& scene, double value) {
+    adjustment.with = [&row](const Scene& scene, double value) {
         Scene changed = scene;
-        PeakLimit& own = *(changed.limits.*member);
+        PeakLimit& own = *row.in(changed.limits);
         own.normalised = value / own.unit_per_normalised();
         own.given = value;
         return changed;
@@ -66,7 +65,8 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
     const bool swings = scene.motion.lift_is_angle;
     const double lift = scene.motion.lift;
     // A follower without spring or preload has forces of the size of its limit, or of one N.
-    const double limit = scene.limits.contact_force_min ? std::abs(scene.limits.contact_force_min->value) : 0;
+    const auto& least_force = limit_on(scene.limits, LimitedFigure::contact_force);
+    const double limit = least_force ? std::abs(least_force->value) : 0.0;
     const double force =
         std::max({std::abs(forces.preload), forces.spring_rate * lift, limit, limit > 0.0 ? 0.0 : 1.0});
     all.push_back(force_adjustment(
@@ -77,7 +77,7 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 }
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
-    if (!scene.forces->contact_width || !scene.limits.hertz_pressure_max) return;
+    if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
     const double given = as_written(*scene.forces->contact_width / units::millimetre);
     Adjustment adjustment{"forces.contact_width_mm", given, first_change * given, true, false, given,
                           farthest * given,          {}};
@@ -90,10 +90,9 @@ void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
 }
 
 bool goes_by_time(const Scene& scene) {
-    const LimitSpec& limits = scene.limits;
-    for (const auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
-        if (*limit && (*limit)->in_time()) return true;
-    return scene.forces && (limits.contact_force_min || limits.torque_max || limits.hertz_pressure_max);
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (const auto& limit = row.in(scene.limits); limit && limit->in_time()) return true;
+    return scene.forces && limits_forces(scene.limits);
 }
 
 void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
@@ -114,26 +113,21 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
 }  // namespace
 
 void rescale_limits_in_time(Scene& scene, double ratio) {
-    int order = 0;
-    for (auto* limit : {&scene.limits.velocity, &scene.limits.acceleration, &scene.limits.jerk}) {
-        ++order;
-        if (*limit && (*limit)->in_time()) (*limit)->normalised *= std::pow(ratio, order);
-    }
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (auto& limit = row.in(scene.limits); limit && limit->in_time())
+            limit->normalised *= std::pow(ratio, row.order());
 }
 
 std::vector<Adjustment> peak_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
-    constexpr std::array<PeakMember, 3> members = {&LimitSpec::velocity, &LimitSpec::acceleration,
-                                                   &LimitSpec::jerk};
-    for (const PeakMember member : members)
-        if (const auto& limit = scene.limits.*member) all.push_back(peak_adjustment(*limit, member));
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (const auto& limit = row.in(scene.limits)) all.push_back(peak_adjustment(*limit, row));
     return all;
 }
 
 std::vector<Adjustment> operating_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
-    if (scene.forces &&
-        (scene.limits.contact_force_min || scene.limits.torque_max || scene.limits.hertz_pressure_max)) {
+    if (scene.forces && limits_forces(scene.limits)) {
         add_springs(all, scene);
         add_contact_width(all, scene);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/relaxation.hpp"
 
+#include "scene/limit_table.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/feasibility_question.hpp"
 #include "studies/explain/finer_spline.hpp"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace camopt {
@@ -23,24 +23,12 @@ namespace {
 constexpr double part_of_segments = 0.3;
 constexpr double shares_of_one = 2.0;
 
-struct LimitedPeak {
-    std::optional<PeakLimit> LimitSpec::*limit;
-    double ObjectiveSpec::*weight;
-    Extremum Peaks::*peak;
-};
-
-constexpr std::array<LimitedPeak, 3> limited_peaks = {{
-    {&LimitSpec::velocity, &ObjectiveSpec::velocity, &Peaks::velocity},
-    {&LimitSpec::acceleration, &ObjectiveSpec::acceleration, &Peaks::acceleration},
-    {&LimitSpec::jerk, &ObjectiveSpec::jerk, &Peaks::jerk},
-}};
-
 /// The scene that asks for the least of one limited peak and keeps every other limit.
-Scene without_limit(const Scene& scene, const LimitedPeak& one) {
+Scene without_limit(const Scene& scene, const PeakLimitRow& one) {
     Scene relaxed = scene;
-    (relaxed.limits.*one.limit).reset();
+    one.in(relaxed.limits).reset();
     relaxed.objective = {};
-    relaxed.objective.*one.weight = 1.0;
+    relaxed.objective.*one.term().weight = 1.0;
     relaxed.objective.tie_break = TieBreak::none;
     relaxed.solver.name = "auto";
     relaxed.solver.options.clear();
@@ -48,24 +36,23 @@ Scene without_limit(const Scene& scene, const LimitedPeak& one) {
 }
 
 /// The least peak in the unit of its limit; none where the other limits allow no motion or the time is out.
-std::optional<double> least_peak(const Scene& scene, const LimitedPeak& one, const Budget& budget) {
+std::optional<double> least_peak(const Scene& scene, const PeakLimitRow& one, const Budget& budget) {
     if (budget.spent()) return {};
     Scene relaxed = without_limit(scene, one);
     const Solution least = solve_without_explaining(relaxed, budget.control());
     if (!least.motion) return {};
-    return (least.peaks.*one.peak).value * (scene.limits.*one.limit)->unit_per_normalised();
+    return one.term().measured.of(least.peaks) * one.in(scene.limits)->unit_per_normalised();
 }
 
 /// The scene with one of its limits alone.
 Scene only_limit(const Scene& scene, const std::string& key) {
     Scene only = scene;
     LimitSpec& limits = only.limits;
-    for (auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
-        if (*limit && (*limit)->key != key) limit->reset();
-    for (auto* limit : {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
-                        &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
-                        &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
-        if (*limit && (*limit)->key != key) limit->reset();
+    const auto drop = [&](auto& limit) {
+        if (limit && limit->key != key) limit.reset();
+    };
+    for (const PeakLimitRow& row : peak_limit_rows()) drop(row.in(limits));
+    for (const LimitRow& row : limit_rows()) drop(row.in(limits));
     if (only.cam && key != "cam.face_half_width_mm") only.cam->face_half_width.reset();
     return only;
 }
@@ -165,8 +152,8 @@ class Explainer {
     void relax_each() {
         const std::vector<Adjustment> caps = peak_adjustments(scene_);
         std::vector<Adjustment> others;
-        const bool in_time = std::ranges::any_of(limited_peaks, [&](const LimitedPeak& one) {
-            const std::optional<PeakLimit>& limit = scene_.limits.*one.limit;
+        const bool in_time = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& one) {
+            const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
         if (scene_.cam || scene_.mechanism || in_time) others = adjustments(scene_);
@@ -179,8 +166,8 @@ class Explainer {
                     [&](const Budget& part) { return nearest_value(scene_, adjustment, given, part); });
         };
         std::size_t cap = 0;
-        for (const LimitedPeak& one : limited_peaks) {
-            if (!(scene_.limits.*one.limit)) continue;
+        for (const PeakLimitRow& one : peak_limit_rows()) {
+            if (!one.in(scene_.limits)) continue;
             const Adjustment& adjustment = caps[cap++];
             if (scene_.motion.type == MotionType::program)
                 search(adjustment);

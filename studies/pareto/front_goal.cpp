@@ -7,33 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace camopt {
 
 namespace {
-
-struct FigureEntry {
-    FrontFigure figure;
-    const char* name;
-    double ObjectiveSpec::*weight;
-    std::optional<PeakLimit> LimitSpec::*limit;  ///< null: a root mean square
-};
-
-const std::array<FigureEntry, 5>& figure_entries() {
-    static const std::array<FigureEntry, 5> entries = {
-        {{FrontFigure::velocity, "velocity", &ObjectiveSpec::velocity, &LimitSpec::velocity},
-         {FrontFigure::acceleration, "acceleration", &ObjectiveSpec::acceleration, &LimitSpec::acceleration},
-         {FrontFigure::jerk, "jerk", &ObjectiveSpec::jerk, &LimitSpec::jerk},
-         {FrontFigure::rms_acceleration, "rms_acceleration", &ObjectiveSpec::rms_acceleration, nullptr},
-         {FrontFigure::rms_jerk, "rms_jerk", &ObjectiveSpec::rms_jerk, nullptr}}};
-    return entries;
-}
-
-const FigureEntry& entry_of(FrontFigure figure) {
-    return figure_entries()[static_cast<std::size_t>(figure)];
-}
 
 const FrontFigure* figure_of(const FrontGoal& goal) {
     return std::get_if<FrontFigure>(&goal);
@@ -46,7 +24,8 @@ bool is_goal(const Dimension& dimension) {
 
 std::vector<FrontGoal> goals_of(const Scene& scene) {
     std::vector<FrontGoal> goals;
-    for (const FigureEntry& entry : figure_entries()) goals.emplace_back(entry.figure);
+    for (const CostTerm& term : cost_terms())
+        if (term.traded) goals.emplace_back(term.figure);
     for (int d = 0; scene.cam && d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);
         if (is_goal((*scene.cam)[which])) goals.emplace_back(which);
@@ -56,14 +35,14 @@ std::vector<FrontGoal> goals_of(const Scene& scene) {
 
 const std::optional<PeakLimit>& peak_limit(const Scene& scene, FrontFigure figure) {
     static const std::optional<PeakLimit> none;
-    const auto member = entry_of(figure).limit;
+    const auto member = cost_term(figure).limit;
     return member != nullptr ? scene.limits.*member : none;
 }
 
 }  // namespace
 
 std::string name_of(const FrontGoal& goal) {
-    if (const FrontFigure* figure = figure_of(goal)) return entry_of(*figure).name;
+    if (const FrontFigure* figure = figure_of(goal)) return name_of(*figure);
     return name_of(std::get<DimensionIndex>(goal));
 }
 
@@ -80,7 +59,7 @@ FrontGoal front_goal(std::string_view name, const Scene& scene) {
 bool can_be_capped(const Scene& scene, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
     if (figure == nullptr) return true;
-    if (entry_of(*figure).limit == nullptr) return false;
+    if (cost_term(*figure).limit == nullptr) return false;
     const std::optional<PeakLimit>& own = peak_limit(scene, *figure);
     // Such a limit holds for the motion, not for the peak normalised by segment; there is room for one only.
     return !(own && own->in_time() && scene.motion.type == MotionType::program);
@@ -96,7 +75,7 @@ std::optional<double> limit_on(const Scene& scene, const FrontGoal& goal) {
 
 void set_cap(Scene& scene, const FrontGoal& goal, double value) {
     if (const FrontFigure* figure = figure_of(goal)) {
-        std::optional<PeakLimit>& limit = scene.limits.*entry_of(*figure).limit;
+        std::optional<PeakLimit>& limit = scene.limits.*cost_term(*figure).limit;
         const double unit = limit ? limit->unit_per_normalised() : 1.0;
         if (!limit) limit = PeakLimit{value, "limits." + name_of(goal), value, ""};
         limit->normalised = value;
@@ -108,59 +87,33 @@ void set_cap(Scene& scene, const FrontGoal& goal, double value) {
 }
 
 double weight_of(const Scene& scene, const FrontGoal& goal) {
-    if (const FrontFigure* figure = figure_of(goal)) return scene.objective.*entry_of(*figure).weight;
+    if (const FrontFigure* figure = figure_of(goal)) return scene.objective.*cost_term(*figure).weight;
     return scene.objective.dimensions[static_cast<std::size_t>(std::get<DimensionIndex>(goal))];
 }
 
 void set_weight(Scene& scene, const FrontGoal& goal, double weight) {
     if (const FrontFigure* figure = figure_of(goal)) {
-        scene.objective.*entry_of(*figure).weight = weight;
+        scene.objective.*cost_term(*figure).weight = weight;
         return;
     }
     scene.objective.dimensions[static_cast<std::size_t>(std::get<DimensionIndex>(goal))] = weight;
 }
 
 void scale_weights(Scene& scene, double factor) {
-    for (const FigureEntry& entry : figure_entries()) scene.objective.*entry.weight *= factor;
-    scene.objective.torque *= factor;
+    for (const CostTerm& term : cost_terms()) scene.objective.*term.weight *= factor;
     for (double& weight : scene.objective.dimensions) weight *= factor;
 }
 
 double value_of(const Solution& solution, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
     if (figure == nullptr) return solution.cam->cam[std::get<DimensionIndex>(goal)];
-    switch (*figure) {
-        case FrontFigure::velocity:
-            return solution.peaks.velocity.value;
-        case FrontFigure::acceleration:
-            return solution.peaks.acceleration.value;
-        case FrontFigure::jerk:
-            return solution.peaks.jerk.value;
-        case FrontFigure::rms_acceleration:
-            return solution.peaks.rms_acceleration;
-        case FrontFigure::rms_jerk:
-            return solution.peaks.rms_jerk;
-    }
-    return 0.0;
+    return cost_term(*figure).measured.of(solution.peaks);
 }
 
 double reference_of(const Scene& scene, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
     if (figure == nullptr) return dimension_unit(scene);
-    const Peaks reference = reference_peaks(scene);
-    switch (*figure) {
-        case FrontFigure::velocity:
-            return reference.velocity.value;
-        case FrontFigure::acceleration:
-            return reference.acceleration.value;
-        case FrontFigure::jerk:
-            return reference.jerk.value;
-        case FrontFigure::rms_acceleration:
-            return reference.rms_acceleration;
-        case FrontFigure::rms_jerk:
-            return reference.rms_jerk;
-    }
-    return 1.0;
+    return cost_term(*figure).measured.of(reference_peaks(scene));
 }
 
 }  // namespace camopt

@@ -5,6 +5,7 @@
 // Values are normalised as in core/peaks.hpp; dimensions are in m. Functions throw InputError where said.
 #pragma once
 
+#include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -15,12 +16,12 @@
 
 namespace camopt {
 
-/// The peaks and mean squares that a weight of the scene reaches.
-enum class FrontFigure { velocity, acceleration, jerk, rms_acceleration, rms_jerk };
+/// The terms of the objective whose rows say that a front can trade them.
+using FrontFigure = CostFigure;
 
 using FrontGoal = std::variant<FrontFigure, DimensionIndex>;
 
-/// "velocity", "rms_jerk", "base_radius", …: the name of its weight in a scene.
+/// "velocity", "acceleration", "base_radius", …: the name of its weight in a scene.
 [[nodiscard]] std::string name_of(const FrontGoal& goal);
 
 /// Throws InputError, listing what this scene has, where it has no goal of that name. Dimensions must be

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/cost_scale.hpp"
 
+#include "scene/cost_table.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -11,31 +12,12 @@ namespace camopt {
 
 namespace {
 
-// Peaks and root mean squares of good motions, to a factor of ten or so: those of the modified sine.
-constexpr std::array<double, 6> typical = {1.76, 5.53, 69.5, 5.46, 3.91, 23.0};
-// References this far from them, and objectives this far from one, are scaled.
+// References this far from those of good motions, and objectives this far from one, are scaled.
 constexpr int idle_reference_exponent = 7;
 constexpr double least_idle_cost = 0.25, most_idle_cost = 64.0;
 // Scaled costs lie below 1 where they were small (the gap is then no looser) and above it where they were
 // large.
 constexpr double large_cost = 8.0;
-
-struct Term {
-    double* weight;
-    std::optional<double>* number;  ///< of a numeric reference
-    double reference;
-};
-
-std::array<Term, 6> terms_of(Scene& scene, const Peaks& reference) {
-    ObjectiveSpec& objective = scene.objective;
-    Reference& numbers = objective.reference;
-    return {{{&objective.velocity, &numbers.velocity, reference.velocity.value},
-             {&objective.acceleration, &numbers.acceleration, reference.acceleration.value},
-             {&objective.jerk, &numbers.jerk, reference.jerk.value},
-             {&objective.torque, &numbers.torque, reference.torque.value},
-             {&objective.rms_acceleration, &numbers.rms_acceleration, reference.rms_acceleration},
-             {&objective.rms_jerk, &numbers.rms_jerk, reference.rms_jerk}}};
-}
 
 double power_of_two(double exponent) {
     return std::ldexp(1.0, static_cast<int>(exponent));
@@ -44,35 +26,36 @@ double power_of_two(double exponent) {
 }  // namespace
 
 CostScale::CostScale(const Scene& scene, const Peaks& reference) : scaled_(scene) {
-    if (scene.objective.reference.numeric) scale_references(reference);
+    if (scene.objective.reference.numeric) scale_references();
     scale_weights(reference);
 }
 
-void CostScale::scale_references(const Peaks& reference) {
-    const std::array<Term, 6> terms = terms_of(scaled_, reference);
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-        if (!*terms[k].number) continue;
-        const double exponent = std::round(std::log2(**terms[k].number / typical[k]));
+void CostScale::scale_references() {
+    for (const CostTerm& term : cost_terms()) {
+        std::optional<double>& number = scaled_.objective.reference.*term.reference;
+        if (!number) continue;
+        const double exponent = std::round(std::log2(*number / term.typical));
         if (std::abs(exponent) <= idle_reference_exponent) continue;
-        **terms[k].number /= power_of_two(exponent);
-        *terms[k].weight /= power_of_two(exponent);
+        *number /= power_of_two(exponent);
+        scaled_.objective.*term.weight /= power_of_two(exponent);
         idle_ = false;
     }
 }
 
 void CostScale::scale_weights(const Peaks& reference) {
     double cost = 0.0;
-    const std::array<Term, 6> terms = terms_of(scaled_, reference);
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-        const double by = terms[k].number->value_or(terms[k].reference);
-        if (*terms[k].weight > 0.0) cost += *terms[k].weight * typical[k] / by;
+    for (const CostTerm& term : cost_terms()) {
+        const double weight = term.weight_in(scaled_.objective);
+        if (weight > 0.0)
+            cost += weight * term.typical /
+                    (scaled_.objective.reference.*term.reference).value_or(term.measured.of(reference));
     }
     for (const double weight : scaled_.objective.dimensions) cost += weight;
     if (cost >= least_idle_cost && cost <= most_idle_cost) return;
     idle_ = false;
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
-    for (const Term& term : terms) *term.weight /= factor_;
+    for (const CostTerm& term : cost_terms()) scaled_.objective.*term.weight /= factor_;
     for (double& weight : scaled_.objective.dimensions) weight /= factor_;
 }
 

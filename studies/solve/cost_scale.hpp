@@ -26,7 +26,7 @@ class CostScale {
     void restore(Solution& solution, const Scene& scene, const Peaks& reference) const;
 
  private:
-    void scale_references(const Peaks& reference);
+    void scale_references();
     void scale_weights(const Peaks& reference);
 
     Scene scaled_;

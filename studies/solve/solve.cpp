@@ -5,6 +5,7 @@
 #include "motions/bounds/any_curve_limit.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/exchange/continuous_solve.hpp"
@@ -40,7 +41,8 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
     // nothing approaches.
     if (scene.motion.type == MotionType::program) return {};
-    if (objective.torque > 0.0 || objective.rms_acceleration > 0.0 || objective.rms_jerk > 0.0) return {};
+    for (const CostTerm& term : cost_terms())
+        if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {

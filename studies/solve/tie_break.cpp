@@ -2,6 +2,7 @@
 #include "studies/solve/tie_break.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>
@@ -65,8 +66,8 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
 
 bool wants_tie_break(const Scene& scene, const Certificate& certificate) {
     // A root-mean-square term makes the optimum unique by itself.
-    return certificate.verdict == Verdict::optimal && scene.objective.tie_break == TieBreak::rms_jerk &&
-           scene.objective.rms_acceleration == 0.0 && scene.objective.rms_jerk == 0.0;
+    return certificate.verdict == Verdict::optimal && scene.objective.tie_break != TieBreak::none &&
+           !weighs_any(scene.objective, CostTerm::Kind::rms);
 }
 
 }  // namespace camopt

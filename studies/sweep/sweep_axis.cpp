@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/number_parsing.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +23,7 @@ constexpr std::string_view vary_forms =
     "KEY=a:b:count, KEY=a:b:count:log or KEY=v1,v2,…, for example cam.base_radius_mm=30:60:7";
 
 std::vector<std::string> weight_names() {
-    std::vector<std::string> names = {"velocity", "acceleration",     "jerk",
-                                      "torque",   "rms_acceleration", "rms_jerk"};
+    std::vector<std::string> names = cost_term_names();
     for (int i = 0; i < dimension_count; ++i) names.emplace_back(name_of(static_cast<DimensionIndex>(i)));
     return names;
 }

@@ -32,9 +32,9 @@ struct SweepAxis {
 /// In boustrophedon order: from one point to the next 1/N moves from one weight to another.
 [[nodiscard]] SweepAxis simplex_weights(int divisions);
 
-/// A table of weights. The first line names them (velocity, acceleration, jerk, torque, rms_acceleration,
-/// rms_jerk, base_radius, …; "objective." may stand before), every other line is a point: numbers >= 0. Empty
-/// lines and lines that begin with # are skipped. Errors begin with "NAME:LINE: ".
+/// A table of weights. The first line names them (the cost terms of scene/cost_table.hpp, base_radius, …;
+/// "objective." may stand before), every other line is a point: numbers >= 0. Empty lines and lines that
+/// begin with # are skipped. Errors begin with "NAME:LINE: ".
 [[nodiscard]] SweepAxis weights_of_csv(std::string_view text, std::string_view name);
 
 /// "KEY=a:b:count" (evenly, both ends included), "KEY=a:b:count:log" (by equal factors), "KEY=v1,v2,…".

@@ -20,8 +20,10 @@ namespace {
 using CheckedLaws = std::set<std::pair<std::string, std::array<bool, sweep_figure_count>>>;
 
 std::array<bool, sweep_figure_count> weighed_figures(const ObjectiveSpec& objective) {
-    return {objective.velocity > 0.0, objective.acceleration > 0.0,     objective.jerk > 0.0,
-            objective.torque > 0.0,   objective.rms_acceleration > 0.0, objective.rms_jerk > 0.0};
+    std::array<bool, sweep_figure_count> weighs{};
+    for (const CostTerm& term : cost_terms())
+        weighs[static_cast<std::size_t>(term.figure)] = term.weight_in(objective) > 0.0;
+    return weighs;
 }
 
 void check_solve(const Scene& scene, CheckedLaws& checked) {

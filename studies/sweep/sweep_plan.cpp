@@ -2,6 +2,7 @@
 #include "studies/sweep/sweep_plan.hpp"
 
 #include "core/errors.hpp"
+#include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,12 +18,8 @@ namespace {
 
 /// Where a weight stands in the objective; nullptr for what is no weight there.
 double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
-    if (key == "objective.velocity") return &objective.velocity;
-    if (key == "objective.acceleration") return &objective.acceleration;
-    if (key == "objective.jerk") return &objective.jerk;
-    if (key == "objective.torque") return &objective.torque;
-    if (key == "objective.rms_acceleration") return &objective.rms_acceleration;
-    if (key == "objective.rms_jerk") return &objective.rms_jerk;
+    for (const CostTerm& term : cost_terms())
+        if (key == fmt::format("objective.{}", term.name())) return &(objective.*term.weight);
     for (std::size_t i = 0; i < objective.dimensions.size(); ++i)
         if (key == fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i))))
             return &objective.dimensions[i];

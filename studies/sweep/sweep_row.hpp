@@ -7,6 +7,7 @@
 
 #include "core/counting_nlp.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/cost_table.hpp"
 #include "solvers/certificate/certificate.hpp"
 
 #include <array>
@@ -17,9 +18,8 @@
 namespace camopt {
 
 /// The figures of a motion that an objective can weigh, in the order of the columns.
-enum class SweepFigure { velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk };
-inline constexpr int sweep_figure_count = 6;
-[[nodiscard]] const char* name_of(SweepFigure value);  ///< "velocity", …: the weight's name too
+using SweepFigure = CostFigure;
+inline constexpr int sweep_figure_count = cost_figure_count;
 
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan

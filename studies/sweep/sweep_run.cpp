@@ -19,10 +19,8 @@ std::optional<double> finite(const std::optional<double>& value) {
 }
 
 void set_figures(SweepRow& row, const Peaks& peaks) {
-    const std::array values = {peaks.velocity.value, peaks.acceleration.value, peaks.jerk.value,
-                               peaks.torque.value,   peaks.rms_acceleration,   peaks.rms_jerk};
-    static_assert(values.size() == sweep_figure_count);
-    for (std::size_t i = 0; i < values.size(); ++i) row.figures[i] = finite(values[i]);
+    for (const CostTerm& term : cost_terms())
+        row.figures[static_cast<std::size_t>(term.figure)] = finite(term.measured.of(peaks));
 }
 
 void set_dimensions(SweepRow& row, const Solution& solution) {

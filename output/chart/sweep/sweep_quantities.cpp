@@ -42,10 +42,10 @@ std::array<SweepQuantity, 3> peak_quantities() {
 std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
     std::vector<SweepQuantity> quantities = {objective_quantity()};
     for (SweepQuantity& peak : peak_quantities()) quantities.push_back(std::move(peak));
-    for (const SweepFigure figure :
-         {SweepFigure::torque, SweepFigure::rms_acceleration, SweepFigure::rms_jerk}) {
-        if (std::ranges::find(table.columns.criteria, name_of(figure)) != table.columns.criteria.end())
-            quantities.push_back(figure_quantity(figure, ""));
+    for (const CostTerm& term : cost_terms()) {
+        if (term.kind == CostTerm::Kind::peak) continue;
+        if (std::ranges::find(table.columns.criteria, term.name()) != table.columns.criteria.end())
+            quantities.push_back(figure_quantity(term.figure, ""));
     }
     for (const DimensionIndex dimension : table.columns.dimensions)
         quantities.push_back(dimension_quantity(dimension));

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "scene/cost_table.hpp"
+
+#include <algorithm>
+
+namespace camopt {
+namespace {
+
+using Kind = CostTerm::Kind;
+
+// A row is read as a row.
+// clang-format off
+constexpr std::array<CostTerm, cost_figure_count> rows = {{
+    {CostFigure::velocity, Kind::peak, peak_figure("velocity"), "V",
+     &ObjectiveSpec::velocity, &Reference::velocity, &LimitSpec::velocity, 1.76, true,
+     "Weight of the velocity peak V.",
+     "Reference of the velocity peak; needed where its weight is > 0, and so are the others."},
+    {CostFigure::acceleration, Kind::peak, peak_figure("acceleration"), "A",
+     &ObjectiveSpec::acceleration, &Reference::acceleration, &LimitSpec::acceleration, 5.53, true,
+     "Weight of the acceleration peak A.",
+     "Reference of the acceleration peak."},
+    {CostFigure::jerk, Kind::peak, peak_figure("jerk"), "J",
+     &ObjectiveSpec::jerk, &Reference::jerk, &LimitSpec::jerk, 69.5, true,
+     "Weight of the jerk peak J.",
+     "Reference of the jerk peak."},
+    {CostFigure::torque, Kind::torque, peak_figure("torque"), "Q",
+     &ObjectiveSpec::torque, &Reference::torque, nullptr, 5.46, false,
+     "Weight of the torque peak Q, the largest magnitude of y'·y''; not convex.",
+     "Reference of the torque peak."},
+    {CostFigure::rms_acceleration, Kind::rms, peak_figure("rms_acceleration"), "rms A",
+     &ObjectiveSpec::rms_acceleration, &Reference::rms_acceleration, nullptr, 3.91, true,
+     "Weight of the root mean square of the acceleration.",
+     "Reference of the root mean square of the acceleration."},
+    {CostFigure::rms_jerk, Kind::rms, peak_figure("rms_jerk"), "rms J",
+     &ObjectiveSpec::rms_jerk, &Reference::rms_jerk, nullptr, 23.0, true,
+     "Weight of the root mean square of the jerk.",
+     "Reference of the root mean square of the jerk."},
+}};
+// clang-format on
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].figure != static_cast<CostFigure>(i)) return false;
+    return true;
+}
+static_assert(in_order(), "a row stands where its figure does in CostFigure");
+
+}  // namespace
+
+std::span<const CostTerm> cost_terms() {
+    return rows;
+}
+
+const CostTerm& cost_term(CostFigure figure) {
+    return rows.at(static_cast<std::size_t>(figure));
+}
+
+const char* name_of(CostFigure figure) {
+    return cost_term(figure).name();
+}
+
+std::vector<std::string> cost_term_names() {
+    std::vector<std::string> names;
+    for (const CostTerm& term : rows) names.emplace_back(term.name());
+    return names;
+}
+
+bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind) {
+    return std::ranges::any_of(
+        rows, [&](const CostTerm& term) { return term.kind == kind && term.weight_in(objective) > 0.0; });
+}
+
+const char* name_of(TieBreak value) {
+    return value == TieBreak::none ? "none" : "rms_jerk";
+}
+
+}  // namespace camopt

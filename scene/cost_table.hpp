@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The cost terms of a motion, one row a term:
+//
+//   f = Σ weight · figure / reference,   the figure one of core/peaks.hpp, normalised.
+//
+// Reader, checks, model, files, charts and words iterate over the rows. The dimensions of the cam, which can
+// be weighed too, are listed by DimensionIndex (scene/cam_spec.hpp).
+#pragma once
+
+#include "core/peak_figures.hpp"
+#include "scene/scene.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// The figures of a motion that an objective can weigh, in the order of the rows and of the columns.
+enum class CostFigure { velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk };
+inline constexpr int cost_figure_count = 6;
+
+struct CostTerm {
+    /// peak: of a derivative, by two epigraph rules. torque: of y'·y''. rms: by its energy.
+    enum class Kind { peak, torque, rms };
+
+    CostFigure figure;
+    Kind kind;
+    PeakFigure measured;  ///< the member of Peaks; its name is the term's
+    const char* symbol;   ///< in formulas and tables: "V", "rms A"
+    double ObjectiveSpec::*weight;
+    std::optional<double> Reference::*reference;
+    std::optional<PeakLimit> LimitSpec::*limit;  ///< null: it cannot be limited
+    double typical;                 ///< of good motions, to a factor of ten: of the modified sine
+    bool traded;                    ///< a front can trade it against another
+    const char* weight_meaning;     ///< of the key objective.NAME
+    const char* reference_meaning;  ///< of the key objective.reference.NAME
+
+    /// "velocity": the key below [objective] and [objective.reference], the column, the word in JSON.
+    [[nodiscard]] const char* name() const { return measured.name.data(); }
+    [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
+};
+
+/// Every term, by CostFigure.
+[[nodiscard]] std::span<const CostTerm> cost_terms();
+[[nodiscard]] const CostTerm& cost_term(CostFigure figure);
+[[nodiscard]] const char* name_of(CostFigure figure);
+/// Of every term, in order.
+[[nodiscard]] std::vector<std::string> cost_term_names();
+/// Whether any term of this kind has a weight.
+[[nodiscard]] bool weighs_any(const ObjectiveSpec& objective, CostTerm::Kind kind);
+
+/// What objective.tie_break may be.
+inline constexpr std::array<TieBreak, 2> tie_breaks = {TieBreak::rms_jerk, TieBreak::none};
+
+}  // namespace camopt

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+using Figure = LimitedFigure;
+using Sense = LimitRow::Sense;
+using Cams = LimitRow::Cams;
+using Size = LimitRow::Size;
+
+constexpr std::string_view names_of_velocity[] = {"max_velocity", "velocity_max"};
+constexpr std::string_view names_of_acceleration[] = {"max_acceleration", "acceleration_max"};
+constexpr std::string_view names_of_jerk[] = {"max_jerk", "jerk_max"};
+constexpr std::string_view names_of_pressure_angle[] = {"max_pressure_angle", "pressure_angle_max",
+                                                        "transmission_angle"};
+constexpr std::string_view names_of_convex_radius[] = {"min_radius", "radius_min"};
+constexpr std::string_view names_of_regularity[] = {"undercut"};
+
+constexpr Range positive = {.low = 0.0, .low_included = false};
+constexpr Range not_negative = {.low = 0.0};
+constexpr Range right_angle = {
+    .low = 0.0, .high = 0.5 * std::numbers::pi, .low_included = false, .high_included = false};
+constexpr Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};
+
+constexpr std::array<PeakLimitRow, 3> peak_rows = {{
+    {CostFigure::velocity, spellings::velocity_limit,
+     "Cap on the velocity: on the normalised peak V, or in time (needs a speed).", names_of_velocity},
+    {CostFigure::acceleration, spellings::acceleration_limit,
+     "Cap on the acceleration: on the normalised peak A, or in time (needs a speed).", names_of_acceleration},
+    {CostFigure::jerk, spellings::jerk_limit,
+     "Cap on the jerk: on the normalised peak J, or in time (needs a speed).", names_of_jerk},
+}};
+
+constexpr std::array<LimitRow, limited_figure_count> rows = {{
+    {.figure = Figure::pressure_angle,
+     .name = "pressure_angle",
+     .limit = &LimitSpec::pressure_angle,
+     .spellings = spellings::angle,
+     .sense = Sense::most,
+     .range = right_angle,
+     .meaning = "Cap on the pressure angle at every cam angle; where the two below replace it still at rest "
+                "and in dwells.",
+     .also_called = names_of_pressure_angle},
+    {.figure = Figure::rise_pressure_angle,
+     .name = "rise_pressure_angle",
+     .limit = &LimitSpec::rise_pressure_angle,
+     .spellings = spellings::angle,
+     .sense = Sense::most,
+     .range = right_angle,
+     .cams = Cams::disk,
+     .default_text = "pressure_angle",
+     .meaning = "Cap on the pressure angle while the follower rises; at rest and in dwells the least of the "
+                "three holds."},
+    {.figure = Figure::return_pressure_angle,
+     .name = "return_pressure_angle",
+     .limit = &LimitSpec::return_pressure_angle,
+     .spellings = spellings::angle,
+     .sense = Sense::most,
+     .range = right_angle,
+     .cams = Cams::disk,
+     .default_text = "pressure_angle",
+     .meaning = "Cap on the pressure angle while the follower returns; at rest and in dwells the least of "
+                "the three holds."},
+    {.figure = Figure::convex_radius,
+     .name = "cam_radius_min",
+     .limit = &LimitSpec::cam_radius_min,
+     .spellings = spellings::length,
+     .sense = Sense::least,
+     .range = not_negative,
+     .cams = Cams::planar,
+     .size = Size::base_radius,
+     .meaning = "Least convex radius of curvature of the cam surface; 0: just no undercut.",
+     .also_called = names_of_convex_radius},
+    {.figure = Figure::concave_radius,
+     .name = "concave_radius_min",
+     .limit = &LimitSpec::concave_radius_min,
+     .spellings = spellings::length,
+     .sense = Sense::least,
+     .range = not_negative,
+     .cams = Cams::planar,
+     .may_be_infinite = true,  // a cam that is nowhere concave
+     .size = Size::base_radius,
+     .refusal = {ContactKind::flat, "a concave radius",
+                 "only with rollers and knife edges: a flat face touches no concave cam"},
+     .meaning = "Least concave radius of curvature of the cam surface; not for flat faces, which touch no "
+                "concave cam."},
+    {.figure = Figure::regularity,
+     .name = "undercut_margin",
+     .limit = &LimitSpec::undercut_margin,
+     .spellings = spellings::plain,
+     .sense = Sense::least,
+     .range = below_one,
+     .size = Size::one,
+     .meaning = "Least distance from undercut: 1 - roller radius / radius of the pitch curve (roller), cam "
+                "radius / base radius (flat face); 0: just no undercut.",
+     .also_called = names_of_regularity},
+    {.figure = Figure::contact_force,
+     .name = "contact_force_min",
+     .limit = &LimitSpec::contact_force_min,
+     .spellings = spellings::force,
+     .sense = Sense::least,
+     .range = not_negative,
+     .needs_forces = true,
+     .size = Size::largest_force,
+     .meaning = "Least force that presses a translating follower on the cam.",
+     .swinging = {"contact_moment_min", spellings::moment,
+                  "Least moment that presses an oscillating follower on the cam."}},
+    {.figure = Figure::torque,
+     .name = "torque_max",
+     .limit = &LimitSpec::torque_max,
+     .spellings = spellings::moment,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_forces = true,
+     .needs_contact = true,  // it can be computed without a contact, but not exerted
+     .meaning = "Cap on the torque of the camshaft, to either side."},
+    {.figure = Figure::hertz_pressure,
+     .name = "hertz_pressure_max",
+     .limit = &LimitSpec::hertz_pressure_max,
+     .spellings = spellings::pressure,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_forces = true,
+     .needs_contact_width = true,
+     .needs_contact = true,
+     .refusal = {ContactKind::edge, "a pressure",
+                 "only with rollers and flat faces: under an edge it is infinite"},
+     .meaning = "Cap on the Hertz pressure; needs `forces.contact_width`."},
+}};
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].figure != static_cast<Figure>(i)) return false;
+    return true;
+}
+static_assert(in_order(), "a row stands where its figure does in LimitedFigure");
+
+}  // namespace
+
+std::string LimitRow::first_key() const {
+    return fmt::format("{}{}", name, spellings.front().suffix);
+}
+
+std::span<const PeakLimitRow> peak_limit_rows() {
+    return peak_rows;
+}
+
+std::span<const LimitRow> limit_rows() {
+    return rows;
+}
+
+const LimitRow& limit_row(LimitedFigure figure) {
+    return rows.at(static_cast<std::size_t>(figure));
+}
+
+const std::optional<WrittenLimit>& limit_on(const LimitSpec& limits, LimitedFigure figure) {
+    return limit_row(figure).in(limits);
+}
+
+const LimitRow* limit_named(std::string_view name) {
+    for (const LimitRow& row : rows)
+        if (name == row.name || (row.swinging.name != nullptr && name == row.swinging.name)) return &row;
+    return nullptr;
+}
+
+const char* limit_name_in(std::string_view key) {
+    const char* longest = nullptr;  // "rise_pressure_angle" has "pressure_angle" in it
+    for (const LimitRow& row : rows)
+        for (const char* name : {row.name, row.swinging.name}) {
+            if (name == nullptr || key.find(name) == std::string_view::npos) continue;
+            if (longest == nullptr || std::string_view(name).size() > std::string_view(longest).size())
+                longest = name;
+        }
+    return longest;
+}
+
+bool is_least_limit(std::string_view name) {
+    const LimitRow* const row = limit_named(name);
+    return row != nullptr && row->is_least();
+}
+
+bool limits_cam(const LimitSpec& limits) {
+    return std::ranges::any_of(rows, [&](const LimitRow& row) { return row.in(limits).has_value(); });
+}
+
+bool limits_forces(const LimitSpec& limits) {
+    return std::ranges::any_of(
+        rows, [&](const LimitRow& row) { return row.needs_forces && row.in(limits).has_value(); });
+}
+
+}  // namespace camopt

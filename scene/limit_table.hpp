@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// The hard limits, one row a limit: how a scene file writes it, what it holds on to, where it may lie, what
+// it needs.
+//
+// Reader, checks, relaxations, reports, charts and words iterate over the rows or ask for the limit on a
+// figure; only the row knows which member of LimitSpec it is. What keeps a limit is its rule, in
+// objectives/rules.
+#pragma once
+
+#include "core/range.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/scene.hpp"
+#include "scene/spellings.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+/// A cap on a peak of the motion, normalised or in time.
+struct PeakLimitRow {
+    CostFigure figure;                                   ///< the peak; its name is the limit's
+    std::span<const Spelling> spellings;                 ///< the first one is normalised
+    const char* meaning;                                 ///< of the key limits.NAME
+    std::span<const std::string_view> also_called = {};  ///< what other programs call it
+
+    [[nodiscard]] const CostTerm& term() const { return cost_term(figure); }
+    [[nodiscard]] const char* name() const { return term().name(); }
+    /// Of the derivative: 1 velocity, 2 acceleration, 3 jerk.
+    [[nodiscard]] int order() const { return term().measured.order; }
+    [[nodiscard]] std::optional<PeakLimit>& in(LimitSpec& limits) const { return limits.*term().limit; }
+    [[nodiscard]] const std::optional<PeakLimit>& in(const LimitSpec& limits) const {
+        return limits.*term().limit;
+    }
+};
+
+/// By order.
+[[nodiscard]] std::span<const PeakLimitRow> peak_limit_rows();
+
+/// What a limit of the cam holds on to: a figure that a cam is judged by.
+enum class LimitedFigure {
+    pressure_angle,         ///< |φ| at every cam angle
+    rise_pressure_angle,    ///< while the follower rises, in place of the one above
+    return_pressure_angle,  ///< while it returns
+    convex_radius,          ///< of the cam's surface, where it is convex
+    concave_radius,         ///< where it is concave
+    regularity,     ///< 1 − roller radius / pitch radius, or cam radius / base radius of a flat face
+    contact_force,  ///< F or M of ForceSpec
+    torque,         ///< |camshaft torque|
+    hertz_pressure
+};
+inline constexpr int limited_figure_count = 9;
+
+struct LimitRow {
+    enum class Sense { most, least };
+    enum class Cams { any, planar, disk };  ///< which can have it
+    /// What a violation is measured by, and a limit that may be 0: itself, the cam's base radius, one, or the
+    /// largest force.
+    enum class Size { itself, base_radius, one, largest_force };
+    /// Under this name and in these units where the follower swings.
+    struct Swinging {
+        const char* name = nullptr;  ///< null: as otherwise
+        std::span<const Spelling> spellings = {};
+        const char* meaning = nullptr;
+    };
+    struct Refusal {
+        std::optional<ContactKind> contact = {};  ///< none: every follower may have it
+        const char* found = nullptr;              ///< before: for the follower "…"
+        const char* allowed = nullptr;
+    };
+
+    LimitedFigure figure;
+    const char* name;  ///< key without its unit, name in reports
+    std::optional<WrittenLimit> LimitSpec::*limit;
+    std::span<const Spelling> spellings;
+    Sense sense;
+    Range range;  ///< SI, rad
+    Cams cams = Cams::any;
+    bool needs_forces = false;  ///< and with them a speed
+    bool needs_contact_width = false;
+    bool needs_contact = false;    ///< a figure without a value where the follower cannot touch the cam
+    bool may_be_infinite = false;  ///< an infinite figure is one
+    Size size = Size::itself;
+    Refusal refusal = {};
+    const char* default_text = "none";
+    const char* meaning = nullptr;  ///< of the key limits.NAME
+    Swinging swinging = {};
+    std::span<const std::string_view> also_called = {};
+
+    [[nodiscard]] std::optional<WrittenLimit>& in(LimitSpec& limits) const { return limits.*limit; }
+    [[nodiscard]] const std::optional<WrittenLimit>& in(const LimitSpec& limits) const {
+        return limits.*limit;
+    }
+    [[nodiscard]] bool is_least() const { return sense == Sense::least; }
+    /// Its key with the unit the manual shows: "pressure_angle_deg".
+    [[nodiscard]] std::string first_key() const;
+};
+
+/// Every limit of a cam, by LimitedFigure.
+[[nodiscard]] std::span<const LimitRow> limit_rows();
+[[nodiscard]] const LimitRow& limit_row(LimitedFigure figure);
+/// The scene's limit on this figure.
+[[nodiscard]] const std::optional<WrittenLimit>& limit_on(const LimitSpec& limits, LimitedFigure figure);
+/// The row whose name, or swinging name, this is; null where none is.
+[[nodiscard]] const LimitRow* limit_named(std::string_view name);
+/// The name of the row that a written key belongs to: "limits.pressure_angle_deg" → "pressure_angle"; null
+/// where it belongs to none.
+[[nodiscard]] const char* limit_name_in(std::string_view key);
+/// A limit of this name, of the cam or of the motion, is a least value.
+[[nodiscard]] bool is_least_limit(std::string_view name);
+
+[[nodiscard]] bool limits_cam(const LimitSpec& limits);     ///< any of the cam
+[[nodiscard]] bool limits_forces(const LimitSpec& limits);  ///< any that needs forces
+
+}  // namespace camopt

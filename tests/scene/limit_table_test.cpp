@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Every row of the table of limits is read by each of its keys, refused out of its range, ruled, relaxed,
+// reported: a row that is missing anywhere fails here, a new one is tested without an edit.
+#include "scene/limit_table.hpp"
+
+#include "core/range.hpp"
+#include "input/scene_keys.hpp"
+#include "output/json/result_json.hpp"
+#include "output/report/report.hpp"
+#include "output/words/key_words.hpp"
+#include "output/words/scene_words.hpp"
+#include "studies/check/scene_check.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/solve/solve.hpp"
+#include "table_scenes.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using namespace tables;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* least_jerk = "jerk = 1";
+
+/// For every row, both ways of moving, and every spelling.
+template <typename Visit>
+void for_each_key(const Visit& visit) {
+    for (const LimitRow& row : limit_rows())
+        for (const bool swings : {false, true})
+            for (const Spelling& spelling : spellings_of(row, swings)) {
+                SCOPED_TRACE(fmt::format("limits.{}{}", name_of_limit(row, swings), spelling.suffix));
+                visit(row, swings, spelling);
+            }
+}
+
+TEST(LimitTable, HasARowForEveryMemberOfLimitSpec) {
+    // Members cannot be counted, but their size can.
+    EXPECT_EQ(sizeof(LimitSpec), peak_limit_rows().size() * sizeof(std::optional<PeakLimit>) +
+                                     limit_rows().size() * sizeof(std::optional<WrittenLimit>));
+    LimitSpec limits;
+    std::set<const void*> members;
+    std::set<std::string> names;
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        EXPECT_TRUE(members.insert(&row.in(limits)).second) << row.name();
+        EXPECT_TRUE(names.insert(row.name()).second) << row.name();
+        EXPECT_EQ(row.order(), static_cast<int>(members.size()));
+    }
+    for (const LimitRow& row : limit_rows()) {
+        EXPECT_TRUE(members.insert(&row.in(limits)).second) << row.name;
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_EQ(&limit_row(row.figure), &row);
+        EXPECT_EQ(limit_named(row.name), &row);
+        EXPECT_STREQ(limit_name_in("limits." + row.first_key()), row.name);
+        if (row.swinging.name != nullptr) EXPECT_TRUE(names.insert(row.swinging.name).second);
+    }
+    EXPECT_EQ(limit_named("face_half_width"), nullptr);
+    EXPECT_EQ(limit_name_in("cam.face_half_width_mm"), nullptr);
+}
+
+TEST(LimitTable, EveryRowIsReadByEachOfItsKeysAndSetsNothingElse) {
+    for_each_key([](const LimitRow& row, bool swings, const Spelling& spelling) {
+        const double value = loose_value(row);
+        const Scene scene = read(scene_text(swings, least_jerk, limit_line(row, swings, spelling, value)));
+        for (const LimitRow& other : limit_rows())
+            EXPECT_EQ(other.in(scene.limits).has_value(), &other == &row) << other.name;
+        const auto& limit = row.in(scene.limits);
+        ASSERT_TRUE(limit);
+        EXPECT_NEAR(limit->value, value, 1e-12 * std::abs(value));
+        EXPECT_EQ(limit->key, fmt::format("limits.{}{}", name_of_limit(row, swings), spelling.suffix));
+        EXPECT_EQ(limit->unit, spelling.unit);
+    });
+}
+
+TEST(LimitTable, EveryRowIsRefusedOutOfItsRangeFromAFileAndFromCpp) {
+    for_each_key([](const LimitRow& row, bool swings, const Spelling& spelling) {
+        const std::string key = name_of_limit(row, swings) + std::string(spelling.suffix);
+        const std::string message =
+            refusal_of(scene_text(swings, least_jerk, limit_line(row, swings, spelling, value_outside(row))));
+        const input::KeyMatch match = input::match_key("limits", key);
+        ASSERT_NE(match.row, nullptr);
+        EXPECT_NE(message.find(fmt::format("limits.{}: found", key)), std::string::npos) << message;
+        EXPECT_NE(message.find("allowed: " + match.row->allowed(*match.spelling)), std::string::npos)
+            << message;
+        Scene scene = read(scene_text(swings, least_jerk, ""));
+        row.in(scene.limits) = WrittenLimit{value_outside(row)};
+        const std::optional<SceneFault> fault = find_fault(scene);
+        ASSERT_TRUE(fault);
+        EXPECT_EQ(fault->member, fmt::format("limits.{}", row.name));
+        EXPECT_EQ(fault->allowed, row.range.number_text());
+    });
+}
+
+TEST(LimitTable, EveryRowNeedsACamAndItsForces) {
+    for (const LimitRow& row : limit_rows()) {
+        Scene scene = read(scene_text(false, least_jerk, ""));
+        row.in(scene.limits) = WrittenLimit{loose_value(row)};
+        EXPECT_FALSE(find_fault(scene)) << row.name;
+        scene.forces.reset();
+        EXPECT_EQ(find_fault(scene).has_value(), row.needs_forces) << row.name;
+        scene.cam.reset();
+        EXPECT_TRUE(find_fault(scene)) << row.name;
+    }
+}
+
+TEST(LimitTable, EveryRowHasItsRuleAndItsRelaxation) {
+    for (const LimitRow& row : limit_rows()) {
+        SCOPED_TRACE(row.name);
+        const Spelling& spelling = row.spellings.front();
+        const Scene scene =
+            read(scene_text(false, least_jerk, limit_line(row, false, spelling, loose_value(row))));
+        const std::string key = "limits." + row.first_key();
+        const SceneCheck check = check_scene(scene);
+        EXPECT_TRUE(std::ranges::any_of(check.limits, [&](const LimitShape& limit) {
+            return limit.key == key;
+        })) << "no rule";
+        EXPECT_TRUE(check.derivatives_agree);
+        const std::vector<Adjustment> all = adjustments(scene);
+        const auto own = std::ranges::find(all, key, &Adjustment::key);
+        ASSERT_NE(own, all.end()) << "no relaxation";
+        EXPECT_TRUE(own->limit);
+        EXPECT_EQ(own->may_grow, !row.is_least());
+        EXPECT_EQ(own->may_shrink, row.is_least());
+    }
+}
+
+TEST(LimitTable, EveryRowIsReportedInJsonReportAndWords) {
+    for (const bool swings : {false, true}) {
+        std::string lines;
+        for (const LimitRow& row : limit_rows())
+            lines += limit_line(row, swings, spellings_of(row, swings).front(), loose_value(row)) + "\n";
+        const Solution solution = solve(read(scene_text(swings, least_jerk, lines)));
+        ASSERT_TRUE(solution.motion);
+        const Json json = Json::parse(result_json(solution));
+        const std::string report = report_markdown(solution);
+        std::string words;
+        for (const std::string& line : scene_lines(solution.scene)) words += line + "\n";
+        for (const LimitRow& row : limit_rows()) {
+            const std::string name = name_of_limit(row, swings);
+            SCOPED_TRACE(name);
+            const std::string key = "limits." + name + std::string(spellings_of(row, swings).front().suffix);
+            const auto found = std::ranges::find(solution.constraints, name, &ConstraintReport::name);
+            ASSERT_NE(found, solution.constraints.end());
+            EXPECT_EQ(found->key, key);
+            EXPECT_EQ(is_least_limit(name), row.is_least());
+            EXPECT_TRUE(row.is_least() ? found->worst >= found->limit : found->worst <= found->limit)
+                << found->worst << " against " << found->limit;
+            const auto& rows = json["constraints"];
+            EXPECT_TRUE(std::ranges::any_of(rows, [&](const Json& one) {
+                return one["name"] == name && one["key"] == key;
+            })) << "not in result.json";
+            EXPECT_NE(report.find(key), std::string::npos) << "not in the report";
+            EXPECT_NE(words.find(key_words(key).words + (row.is_least() ? " >= " : " <= ")),
+                      std::string::npos)
+                << words;
+        }
+    }
+}
+
+TEST(LimitTable, EveryCapOnAPeakIsReadRuledRelaxedAndReported) {
+    for (const PeakLimitRow& row : peak_limit_rows())
+        for (const Spelling& spelling : row.spellings) {
+            const std::string key = row.name() + std::string(spelling.suffix);
+            SCOPED_TRACE(key);
+            const bool swings = spelling.unit.starts_with("deg") || spelling.unit.starts_with("rad");
+            const std::string line = fmt::format("{} = 1e9", key);
+            const Scene scene = read(scene_text(swings, least_jerk, line));
+            const auto& limit = row.in(scene.limits);
+            ASSERT_TRUE(limit);
+            EXPECT_EQ(limit->key, "limits." + key);
+            EXPECT_EQ(limit->in_time(), !spelling.unit.empty());
+            EXPECT_NE(refusal_of(scene_text(swings, least_jerk, key + " = 0")).find("limits." + key),
+                      std::string::npos);
+            if (limit->in_time())
+                EXPECT_NE(refusal_of(scene_text(!swings, least_jerk, line)), "") << "unit of another lift";
+            const std::vector<Adjustment> caps = peak_adjustments(scene);
+            EXPECT_EQ(std::ranges::count(caps, "limits." + key, &Adjustment::key), 1);
+        }
+    std::string lines;
+    for (const PeakLimitRow& row : peak_limit_rows()) lines += fmt::format("{} = 1e6\n", row.name());
+    const Solution solution = solve(read(scene_text(false, least_jerk, lines)));
+    ASSERT_TRUE(solution.motion);
+    const std::string json = result_json(solution), report = report_markdown(solution);
+    for (const PeakLimitRow& row : peak_limit_rows()) {
+        EXPECT_EQ(std::ranges::count(solution.constraints, row.name(), &ConstraintReport::name), 1);
+        EXPECT_NE(json.find(fmt::format("\"limits.{}\"", row.name())), std::string::npos);
+        EXPECT_NE(report.find(fmt::format("limits.{}", row.name())), std::string::npos);
+    }
+}
+
+TEST(LimitTable, WhatOtherProgramsCallARowIsUnderstood) {
+    int count = 0;
+    const auto hinted = [&](const char* name, const Spelling& spelling, std::string_view word) {
+        const std::string message =
+            refusal_of(scene_text(false, least_jerk, fmt::format("{}{} = 1", word, spelling.suffix)));
+        EXPECT_NE(message.find(fmt::format("did you mean '{}{}'?", name, spelling.suffix)), std::string::npos)
+            << message;
+        ++count;
+    };
+    for (const LimitRow& row : limit_rows())
+        for (const std::string_view word : row.also_called) hinted(row.name, row.spellings.front(), word);
+    for (const PeakLimitRow& row : peak_limit_rows())
+        for (const std::string_view word : row.also_called) hinted(row.name(), row.spellings.front(), word);
+    EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace camopt
