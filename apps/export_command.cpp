@@ -20,7 +20,7 @@
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 #include "studies/solve/solve.hpp"

@@ -9,7 +9,7 @@
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"

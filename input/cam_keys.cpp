@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rows of the key table that have to do with a cam.
 #include "input/key_spellings.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 
 namespace camopt::input {
 namespace {

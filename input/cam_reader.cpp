@@ -2,7 +2,7 @@
 #include "input/cam_reader.hpp"
 
 #include "input/mechanism_reader.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
@@ -76,7 +76,7 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
     const Node* table = source.table("cam");
     const auto type = source.find("cam", "type");
     const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
-    if (!table || !kind || kind->formulas) return std::nullopt;
+    if (!table || !kind || kind->is_mechanism()) return std::nullopt;
     CamSpec cam;
     if (const auto given = source.find("cam", "follower"))
         if (const std::string& word = given->value().text; !kind->variant(word))

@@ -2,7 +2,7 @@
 #include "input/follower_kinds.hpp"
 
 #include "input/scene_keys.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/spelling_hint.hpp"
 #include "input/meaning_hint.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/mechanism_reader.hpp"
 
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -109,7 +109,7 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 std::optional<MechanismSpec> read_mechanism(const SceneSource& source, const MotionSpec& motion) {
     const auto type = source.find("cam", "type");
     const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
-    if (!kind || !kind->formulas) return std::nullopt;
+    if (!kind || !kind->is_mechanism()) return std::nullopt;
     return MechanismReader(source, *kind).read(motion);
 }
 

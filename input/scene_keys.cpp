@@ -2,7 +2,7 @@
 #include "input/scene_keys.hpp"
 
 #include "input/key_spellings.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a kind of cam is to those who know no kind: the reader of scene files, its key table, its messages and
-// lists are driven by these descriptions. Each kind describes itself in its leaf (profiles/…); the registry
-// (profiles/factory/cam_kinds.hpp) knows them all.
+// lists are driven by these descriptions, data without formulas. Each kind describes itself in its leaf
+// (profiles/…); the registry (profiles/kinds/cam_kinds.hpp) knows them all.
 #pragma once
 
 #include "scene/key_row.hpp"
 #include "scene/mechanism_spec.hpp"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,7 +39,8 @@ struct CamVariant {
     std::string touches_with;  ///< "a roller"
     std::vector<CamNumber> numbers;
     std::vector<CamChoice> choices;
-    std::function<MechanismSpec()> spec;  ///< every number at 0
+    /// Every number at 0; none: the kind is no MechanismSpec.
+    std::function<MechanismSpec()> spec = {};
 };
 
 struct CamKind {
@@ -55,9 +55,9 @@ struct CamKind {
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
     std::vector<KeyRow> rows;    ///< keys that no earlier kind has
-    /// The formulas of a spec; none: the kind has none behind CamMechanism.
-    std::function<std::shared_ptr<const CamMechanism>(const MechanismSpec&)> formulas;
 
+    /// It stands behind CamMechanism: a scene holds it as a MechanismSpec.
+    [[nodiscard]] bool is_mechanism() const { return variants.front().spec != nullptr; }
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;
     /// The variant that a word chooses; null: none.

@@ -20,8 +20,8 @@ bool KeyRow::is_for(std::string_view type_of_cam) const {
 
 std::string KeyRow::cam_types_text(char quote) const {
     std::string text;
-    for (const std::string_view type : cam_types)
-        text += fmt::format("{0}{1}{2}{1}", text.empty() ? "" : " or ", quote, type);
+    for (const std::string_view kind : cam_types)
+        text += fmt::format("{0}{1}{2}{1}", text.empty() ? "" : " or ", quote, kind);
     return text;
 }
 

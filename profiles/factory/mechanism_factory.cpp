@@ -2,19 +2,47 @@
 #include "profiles/factory/mechanism_factory.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/inverse/inverse_kind.hpp"
+#include "profiles/inverse/inverse_mechanism.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
+#include "profiles/remote/remote_cam.hpp"
+#include "profiles/remote/remote_kind.hpp"
+#include "profiles/spatial/spatial_kind.hpp"
+#include "profiles/spatial/spatial_mechanism.hpp"
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace camopt {
+
+namespace {
+
+using Formulas = std::shared_ptr<const CamMechanism>;
+using Maker = Formulas (*)(const MechanismSpec&);
+
+/// The formulas of each kind: a new kind is its leaf and a line here.
+const std::map<std::string, Maker>& makers() {
+    static const std::map<std::string, Maker> all = {
+        {remote_kind().type,
+         [](const MechanismSpec& spec) -> Formulas { return std::make_shared<RemoteCam>(spec); }},
+        {barrel_kind().type, [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
+        {cylindrical_kind().type,
+         [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
+        {inverse_kind().type, [](const MechanismSpec& spec) -> Formulas { return inverse_mechanism(spec); }},
+    };
+    return all;
+}
+
+}  // namespace
 
 void complete_mechanism(Scene& scene) {
     if (!scene.mechanism) return;
     MechanismSpec& spec = *scene.mechanism;
-    const CamKind* const kind = cam_kind(spec.type);
-    if (!kind || !kind->formulas)
+    const auto found = makers().find(spec.type);
+    if (found == makers().end())
         throw InputError(fmt::format("cam.type: found \"{}\"; allowed: {}", spec.type, cam_types_text()));
-    spec.formulas = kind->formulas(spec);
+    spec.formulas = found->second(spec);
     validate(scene);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/inverse/inverse_kind.hpp"
 
-#include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 
 namespace camopt {
@@ -62,7 +61,6 @@ CamKind inverse_kind() {
     kind.has_rotation = false;
     kind.only_drd = true;
     kind.rows = rows();
-    kind.formulas = [](const MechanismSpec& spec) { return inverse_mechanism(spec); };
     return kind;
 }
 

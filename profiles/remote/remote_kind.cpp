@@ -2,7 +2,6 @@
 #include "profiles/remote/remote_kind.hpp"
 
 #include "core/units.hpp"
-#include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_spec.hpp"
 
 #include <fmt/format.h>
@@ -114,7 +113,6 @@ CamKind remote_kind() {
     kind.with_angle = "\"lever\" or \"lever_coupler_lever\"";
     kind.with_length = "a linkage with a slider";
     kind.rows = rows();
-    kind.formulas = [](const MechanismSpec& spec) { return std::make_shared<RemoteCam>(spec); };
     return kind;
 }
 

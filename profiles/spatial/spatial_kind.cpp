@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_kind.hpp"
 
-#include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
@@ -80,7 +79,6 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
     kind.with_angle = "\"rotating\"";
     kind.with_length = "a cylindrical cam with a \"translating\" follower";
     kind.is_plane_curve = false;
-    kind.formulas = [](const MechanismSpec& spec) { return spatial_mechanism(spec); };
     return kind;
 }
 

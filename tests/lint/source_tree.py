@@ -14,7 +14,7 @@ MAY_INCLUDE = {
     "profiles": {"core", "scene"},
     "objectives": {"core", "scene", "motions", "splines", "profiles"},
     "solvers": {"core", "linear"},
-    "input": {"core", "scene", "profiles/factory"},
+    "input": {"core", "scene", "profiles/kinds"},
     "studies": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
     "output": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
@@ -22,9 +22,11 @@ MAY_INCLUDE = {
 LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
 for user in ("objectives", "studies", "output"):
     MAY_INCLUDE[user] |= LEAVES
-MAY_INCLUDE |= {leaf: {"core", "scene"} for leaf in LEAVES}
+MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
+# What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
+MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
-MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles"} | LEAVES
+MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface", "profiles/spatial"}

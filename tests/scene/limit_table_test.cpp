@@ -58,7 +58,9 @@ TEST(LimitTable, HasARowForEveryMemberOfLimitSpec) {
         EXPECT_EQ(&limit_row(row.figure), &row);
         EXPECT_EQ(limit_named(row.name), &row);
         EXPECT_STREQ(limit_name_in("limits." + row.first_key()), row.name);
-        if (row.swinging.name != nullptr) EXPECT_TRUE(names.insert(row.swinging.name).second);
+        if (row.swinging.name != nullptr) {
+            EXPECT_TRUE(names.insert(row.swinging.name).second);
+        }
     }
     EXPECT_EQ(limit_named("face_half_width"), nullptr);
     EXPECT_EQ(limit_name_in("cam.face_half_width_mm"), nullptr);
@@ -177,8 +179,9 @@ TEST(LimitTable, EveryCapOnAPeakIsReadRuledRelaxedAndReported) {
             EXPECT_EQ(limit->in_time(), !spelling.unit.empty());
             EXPECT_NE(refusal_of(scene_text(swings, least_jerk, key + " = 0")).find("limits." + key),
                       std::string::npos);
-            if (limit->in_time())
+            if (limit->in_time()) {
                 EXPECT_NE(refusal_of(scene_text(!swings, least_jerk, line)), "") << "unit of another lift";
+            }
             const std::vector<Adjustment> caps = peak_adjustments(scene);
             EXPECT_EQ(std::ranges::count(caps, "limits." + key, &Adjustment::key), 1);
         }

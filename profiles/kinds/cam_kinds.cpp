@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/factory/cam_kinds.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 
 #include "profiles/disk/disk_kind.hpp"
 #include "profiles/inverse/inverse_kind.hpp"
