@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/json/mechanism_json.hpp"
 #include "output/words/cam_words.hpp"
+#include "profiles/disk/disk_kind.hpp"
 
 #include <optional>
 
@@ -96,7 +97,7 @@ Json cam_json(const Solution& solution) {
     const CamSummary& summary = cam.summary;
     const Writer writer(solution);
     Json json = Json::object();
-    json["type"] = "disk";
+    json["type"] = disk_type;
     json["follower"] = name_of(cam.cam.follower);
     json["rotation"] = name_of(cam.cam.rotation);
     json["pressure_angle_deg"] = writer.extreme(summary.pressure_angle, degree);

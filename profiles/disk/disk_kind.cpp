@@ -33,7 +33,7 @@ CamVariant variant(const Follower& follower) {
 
 CamKind disk_kind() {
     CamKind kind;
-    kind.type = "disk";
+    kind.type = disk_type;
     kind.choosing_table = "cam";
     kind.choosing_key = "follower";
     for (const Follower& follower : followers) kind.variants.push_back(variant(follower));
