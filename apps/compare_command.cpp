@@ -32,9 +32,7 @@ Comparison compare_with_progress(const Scene& scene) {
 }  // namespace
 
 ExitCode compare_command(const CompareRequest& request) {
-    std::vector<std::string> settings = request.settings;
-    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    const Scene scene = load_scene(request.scene, settings);
+    const Scene scene = load_scene(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
     const Comparison comparison = compare_with_progress(scene);
     const RunOrigin origin{request.scene, request.command};

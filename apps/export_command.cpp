@@ -90,9 +90,7 @@ Solution read_back(const ExportRequest& request) {
 
 Solution delivered(const ExportRequest& request) {
     if (is_folder(request.scene)) return read_back(request);
-    std::vector<std::string> settings = request.settings;
-    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    const Scene scene = load_scene(request.scene, settings);
+    const Scene scene = load_scene(request.scene, with_solver(request.settings, request.solver));
     check_wishes(request, scene);
     const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
     Solution solution = solve(scene, control);

@@ -20,6 +20,11 @@ input::KnownNames known_names() {
 
 }  // namespace
 
+std::vector<std::string> with_solver(std::vector<std::string> settings, const std::string& solver) {
+    if (!solver.empty()) settings.push_back("solver.name=\"" + solver + "\"");
+    return settings;
+}
+
 Scene load_scene(const std::string& file, const std::vector<std::string>& settings) {
     Scene scene = input::read_scene_file(file, known_names(), settings);
     complete_mechanism(scene);

@@ -10,6 +10,10 @@
 
 namespace camopt::apps {
 
+/// The settings, and --solver as one of them.
+[[nodiscard]] std::vector<std::string> with_solver(std::vector<std::string> settings,
+                                                   const std::string& solver);
+
 /// Throws InputError for whatever is wrong with the file or the settings (KEY=VALUE).
 [[nodiscard]] Scene load_scene(const std::string& file, const std::vector<std::string>& settings);
 

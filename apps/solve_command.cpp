@@ -38,9 +38,7 @@ std::string plane_types() {
 }
 
 LoadedScene requested_scene(const SolveRequest& request) {
-    std::vector<std::string> settings = request.settings;
-    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    LoadedScene loaded = load_scene_and_text(request.scene, settings);
+    LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     const Scene& scene = loaded.scene;
     if (request.dxf && scene.mechanism && !cam_kind(scene.mechanism->type)->is_plane_curve)
         throw InputError(

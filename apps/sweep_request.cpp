@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep_request.hpp"
 
+#include "apps/scene_loading.hpp"
 #include "core/errors.hpp"
 #include "core/number_parsing.hpp"
 #include "output/report/text_file.hpp"
@@ -51,9 +52,7 @@ std::vector<std::string> sweep_axes(const SweepRequest& request) {
 }
 
 std::vector<std::string> sweep_settings(const SweepRequest& request) {
-    std::vector<std::string> settings = request.settings;
-    if (!request.solver.empty()) settings.push_back("solver.name=\"" + request.solver + "\"");
-    return settings;
+    return with_solver(request.settings, request.solver);
 }
 
 SweepShard sweep_shard(const SweepRequest& request) {

@@ -12,12 +12,6 @@ using namespace spellings;
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 constexpr auto needs_cam = Availability::needs_cam;
 
-std::vector<std::string_view> kinds_of_cams() {
-    std::vector<std::string_view> types;
-    for (const CamKind& kind : cam_kinds()) types.emplace_back(kind.type);
-    return types;
-}
-
 /// What cam.follower may say, over all kinds.
 std::vector<std::string_view> words_of_followers() {
     std::vector<std::string_view> words;
@@ -34,7 +28,7 @@ std::vector<std::string_view> words_of_followers() {
 // clang-format off
 std::vector<KeyRow> cam_rows() {
     return {
-        {"cam", "type", text, plain, any, kinds_of_cams(), "required",
+        {"cam", "type", text, plain, any, cam_types(), "required",
          "The kind of cam: a disk cam with its follower, one whose lever moves the output through a linkage, a barrel "
          "cam with its index, a cylindrical cam, an inverse cam with its feeder."},
         {"cam", "follower", text, plain, any,

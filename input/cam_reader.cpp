@@ -22,11 +22,10 @@ namespace {
 }
 
 [[noreturn]] void refuse_missing(const SceneSource& source, const CamSpec& cam, DimensionIndex index) {
-    for (const KeyRow& row : scene_keys())
-        if (row.table == "cam" && row.name == name_of(index))
-            source.fail(source.table("cam")->place, joined_key("cam", row.key(row.spellings.front())),
-                        fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(cam.follower),
-                                    row.allowed(row.spellings.front())));
+    if (const KeyRow* const row = find_row("cam", name_of(index)))
+        source.fail(source.table("cam")->place, joined_key("cam", row->key(row->spellings.front())),
+                    fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(cam.follower),
+                                row->allowed(row->spellings.front())));
     source.fail(source.table("cam")->place, joined_key("cam", name_of(index)), "missing");
 }
 
@@ -54,11 +53,11 @@ void check_force_unit(const SceneSource& source, std::string_view table, std::st
 
 /// A follower of other kinds.
 std::string foreign_follower(const CamKind& own, const std::string& word) {
-    std::string types;
+    std::vector<std::string_view> types;
     for (const CamKind& kind : cam_kinds())
-        if (kind.variant(word)) types += fmt::format("{}\"{}\"", types.empty() ? "" : " or ", kind.type);
+        if (kind.variant(word)) types.emplace_back(kind.type);
     return fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: only with cam.type = {}", word,
-                       own.type, types);
+                       own.type, quoted_choices(types));
 }
 
 std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name) {

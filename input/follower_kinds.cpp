@@ -13,13 +13,11 @@ namespace {
 
 /// Adds nothing for a number without a key, or one twice.
 void add_key(FollowerKind& kind, const CamNumber& number) {
-    if (!number.owned || number.key.empty()) return;
-    for (const KeyRow& row : scene_keys()) {
-        if (row.table != number.table || row.name != number.key) continue;
-        const std::string key = row.key(row.spellings.front());
-        const std::string written = row.table == "cam" ? key : fmt::format("{}.{}", row.table, key);
-        if (std::ranges::find(kind.keys, written) == kind.keys.end()) kind.keys.push_back(written);
-    }
+    const KeyRow* const row = number.owned ? find_row(number.table, number.key) : nullptr;
+    if (!row) return;
+    const std::string key = row->key(row->spellings.front());
+    const std::string written = row->table == "cam" ? key : fmt::format("{}.{}", row->table, key);
+    if (std::ranges::find(kind.keys, written) == kind.keys.end()) kind.keys.push_back(written);
 }
 
 }  // namespace

@@ -77,9 +77,8 @@ class KeyCheck {
                                      const std::string& key) const {
         const std::vector<std::string> allowed = keys_of_this_cam(table);
         std::string hint = spelling_hint(member.name, allowed);
-        for (const KeyRow& row : scene_keys())  // the unit forgotten
-            if (row.table == table && row.name == member.name)
-                hint = fmt::format("; did you mean '{}'?", row.key(row.spellings.front()));
+        if (const KeyRow* const row = find_row(table, member.name))  // the unit forgotten
+            hint = fmt::format("; did you mean '{}'?", row->key(row->spellings.front()));
         if (const std::string meant = key_meant(table, member.name); !meant.empty())  // another word
             hint = did_you_mean({meant});
         for (const KeyRow& row : scene_keys())  // in the wrong table

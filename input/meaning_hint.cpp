@@ -123,12 +123,11 @@ std::string key_meant(std::string_view table, std::string_view written) {
     for (const Synonym& synonym : all) {
         if (synonym.table != table || !written.starts_with(synonym.word)) continue;
         const std::string_view suffix = written.substr(synonym.word.size());
-        for (const KeyRow& row : scene_keys()) {
-            if (row.table != table || row.name != synonym.name) continue;
-            for (const Spelling& spelling : row.spellings)
-                if (spelling.suffix == suffix) return row.key(spelling);
-            if (suffix.empty()) return row.key(row.spellings.front());
-        }
+        const KeyRow* const row = find_row(table, synonym.name);
+        if (!row) continue;
+        for (const Spelling& spelling : row->spellings)
+            if (spelling.suffix == suffix) return row->key(spelling);
+        if (suffix.empty()) return row->key(row->spellings.front());
     }
     return "";
 }

@@ -8,12 +8,6 @@
 namespace camopt::input {
 namespace {
 
-const KeyRow* row_of(const CamNumber& number) {
-    for (const KeyRow& row : scene_keys())
-        if (row.table == number.table && row.name == number.key) return &row;
-    return nullptr;
-}
-
 /// A scene's cam by what its kind says of itself.
 class MechanismReader {
  public:
@@ -54,12 +48,11 @@ class MechanismReader {
                                      kind_.choosing_table, kind_.type));
         const std::string word = given ? given->value().text : std::string();
         if (const CamVariant* const found = kind_.variant(word)) return *found;
-        std::string allowed;
-        for (const CamVariant& variant : kind_.variants)
-            allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : " or ", variant.word);
-        source_.fail_member(
-            fmt::format("{}.{}", kind_.choosing_table, kind_.choosing_key),
-            fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word, kind_.type, allowed));
+        std::vector<std::string_view> allowed;
+        for (const CamVariant& variant : kind_.variants) allowed.emplace_back(variant.word);
+        source_.fail_member(fmt::format("{}.{}", kind_.choosing_table, kind_.choosing_key),
+                            fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word,
+                                        kind_.type, quoted_choices(allowed)));
     }
     /// Keys of the other variants.
     void refuse_foreign() const {
@@ -78,7 +71,7 @@ class MechanismReader {
             target = given->dimension();
             return;
         }
-        const KeyRow* const row = row_of(number);
+        const KeyRow* const row = find_row(number.table, number.key);
         if (!number.value && row)
             source_.fail(source_.table(number.table)->place,
                          joined_key(number.table, row->key(row->spellings.front())),

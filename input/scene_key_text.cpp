@@ -73,6 +73,12 @@ std::string markdown_row(const KeyRow& row) {
 
 }  // namespace
 
+const KeyRow* find_row(std::string_view table, std::string_view name) {
+    for (const KeyRow& row : scene_keys())
+        if (row.table == table && row.name == name) return &row;
+    return nullptr;
+}
+
 KeyMatch match_key(std::string_view table, std::string_view key) {
     for (const KeyRow& row : scene_keys()) {
         if (row.table != table || !key.starts_with(row.name)) continue;

@@ -20,6 +20,9 @@ using camopt::Spelling;
 /// The table, in the order of the documentation.
 [[nodiscard]] const std::vector<KeyRow>& scene_keys();
 
+/// The row of a name without its unit; null: the table has none.
+[[nodiscard]] const KeyRow* find_row(std::string_view table, std::string_view name);
+
 struct KeyMatch {
     const KeyRow* row = nullptr;
     const Spelling* spelling = nullptr;

@@ -12,6 +12,17 @@ std::string joined_name(const KeyRow& row) {
     return row.table.empty() ? std::string(row.name) : fmt::format("{}.{}", row.table, row.name);
 }
 
+std::string listed(const std::vector<std::string_view>& words, std::string_view quote) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += fmt::format("{0}{1}{2}{1}",
+                            i == 0                 ? ""
+                            : i + 1 < words.size() ? ", "
+                                                   : " or ",
+                            quote, words[i]);
+    return text;
+}
+
 }  // namespace
 
 bool KeyRow::is_for(std::string_view type_of_cam) const {
@@ -26,12 +37,11 @@ std::string KeyRow::cam_types_text(char quote) const {
 }
 
 std::string KeyRow::choices_text() const {
-    std::string joined;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0) joined += i + 1 < choices.size() ? ", " : " or ";
-        joined += type == KeyType::text ? fmt::format("\"{}\"", choices[i]) : std::string(choices[i]);
-    }
-    return joined;
+    return listed(choices, type == KeyType::text ? "\"" : "");
+}
+
+std::string quoted_choices(const std::vector<std::string_view>& words) {
+    return listed(words, "\"");
 }
 
 std::string KeyRow::key(const Spelling& spelling) const {

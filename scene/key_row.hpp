@@ -58,6 +58,9 @@ struct KeyRow {
     [[nodiscard]] std::string choices_text() const;
 };
 
+/// "a", "b" or "c", each in quotes.
+[[nodiscard]] std::string quoted_choices(const std::vector<std::string_view>& words);
+
 namespace spellings {
 
 inline const Range any = {};

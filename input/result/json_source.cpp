@@ -3,18 +3,13 @@
 
 #include "core/errors.hpp"
 #include "core/printable.hpp"
+#include "input/result/json_words.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
 namespace camopt::input {
-
-namespace {
-
-constexpr std::size_t longest_shown = 60;
-
-}  // namespace
 
 JsonSource::JsonSource(std::string_view text, std::string_view source_name) : file_(source_name) {
     try {
@@ -26,10 +21,7 @@ JsonSource::JsonSource(std::string_view text, std::string_view source_name) : fi
 }
 
 std::string JsonSource::shown() const {
-    if (value_->is_object()) return "an object";
-    if (value_->is_array()) return fmt::format("a list of {}", value_->size());
-    const std::string text = printable(value_->dump(-1, ' ', true, Json::error_handler_t::replace));
-    return text.size() <= longest_shown ? text : text.substr(0, longest_shown) + "...";
+    return json_words(*value_);
 }
 
 void JsonSource::fail(std::string_view what) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/certificate_reader.hpp"
 
+#include "core/choice_named.hpp"
 #include "core/errors.hpp"
 #include "output/json/json_text.hpp"
 #include "output/report/text_file.hpp"
@@ -83,8 +84,8 @@ std::optional<double> optional_number(const Json& json) {
 
 template <class Choice>
 Choice choice_of(const Json& json, std::initializer_list<Choice> choices) {
-    for (const Choice choice : choices)
-        if (json == name_of(choice)) return choice;
+    if (json.is_string())
+        if (const auto choice = choice_named(json.get<std::string>(), choices)) return *choice;
     throw InputError(fmt::format("found {}; allowed: a name that camopt gives", json.dump()));
 }
 

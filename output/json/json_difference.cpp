@@ -2,6 +2,7 @@
 #include "output/json/json_difference.hpp"
 
 #include "core/printable.hpp"
+#include "input/result/json_words.hpp"
 
 #include <fmt/format.h>
 
@@ -12,14 +13,7 @@ namespace camopt {
 
 namespace {
 
-constexpr std::size_t longest_shown = 60;
-
-std::string shown(const Json& value) {
-    if (value.is_object()) return "an object";
-    if (value.is_array()) return fmt::format("a list of {}", value.size());
-    const std::string text = printable(value.dump(-1, ' ', true, Json::error_handler_t::replace));
-    return text.size() <= longest_shown ? text : text.substr(0, longest_shown) + "...";
-}
+using input::json_words;
 
 class Comparison {
  public:
@@ -34,7 +28,8 @@ class Comparison {
                               ? close(found.get<double>(), allowed.get<double>())
                               : found == allowed;
         return same ? ""
-                    : fmt::format("{}: found {}; allowed: {}", printable(path), shown(found), shown(allowed));
+                    : fmt::format("{}: found {}; allowed: {}", printable(path), json_words(found),
+                                  json_words(allowed));
     }
 
  private:

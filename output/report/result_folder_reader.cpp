@@ -69,12 +69,12 @@ ResultFolder read_result_folder(const std::filesystem::path& folder, const Scene
         if (words.starts_with(printable(scene_file))) throw;
         throw InputError(fmt::format("{}: {}", printable(folder.string()), words));
     }
-    Certificate certificate = read_whole_certificate(folder / "certificate.json");
+    Certificate& certificate = read.solution.certificate =
+        read_whole_certificate(folder / "certificate.json");
     const double written = certificate.objective;
-    read.solution.certificate = std::move(certificate);
-    read.solution.certificate.objective = defined_objective(read.solution);
+    certificate.objective = defined_objective(read.solution);
     check_written(result, read, result_file);
-    read.solution.certificate.objective = written;
+    certificate.objective = written;
     return read;
 }
 

@@ -2,13 +2,13 @@
 #include "profiles/factory/mechanism_factory.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/inverse/inverse_kind.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
+#include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/remote/remote_cam.hpp"
-#include "profiles/remote/remote_kind.hpp"
-#include "profiles/spatial/spatial_kind.hpp"
+#include "profiles/remote/remote_spec.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
 
@@ -24,12 +24,11 @@ using Maker = Formulas (*)(const MechanismSpec&);
 /// The formulas of each kind: a new kind is its leaf and a line here.
 const std::map<std::string, Maker>& makers() {
     static const std::map<std::string, Maker> all = {
-        {remote_kind().type,
+        {remote_type,
          [](const MechanismSpec& spec) -> Formulas { return std::make_shared<RemoteCam>(spec); }},
-        {barrel_kind().type, [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
-        {cylindrical_kind().type,
-         [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
-        {inverse_kind().type, [](const MechanismSpec& spec) -> Formulas { return inverse_mechanism(spec); }},
+        {barrel_type, [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
+        {cylindrical_type, [](const MechanismSpec& spec) -> Formulas { return spatial_mechanism(spec); }},
+        {inverse_type, [](const MechanismSpec& spec) -> Formulas { return inverse_mechanism(spec); }},
     };
     return all;
 }
@@ -41,7 +40,8 @@ void complete_mechanism(Scene& scene) {
     MechanismSpec& spec = *scene.mechanism;
     const auto found = makers().find(spec.type);
     if (found == makers().end())
-        throw InputError(fmt::format("cam.type: found \"{}\"; allowed: {}", spec.type, cam_types_text()));
+        throw InputError(
+            fmt::format("cam.type: found \"{}\"; allowed: {}", spec.type, quoted_choices(cam_types())));
     spec.formulas = found->second(spec);
     validate(scene);
 }

@@ -47,7 +47,7 @@ std::optional<double> default_of(InverseNumber number) {
 
 CamKind inverse_kind() {
     CamKind kind;
-    kind.type = "inverse";
+    kind.type = inverse_type;
     CamVariant feeder{
         kind.type, "an inverse cam", false, "a roller, in a guide of the moving body", {}, {}, [] {
             return inverse_spec();

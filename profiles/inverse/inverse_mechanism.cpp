@@ -87,7 +87,7 @@ GuideNode node_at(std::span<const double> numbers, const FollowerState& output, 
 
 class InverseMechanism final : public CamMechanism {
  public:
-    [[nodiscard]] std::string type() const override { return "inverse"; }
+    [[nodiscard]] std::string type() const override { return inverse_type; }
     [[nodiscard]] bool has_guide() const override { return true; }
     [[nodiscard]] bool swings() const override { return false; }
     [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
@@ -231,7 +231,7 @@ RollerStroke stroke_of(std::span<const double> numbers) {
 }
 
 std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec) {
-    if (spec.type != "inverse")
+    if (spec.type != inverse_type)
         throw InputError(fmt::format("a mechanism of type \"{}\"; allowed: \"inverse\"", spec.type));
     return std::make_shared<InverseMechanism>();
 }

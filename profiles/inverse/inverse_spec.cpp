@@ -15,7 +15,7 @@ const char* name_of_number(InverseNumber value) {
 
 MechanismSpec inverse_spec() {
     MechanismSpec spec;
-    spec.type = "inverse";
+    spec.type = inverse_type;
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto number = static_cast<InverseNumber>(i);
         const bool angle = number == InverseNumber::roller_angle || number == InverseNumber::pin_angle;

@@ -7,6 +7,9 @@
 
 namespace camopt {
 
+/// cam.type of such a cam.
+inline constexpr const char* inverse_type = "inverse";
+
 enum class InverseNumber {
     roller_radius,
     roller_rest,     ///< L where the roller started from rest

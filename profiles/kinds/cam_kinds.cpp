@@ -6,8 +6,6 @@
 #include "profiles/remote/remote_kind.hpp"
 #include "profiles/spatial/spatial_kind.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -24,12 +22,10 @@ const CamKind* cam_kind(std::string_view type) {
     return found == cam_kinds().end() ? nullptr : &*found;
 }
 
-std::string cam_types_text() {
-    std::string text;
-    const std::span<const CamKind> kinds = cam_kinds();
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < kinds.size() ? ", " : " or ", kinds[i].type);
-    return text;
+std::vector<std::string_view> cam_types() {
+    std::vector<std::string_view> types;
+    for (const CamKind& kind : cam_kinds()) types.emplace_back(kind.type);
+    return types;
 }
 
 }  // namespace camopt

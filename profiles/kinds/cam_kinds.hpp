@@ -5,8 +5,8 @@
 #include "scene/cam_kind.hpp"
 
 #include <span>
-#include <string>
 #include <string_view>
+#include <vector>
 
 namespace camopt {
 
@@ -14,7 +14,7 @@ namespace camopt {
 [[nodiscard]] std::span<const CamKind> cam_kinds();
 /// Null where there is no such kind.
 [[nodiscard]] const CamKind* cam_kind(std::string_view type);
-/// The types as a message lists them: "disk", … or "inverse".
-[[nodiscard]] std::string cam_types_text();
+/// What cam.type may be.
+[[nodiscard]] std::vector<std::string_view> cam_types();
 
 }  // namespace camopt

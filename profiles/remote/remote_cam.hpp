@@ -31,7 +31,7 @@ class RemoteCam final : public CamMechanism {
     /// side of the cam the lever works. Throws InputError for a choice it does not know.
     explicit RemoteCam(const MechanismSpec& spec);
 
-    [[nodiscard]] std::string type() const override { return "remote"; }
+    [[nodiscard]] std::string type() const override { return remote_type; }
     [[nodiscard]] bool swings() const override { return output_swings(linkage_); }
     [[nodiscard]] Rotation rotation() const override { return rotation_; }
     [[nodiscard]] int stations() const override { return 1; }

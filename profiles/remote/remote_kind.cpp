@@ -103,7 +103,7 @@ CamVariant variant(RemoteLinkage linkage) {
 
 CamKind remote_kind() {
     CamKind kind;
-    kind.type = "remote";
+    kind.type = remote_type;
     kind.choosing_table = "linkage";
     kind.choosing_key = "type";
     using enum RemoteLinkage;

@@ -102,7 +102,7 @@ const char* name_of(PressurePoint value) {
 
 MechanismSpec remote_spec(RemoteLinkage linkage) {
     MechanismSpec spec;
-    spec.type = "remote";
+    spec.type = remote_type;
     for (int i = 0; i < remote_dimension_count; ++i) {
         const auto which = static_cast<RemoteDimension>(i);
         Dimension value;

@@ -9,6 +9,9 @@
 
 namespace camopt {
 
+/// cam.type of such a cam.
+inline constexpr const char* remote_type = "remote";
+
 /// The linkages between the cam's lever and the output, by what they are composed of.
 enum class RemoteLinkage {
     lever,                              ///< the lever itself is the output; it swings

@@ -55,7 +55,7 @@ CamNumber number_of(SpatialFollower follower, int index) {
 }
 
 CamVariant variant(SpatialFollower follower) {
-    CamVariant all{follower == barrel                 ? "barrel"
+    CamVariant all{follower == barrel                 ? barrel_type
                    : follower == cylindrical_rotating ? "rotating"
                                                       : "translating",
                    fmt::format("this cam (\"{}\")", name_of(follower)),
@@ -85,13 +85,14 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
 }  // namespace
 
 CamKind barrel_kind() {
-    CamKind kind = kind_of("barrel", {variant(barrel)});
+    CamKind kind = kind_of(barrel_type, {variant(barrel)});
     kind.rows = rows();
     return kind;
 }
 
 CamKind cylindrical_kind() {
-    CamKind kind = kind_of("cylindrical", {variant(cylindrical_rotating), variant(cylindrical_translating)});
+    CamKind kind =
+        kind_of(cylindrical_type, {variant(cylindrical_rotating), variant(cylindrical_translating)});
     kind.choosing_table = "cam";
     kind.choosing_key = "follower";
     return kind;

@@ -51,7 +51,7 @@ class SpatialMechanism final : public CamMechanism {
         : follower_(follower), rotation_(rotation) {}
 
     [[nodiscard]] std::string type() const override {
-        return follower_ == SpatialFollower::barrel ? "barrel" : "cylindrical";
+        return follower_ == SpatialFollower::barrel ? barrel_type : cylindrical_type;
     }
     [[nodiscard]] bool swings() const override { return camopt::swings(follower_); }
     [[nodiscard]] Rotation rotation() const override { return rotation_; }

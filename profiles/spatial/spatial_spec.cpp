@@ -31,7 +31,7 @@ const char* name_of_number(SpatialNumber value) {
 
 MechanismSpec spatial_spec(SpatialFollower follower) {
     MechanismSpec spec;
-    spec.type = follower == barrel ? "barrel" : "cylindrical";
+    spec.type = follower == barrel ? barrel_type : cylindrical_type;
     if (follower != barrel)
         spec.choices["follower"] = follower == cylindrical_rotating ? "rotating" : "translating";
     for (int i = 0; i < spatial_number_count; ++i) {
@@ -43,13 +43,13 @@ MechanismSpec spatial_spec(SpatialFollower follower) {
 }
 
 bool is_spatial(const MechanismSpec& spec) {
-    return spec.type == "barrel" || spec.type == "cylindrical";
+    return spec.type == barrel_type || spec.type == cylindrical_type;
 }
 
 SpatialFollower spatial_follower(const MechanismSpec& spec) {
-    if (spec.type == "barrel") return barrel;
+    if (spec.type == barrel_type) return barrel;
     const auto choice = spec.choices.find("follower");
-    if (spec.type == "cylindrical" && choice != spec.choices.end()) {
+    if (spec.type == cylindrical_type && choice != spec.choices.end()) {
         if (choice->second == "rotating") return cylindrical_rotating;
         if (choice->second == "translating") return cylindrical_translating;
     }

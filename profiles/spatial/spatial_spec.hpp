@@ -7,6 +7,10 @@
 
 namespace camopt {
 
+/// cam.type of such a cam.
+inline constexpr const char* barrel_type = "barrel";
+inline constexpr const char* cylindrical_type = "cylindrical";
+
 enum class SpatialFollower { barrel, cylindrical_rotating, cylindrical_translating };
 [[nodiscard]] const char* name_of(SpatialFollower value);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/restored/restored_solution.hpp"
 
+#include "core/choice_named.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
@@ -117,8 +118,7 @@ ForwardCheckReport forward_check_of(const Scene& scene, const input::ForwardChec
 
 template <class Choice>
 Choice choice_of(const std::string& name, std::initializer_list<Choice> choices) {
-    for (const Choice choice : choices)
-        if (name == name_of(choice)) return choice;
+    if (const auto choice = choice_named(name, choices)) return *choice;
     throw InputError(fmt::format("found \"{}\" in a result; allowed: a name that camopt gives", name));
 }
 
