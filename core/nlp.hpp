@@ -9,16 +9,15 @@
 // Sizes, bounds, patterns and flags are fixed on construction; only values are computed later.
 #pragma once
 
+#include "core/infinity.hpp"
+
 #include <Eigen/Core>
 
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace camopt {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Positions of the entries of a sparse matrix, without duplicates, in the order their values are written.
 struct SparsityPattern {

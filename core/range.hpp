@@ -15,10 +15,12 @@ struct Range {
     bool low_included = true;
     bool high_included = true;
 
-    [[nodiscard]] static Range above(double low) { return {.low = low, .low_included = false}; }
-    [[nodiscard]] static Range at_least(double low) { return {.low = low}; }
-    [[nodiscard]] static Range between(double low, double high) { return {.low = low, .high = high}; }
-    [[nodiscard]] static Range above_up_to(double low, double high) {
+    [[nodiscard]] static constexpr Range above(double low) { return {.low = low, .low_included = false}; }
+    [[nodiscard]] static constexpr Range at_least(double low) { return {.low = low}; }
+    [[nodiscard]] static constexpr Range between(double low, double high) {
+        return {.low = low, .high = high};
+    }
+    [[nodiscard]] static constexpr Range above_up_to(double low, double high) {
         return {.low = low, .high = high, .low_included = false};
     }
 
@@ -35,4 +37,11 @@ struct Range {
     [[nodiscard]] std::string integer_text() const;
 };
 
+namespace ranges {
+
+inline constexpr Range any = {};
+inline constexpr Range positive = {.low = 0.0, .low_included = false};
+inline constexpr Range not_negative = {.low = 0.0};
+
+}  // namespace ranges
 }  // namespace camopt

@@ -82,7 +82,7 @@ class KeyCheck {
         if (const std::string meant = key_meant(table, member.name); !meant.empty())  // another word
             hint = did_you_mean({meant});
         for (const KeyRow& row : scene_keys())  // in the wrong table
-            if (hint.empty() && match_key(row.table, member.name).row)
+            if (hint.empty() && match_key(row.table, member.name).row != nullptr)
                 hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
         source_.fail(member.place, key,
                      fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));

@@ -10,10 +10,6 @@
 namespace camopt::input {
 namespace {
 
-bool is_angle_unit(std::string_view unit) {
-    return unit == "deg" || unit == "rad";
-}
-
 class MotionReader {
  public:
     MotionReader(const SceneSource& source, const std::vector<std::string>& laws)

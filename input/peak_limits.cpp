@@ -10,10 +10,6 @@
 namespace camopt::input {
 namespace {
 
-bool is_angle_unit(std::string_view unit) {
-    return unit.starts_with("deg") || unit.starts_with("rad");
-}
-
 /// `order`: 1 velocity, 2 acceleration, 3 jerk.
 std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec& motion,
                                     std::string_view name, int order) {

@@ -19,7 +19,7 @@ Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
             member, fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
             "only with " + followers_with(index)};
     }
-    const Range range = is_offset(index) ? Range{} : Range::above(0.0);
+    const Range range = is_offset(index) ? ranges::any : ranges::positive;
     for (const double value : {dimension.low, dimension.high})
         if (!range.contains(value)) return SceneFault{member, fmt::format("{}", value), range.number_text()};
     if (dimension.high < dimension.low)
@@ -35,7 +35,7 @@ Fault face_fault(const CamSpec& cam) {
             "cam.face_half_width",
             fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
             "only with " + followers_with_face_width()};
-    const Range range = Range::above(0.0);
+    const Range& range = ranges::positive;
     if (!range.contains(*cam.face_half_width))
         return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width),
                           range.number_text()};

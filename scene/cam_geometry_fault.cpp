@@ -63,7 +63,7 @@ Fault arm_fault(const CamSpec& cam) {
     return std::nullopt;
 }
 
-Fault face_fault(const CamSpec& cam) {
+Fault face_reach_fault(const CamSpec& cam) {
     const Dimension& base = cam[base_radius];
     const double center = cam[center_distance].high;
     const double smallest = base.low + cam[face_offset].low;
@@ -81,7 +81,7 @@ Fault face_fault(const CamSpec& cam) {
 Fault cam_geometry_fault(const CamSpec& cam) {
     if (has_dimension(cam.follower, offset)) return offset_fault(cam);
     if (has_dimension(cam.follower, arm_length)) return arm_fault(cam);
-    if (has_dimension(cam.follower, face_offset)) return face_fault(cam);
+    if (has_dimension(cam.follower, face_offset)) return face_reach_fault(cam);
     return std::nullopt;
 }
 

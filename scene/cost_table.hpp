@@ -27,17 +27,17 @@ struct CostTerm {
     /// peak: of a derivative, by two epigraph rules. torque: of y'·y''. rms: by its energy.
     enum class Kind { peak, torque, rms };
 
-    CostFigure figure;
-    Kind kind;
-    PeakFigure measured;  ///< the member of Peaks; its name is the term's
-    const char* symbol;   ///< in formulas and tables: "V", "rms A"
-    double ObjectiveSpec::*weight;
-    std::optional<double> Reference::*reference;
-    std::optional<PeakLimit> LimitSpec::*limit;  ///< null: it cannot be limited
-    double typical;                 ///< of good motions, to a factor of ten: of the modified sine
-    bool traded;                    ///< a front can trade it against another
-    const char* weight_meaning;     ///< of the key objective.NAME
-    const char* reference_meaning;  ///< of the key objective.reference.NAME
+    CostFigure figure{};
+    Kind kind{};
+    PeakFigure measured{};  ///< the member of Peaks; its name is the term's
+    const char* symbol{};   ///< in formulas and tables: "V", "rms A"
+    double ObjectiveSpec::*weight{};
+    std::optional<double> Reference::*reference{};
+    std::optional<PeakLimit> LimitSpec::*limit{};  ///< null: it cannot be limited
+    double typical{};                 ///< of good motions, to a factor of ten: of the modified sine
+    bool traded{};                    ///< a front can trade it against another
+    const char* weight_meaning{};     ///< of the key objective.NAME
+    const char* reference_meaning{};  ///< of the key objective.reference.NAME
 
     /// "velocity": the key below [objective] and [objective.reference], the column, the word in JSON.
     [[nodiscard]] const char* name() const { return measured.name.data(); }

@@ -63,9 +63,7 @@ struct KeyRow {
 
 namespace spellings {
 
-inline const Range any = {};
-inline const Range positive = Range::above(0.0);
-inline const Range not_negative = Range::at_least(0.0);
+using namespace ranges;
 
 }  // namespace spellings
 }  // namespace camopt

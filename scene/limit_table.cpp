@@ -23,8 +23,8 @@ constexpr std::string_view names_of_pressure_angle[] = {"max_pressure_angle", "p
 constexpr std::string_view names_of_convex_radius[] = {"min_radius", "radius_min"};
 constexpr std::string_view names_of_regularity[] = {"undercut"};
 
-constexpr Range positive = {.low = 0.0, .low_included = false};
-constexpr Range not_negative = {.low = 0.0};
+using ranges::not_negative, ranges::positive;
+
 constexpr Range right_angle = {
     .low = 0.0, .high = 0.5 * std::numbers::pi, .low_included = false, .high_included = false};
 constexpr Range below_one = {.low = 0.0, .high = 1.0, .high_included = false};

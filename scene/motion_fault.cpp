@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What must hold between the members of a motion.
 #include "core/range.hpp"
+#include "core/units.hpp"
 #include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 namespace {
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// Members that mean nothing in a motion of this type.
 Fault type_fault(const MotionSpec& motion) {
@@ -35,9 +33,9 @@ Fault type_fault(const MotionSpec& motion) {
 Fault return_fault(const MotionSpec& motion) {
     if (motion.type != MotionType::rr) return std::nullopt;
     const double total = motion.rise + motion.return_angle.value_or(motion.rise);
-    if (!Range::above_up_to(0.0, full_turn).contains(total))
+    if (!Range::above_up_to(0.0, units::turn).contains(total))
         return SceneFault{"motion.return_angle", fmt::format("{} rad for rise and return together", total),
-                          fmt::format("at most a whole turn, {} rad", full_turn)};
+                          fmt::format("at most a whole turn, {} rad", units::turn)};
     if (motion.symmetric && std::abs(motion.length() - 2.0) > same_place)
         return SceneFault{"motion.symmetric", "true with a return unlike the rise",
                           "false, or equal angles for rise and return"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers of a scene against their ranges, in the order of the scene's members.
 #include "core/range.hpp"
+#include "core/units.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/scene_faults.hpp"
@@ -8,16 +9,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numbers>
 #include <span>
 #include <string>
 
 namespace camopt {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
-const Range positive = Range::above(0.0);
-const Range not_negative = Range::at_least(0.0);
+using ranges::not_negative, ranges::positive;
+
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 
 using Number = std::optional<double>;
@@ -35,9 +34,9 @@ Number of_forces(const Scene& scene, double ForceSpec::*member) {
 const std::array motion_numbers = {
     NumberRule{"motion.lift", [](const Scene& s) { return Number(s.motion.lift); }, positive},
     NumberRule{"motion.rise", [](const Scene& s) { return Number(s.motion.rise); },
-               Range::above_up_to(0.0, full_turn)},
+               Range::above_up_to(0.0, units::turn)},
     NumberRule{"motion.return_angle", [](const Scene& s) { return s.motion.return_angle; },
-               Range::above_up_to(0.0, full_turn)},
+               Range::above_up_to(0.0, units::turn)},
     NumberRule{"motion.speed", [](const Scene& s) { return s.motion.speed; }, positive},
 };
 

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The segments of a program: each for itself, then their angles and where they end.
 #include "core/range.hpp"
+#include "core/units.hpp"
 #include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double degree = std::numbers::pi / 180.0;
-// Of a turn. Angles written with ten digits add up closer than this; a forgotten degree is far above.
+// Of a turn. Angles written with ten digits add up closer than this; a forgotten units::degree is far above.
 constexpr double turn_tolerance = 1e-9;
 
 Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
-    const Range angles = Range::above_up_to(0.0, full_turn);
+    const Range angles = Range::above_up_to(0.0, units::turn);
     if (!angles.contains(segment.angle))
         return SceneFault{member + ".angle", fmt::format("{}", segment.angle), angles.number_text()};
     if (segment.kind == SegmentKind::law && segment.law.empty())
@@ -40,10 +38,11 @@ Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
 Fault turn_fault(const MotionSpec& motion) {
     double total = 0.0;
     for (const ProgramSegment& segment : motion.segments) total += segment.angle;
-    const double excess = total / full_turn - 1.0;
+    const double excess = total / units::turn - 1.0;
     const bool allowed = motion.closed ? std::abs(excess) <= turn_tolerance : excess <= turn_tolerance;
     if (allowed) return std::nullopt;
-    return SceneFault{"motion.segments", fmt::format("angles that add up to {:.12g} deg", total / degree),
+    return SceneFault{"motion.segments",
+                      fmt::format("angles that add up to {:.12g} deg", total / units::degree),
                       motion.closed ? "360 deg, or motion.closed = false for a part of a turn"
                                     : "360 deg, a whole turn, at most"};
 }

@@ -16,6 +16,11 @@ struct Spelling {
     double factor = 1.0;
 };
 
+/// Of an angle, or of a derivative of one by time.
+[[nodiscard]] constexpr bool is_angle_unit(std::string_view unit) {
+    return unit.starts_with("deg") || unit.starts_with("rad");
+}
+
 namespace spellings {
 
 inline constexpr Spelling plain[] = {{"", "", 1.0}};

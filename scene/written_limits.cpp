@@ -50,8 +50,7 @@ const Spelling& peak_spelling(const PeakLimitRow& row, const PeakLimit& limit, c
                fmt::format("none (normalised), or {}", units));
     }
     if (known->unit.empty()) return *known;
-    const bool angle = known->unit.starts_with("deg") || known->unit.starts_with("rad");
-    if (angle != motion.lift_is_angle)
+    if (is_angle_unit(known->unit) != motion.lift_is_angle)
         refuse(member,
                fmt::format("a limit in {} where the lift is {}", known->unit,
                            motion.lift_is_angle ? "an angle" : "a length"),

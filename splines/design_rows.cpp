@@ -88,7 +88,7 @@ constexpr double negligible_weight = 1e-13;
 // Exact points this close to saying the same make ill-conditioned rows: cos of the angle between them.
 constexpr double nearly_parallel = 0.99;
 
-double product(const AffineRow& one, const AffineRow& other) {
+double inner_product(const AffineRow& one, const AffineRow& other) {
     double sum = 0.0;
     for (std::size_t i = 0, j = 0; i < one.columns.size() && j < other.columns.size();) {
         if (one.columns[i] == other.columns[j]) sum += one.weights[i] * other.weights[j];
@@ -101,7 +101,7 @@ double product(const AffineRow& one, const AffineRow& other) {
 }
 
 double length(const AffineRow& row) {
-    return std::sqrt(product(row, row));
+    return std::sqrt(inner_product(row, row));
 }
 
 }  // namespace
@@ -110,11 +110,11 @@ AffineRow unlike(AffineRow row, const std::vector<AffineRow>& others) {
     // Each step takes one direction away; there are no more than others.
     for (std::size_t step = 0; step < others.size(); ++step) {
         const auto alike = std::ranges::find_if(others, [&](const AffineRow& other) {
-            return std::abs(product(row, other)) > nearly_parallel * length(row) * length(other);
+            return std::abs(inner_product(row, other)) > nearly_parallel * length(row) * length(other);
         });
         if (alike == others.end()) return row;
         const double before = length(row);
-        row = combined(row, -product(row, *alike) / product(*alike, *alike), *alike);
+        row = combined(row, -inner_product(row, *alike) / inner_product(*alike, *alike), *alike);
         const double after = length(row);
         if (!(after > 0.0)) return row;
         row.offset *= before / after;

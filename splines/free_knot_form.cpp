@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 
-constexpr std::array<const char*, 6> prime = {"y", "y'", "y''", "y'''", "y''''", "y'''''"};
+constexpr std::array<const char*, 6> derivative_name = {"y", "y'", "y''", "y'''", "y''''", "y'''''"};
 // Places nearer than this part of the motion are one.
 constexpr double same_place = 1e-12;
 
@@ -59,8 +59,9 @@ void FreeKnotForm::add_ends(const DesignRequest& request) {
     const FreePlace last{segments_ - 1, true, 1.0};
     if (symmetry_ == Symmetry::none) {
         for (int order = 0; order < 3; ++order) {
-            add_equality(last, order, request.end_state[order],
-                         fmt::format("{}({:.6g}) = {:.6g}", prime[order], end_, request.end_state[order]));
+            add_equality(
+                last, order, request.end_state[order],
+                fmt::format("{}({:.6g}) = {:.6g}", derivative_name[order], end_, request.end_state[order]));
         }
         return;
     }
@@ -70,7 +71,7 @@ void FreeKnotForm::add_ends(const DesignRequest& request) {
     for (int order = 0; order <= highest; ++order) {
         if (mirror_sign(order) > 0.0) continue;
         add_equality(last, order, 0.5 * mirror_offset(order),
-                     fmt::format("symmetry of {} in the middle", prime[order]));
+                     fmt::format("symmetry of {} in the middle", derivative_name[order]));
     }
 }
 
@@ -123,7 +124,7 @@ void FreeKnotForm::add_equality(const FreePlace& place, int order, double value,
 std::string FreeKnotForm::name(int entry) const {
     const int first = (degree() + 1) * segments_;
     if (entry >= first) return fmt::format("x[{}]", entry - first + 1);
-    return fmt::format("{}[{}]", prime[order(entry)], entry / (degree() + 1));
+    return fmt::format("{}[{}]", derivative_name[order(entry)], entry / (degree() + 1));
 }
 
 int FreeKnotForm::order(int entry) const {

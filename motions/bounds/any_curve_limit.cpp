@@ -20,7 +20,7 @@ namespace {
 enum class Role { unknown, fixed, helpful, infinite };
 
 /// Caps this near to what is just possible are met.
-constexpr double kRounding = 1e-13;
+constexpr double relative_rounding = 1e-13;
 
 /// Weights and caps of a half of length 1, and the roles its peaks take.
 struct Half {
@@ -201,7 +201,7 @@ bool caps_exclude(const Half& half) {
         return true;
     }
     const double least_jerk = half.type == MotionType::drd ? 32.0 : 12.0 + 6.0 * std::sqrt(2.0);
-    return half.jerk_cap && *half.jerk_cap < least_jerk * (1.0 - kRounding);
+    return half.jerk_cap && *half.jerk_cap < least_jerk * (1.0 - relative_rounding);
 }
 
 /// More jerk never harms, so a weightless one stands at its cap or at infinity. A weightless acceleration

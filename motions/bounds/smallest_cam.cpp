@@ -14,7 +14,7 @@ namespace camopt {
 namespace {
 
 /// How far s0 may lie below |e|/t by rounding of the division.
-constexpr double kRounding = 1e-14;
+constexpr double radius_rounding = 1e-14;
 
 void require_positive(const char* name, double found) {
     if (found > 0.0 && std::isfinite(found)) return;
@@ -89,7 +89,7 @@ double least_stroke_angle(const CamStroke& stroke, double prime_coordinate, doub
     require_stroke(stroke);
     require_positive("prime coordinate", prime_coordinate);
     const double tangent = tangent_of(pressure_angle);
-    if (tangent * prime_coordinate < std::abs(stroke.offset) * (1.0 - kRounding))
+    if (tangent * prime_coordinate < std::abs(stroke.offset) * (1.0 - radius_rounding))
         return std::numeric_limits<double>::infinity();
     return steepest_angle(stroke, prime_coordinate, tangent);
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// How far a sum of symmetric derivatives, or a jump of one, may differ from 0 by rounding, as a part of the
 /// law's largest derivative of that order: closed forms give some 1e-14.
-constexpr double kRounding = 1e-10;
+constexpr double same_split = 1e-10;
 /// Places in a half where the symmetry is looked at; the fastest wave of the catalogue has 10 half waves.
 constexpr int kPlaces = 128;
 
@@ -36,12 +36,12 @@ bool is_antisymmetric(const Law& law, const LawDerivatives& scale) {
         const double x = 0.5 * i / kPlaces;
         const LawDerivatives low = law.derivatives(x, Side::left);
         const LawDerivatives high = law.derivatives(1.0 - x, Side::right);
-        if (std::abs(low[0] + high[0] - 1.0) > kRounding) return false;
+        if (std::abs(low[0] + high[0] - 1.0) > same_split) return false;
         for (std::size_t r = 1; r < 3; ++r) {
             const double mirrored = r == 1 ? low[r] - high[r] : low[r] + high[r];
-            if (std::abs(mirrored) > kRounding * scale[r]) return false;
+            if (std::abs(mirrored) > same_split * scale[r]) return false;
         }
-        if (low[2] < -kRounding * scale[2]) return false;
+        if (low[2] < -same_split * scale[2]) return false;
     }
     return true;
 }
@@ -77,7 +77,7 @@ int continuity_of(const Law& law, double split) {
     const LawDerivatives scale = scales(law);
     for (int r = 2; r <= law.continuity(); ++r) {
         const auto i = static_cast<std::size_t>(r);
-        if (std::abs(after[i] - before[i]) > kRounding * scale[i]) return r - 1;
+        if (std::abs(after[i] - before[i]) > same_split * scale[i]) return r - 1;
     }
     return law.continuity();
 }

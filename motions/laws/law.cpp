@@ -14,14 +14,14 @@ namespace camopt {
 namespace {
 
 /// How far x may lie outside [0, 1]: some roundings of a cam angle divided by a rise angle.
-constexpr double kRounding = 1e-12;
+constexpr double end_rounding = 1e-12;
 
 }  // namespace
 
 Law::Law(LawInfo info) : info_(std::move(info)) {}
 
 LawDerivatives Law::derivatives(double x, Side side) const {
-    if (!(x >= -kRounding && x <= 1.0 + kRounding)) {
+    if (!(x >= -end_rounding && x <= 1.0 + end_rounding)) {
         throw InputError(fmt::format("{}: x = {} found, allowed 0 <= x <= 1", info_.key, x));
     }
     return evaluate(std::clamp(x, 0.0, 1.0), side);

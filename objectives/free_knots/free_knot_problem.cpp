@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/free_knots/free_knot_problem.hpp"
 
+#include "objectives/exchange_samples.hpp"
 #include "objectives/scene_model.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ namespace {
 // like to meet in threes, where the jerk may jump, but a smooth jerk is what the degree was chosen for, and
 // its divisions by powers of the distance would lose their digits.
 constexpr double least_part_cubic = 0.01, least_part_quintic = 0.1;
-// Samples of one rule closer than this part of their segment are one sample.
-constexpr double same_sample = 1e-9;
-// A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
-constexpr double bracket = 0.25;
 // The first grid is dense at once, with Chebyshev points: rows that come later push the breakpoints about.
 constexpr int steps_a_degree = 2;
 constexpr double pi = 3.14159265358979323846;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/cam_problem.hpp"
 
+#include "objectives/exchange_samples.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 
 #include <algorithm>
@@ -9,11 +10,6 @@
 namespace camopt {
 
 namespace {
-
-// Samples of one rule closer than this part of their segment are one sample.
-constexpr double same_sample = 1e-9;
-// A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
-constexpr double bracket = 0.25;
 
 /// Degree of a rule along a spline piece, as far as the first grid cares: curved ones like a high one.
 int degree_along(const PointRule& rule, int spline_degree) {

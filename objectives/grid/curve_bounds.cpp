@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/grid/curve_bounds.hpp"
 
+#include "core/infinity.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camopt {
-
-namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-}
 
 Eigen::MatrixXd derivative_bounds(const SplineSpace& space, const KnownBounds& known) {
     const int p = space.degree();

@@ -34,6 +34,14 @@ std::vector<double> round_ticks(double lower, double upper, int wanted) {
     return multiples(round_step((upper - lower) / wanted), lower, upper);
 }
 
+std::vector<PlotTick> labelled_ticks(double lower, double upper, int wanted) {
+    std::vector<PlotTick> ticks;
+    const double step = round_step((upper - lower) / wanted);
+    for (const double value : round_ticks(lower, upper, wanted))
+        ticks.push_back({value, tick_text(value, step)});
+    return ticks;
+}
+
 std::vector<double> degree_ticks(double lower, double upper, int wanted) {
     if (!(upper > lower) || !std::isfinite(upper - lower)) return {};
     const double least = (upper - lower) / wanted;

@@ -7,11 +7,19 @@
 
 namespace camopt {
 
+struct PlotTick {
+    double value = 0.0;
+    std::string words;  ///< empty: a line of the grid without a label
+};
+
 /// Multiples of a round step (1, 2 or 5 times a power of ten) in [lower, upper]: about `wanted` of them.
 [[nodiscard]] std::vector<double> round_ticks(double lower, double upper, int wanted);
 
 /// The same for an angle in degrees: steps a protractor knows (1, 2, 5, 10, 15, 30, 45, 60, 90 …).
 [[nodiscard]] std::vector<double> degree_ticks(double lower, double upper, int wanted);
+
+/// round_ticks with their texts: just the decimals that the step between them needs, however few they are.
+[[nodiscard]] std::vector<PlotTick> labelled_ticks(double lower, double upper, int wanted);
 
 /// The number with just the decimals that tell it from its neighbours.
 [[nodiscard]] std::string tick_text(double value, double step);

@@ -118,9 +118,7 @@ void draw_axis(SvgCanvas& canvas, const PlotAxis& axis, const Comparison& compar
     PlotFrame frame;
     frame.horizontal = axis;
     frame.vertical = {0.0, 1.0, bottom, bars_top, false};
-    const std::vector<double> ticks = round_ticks(axis.lower, axis.upper, 5);
-    for (const double value : ticks)
-        frame.horizontal_ticks.push_back({value, tick_text(value, ticks.back() / 4)});
+    frame.horizontal_ticks = labelled_ticks(axis.lower, axis.upper, 5);
     frame.horizontal_title = "objective";
     draw_plot_frame(canvas, frame);
     const auto fitting = static_cast<double>(

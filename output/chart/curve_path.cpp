@@ -101,13 +101,9 @@ std::string curve_path(const Motion& motion, int order, const PlotMap& map) {
 
 ValueRange value_range(const Motion& motion, int order) {
     ValueRange range;
+    range.add(0.0);
     for_each_piece(motion, [&](const std::vector<MotionPoint>& points) {
-        for (const MotionPoint& point : points) {
-            const double value = point.derivative[static_cast<std::size_t>(order)];
-            if (!std::isfinite(value)) continue;
-            range.lower = std::min(range.lower, value);
-            range.upper = std::max(range.upper, value);
-        }
+        for (const MotionPoint& point : points) range.add(point.derivative[static_cast<std::size_t>(order)]);
     });
     return range;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "output/chart/value_range.hpp"
 
 #include <functional>
 #include <string>
@@ -22,10 +23,7 @@ struct PlotMap {
 /// order: 0 … 3. Motions of very many pieces are thinned out to what a screen can show.
 [[nodiscard]] std::string curve_path(const Motion& motion, int order, const PlotMap& map);
 
-/// Least and largest finite value of the derivative, found on the points the path goes through.
-struct ValueRange {
-    double lower = 0.0, upper = 0.0;
-};
+/// Of 0 and the finite values of the derivative on the points the path goes through.
 [[nodiscard]] ValueRange value_range(const Motion& motion, int order);
 
 }  // namespace camopt

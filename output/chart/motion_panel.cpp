@@ -58,19 +58,15 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
 
 /// The left axis carries physical units and the grid, the right one normalised values.
 void draw_value_axes(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
-    const std::vector<double> left = round_ticks(content.factor * plot.lower, content.factor * plot.upper, 6);
-    const double left_step = left.size() > 1 ? left[1] - left[0] : 1.0;
-    for (const double tick : left) {
-        const double y = plot.y(tick / content.factor);
-        canvas.line(plot.frame.left, y, plot.right(), y, tick == 0.0 ? "zero" : "grid");
-        canvas.text(plot.frame.left - 8, y + 4, tick_text(tick, left_step), "tick end");
+    for (const PlotTick& tick : labelled_ticks(content.factor * plot.lower, content.factor * plot.upper, 6)) {
+        const double y = plot.y(tick.value / content.factor);
+        canvas.line(plot.frame.left, y, plot.right(), y, tick.value == 0.0 ? "zero" : "grid");
+        canvas.text(plot.frame.left - 8, y + 4, tick.words, "tick end");
     }
-    const std::vector<double> right = round_ticks(plot.lower, plot.upper, 6);
-    const double right_step = right.size() > 1 ? right[1] - right[0] : 1.0;
-    for (const double tick : right) {
-        const double y = plot.y(tick);
+    for (const PlotTick& tick : labelled_ticks(plot.lower, plot.upper, 6)) {
+        const double y = plot.y(tick.value);
         canvas.line(plot.right(), y, plot.right() + 4, y, "axis");
-        canvas.text(plot.right() + 8, y + 4, tick_text(tick, right_step), "tick faint");
+        canvas.text(plot.right() + 8, y + 4, tick.words, "tick faint");
     }
     const double middle = plot.frame.top + 0.5 * plot.frame.height;
     canvas.text(plot.frame.left - 66, middle, content.unit, "unit middle", 90);

@@ -80,11 +80,7 @@ std::vector<PlotTick> ticks_of(const Range& range, bool logarithmic, int wanted)
         const double decades = std::log10(range.upper / range.lower);
         return decade_ticks(range.lower, range.upper, decades > 8.0 ? 2 : 1);
     }
-    const std::vector<double> values = round_ticks(range.lower, range.upper, wanted);
-    const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
-    std::vector<PlotTick> ticks;
-    for (const double value : values) ticks.push_back({value, tick_text(value, step)});
-    return ticks;
+    return labelled_ticks(range.lower, range.upper, wanted);
 }
 
 PlotFrame frame_of(const PaperFigure& figure) {

@@ -8,7 +8,7 @@ namespace camopt {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // a power of ten on the end of the axis is inside
+constexpr double decade_rounding = 1e-9;  // a power of ten on the end of the axis is inside
 
 std::string raised(int exponent) {
     static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -52,8 +52,8 @@ void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame) {
 
 std::vector<PlotTick> decade_ticks(double lower, double upper, int stride) {
     std::vector<PlotTick> ticks;
-    const int first = static_cast<int>(std::ceil(std::log10(lower) - rounding));
-    const int last = static_cast<int>(std::floor(std::log10(upper) + rounding));
+    const int first = static_cast<int>(std::ceil(std::log10(lower) - decade_rounding));
+    const int last = static_cast<int>(std::floor(std::log10(upper) + decade_rounding));
     for (int exponent = first; exponent <= last; ++exponent)
         ticks.push_back(
             {std::pow(10.0, exponent), exponent % stride == 0 ? power_words(exponent) : std::string{}});

@@ -5,6 +5,7 @@
 // axis needs positive bounds.
 #pragma once
 
+#include "output/chart/axis_ticks.hpp"
 #include "output/chart/svg_canvas.hpp"
 
 #include <string>
@@ -20,11 +21,6 @@ struct PlotAxis {
 
     [[nodiscard]] double place(double value) const;
     [[nodiscard]] bool holds(double value) const { return value >= lower && value <= upper; }
-};
-
-struct PlotTick {
-    double value = 0.0;
-    std::string words;  ///< empty: a line of the grid without a label
 };
 
 struct PlotFrame {

@@ -101,10 +101,7 @@ PlotFrame frame_of(const ProfileShape& shape, const PlotAxis& vertical, const Pa
     frame.vertical = vertical;
     for (const double tick : degree_ticks(frame.horizontal.lower, frame.horizontal.upper, 13))
         frame.horizontal_ticks.push_back({tick, tick_text(tick, 1.0)});
-    const std::vector<double> values = round_ticks(vertical.lower, vertical.upper, 6);
-    for (const double tick : values)
-        frame.vertical_ticks.push_back(
-            {tick, tick_text(tick, values.size() > 1 ? values[1] - values[0] : 1.0)});
+    frame.vertical_ticks = labelled_ticks(vertical.lower, vertical.upper, 6);
     frame.vertical_title = panel.unit;
     return frame;
 }

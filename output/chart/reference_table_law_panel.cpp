@@ -74,9 +74,7 @@ void draw_column(SvgCanvas& canvas, const PanelFrame& area, const std::vector<Pe
     PlotFrame frame;
     frame.horizontal = ratio_axis(bars, peak, area.left, area.width);
     frame.vertical = {0.0, 1.0, area.top + area.height, area.top, false};
-    const std::vector<double> ticks = round_ticks(frame.horizontal.lower, frame.horizontal.upper, 4);
-    for (const double value : ticks)
-        frame.horizontal_ticks.push_back({value, tick_text(value, ticks[1] - ticks[0])});
+    frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 4);
     draw_plot_frame(canvas, frame);
     canvas.text(area.left + 0.5 * area.width, area.top - 8, titles[peak], "axis-title");
     const double one = frame.horizontal.place(1.0);

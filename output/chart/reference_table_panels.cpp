@@ -115,11 +115,8 @@ void draw_curve_panel(SvgCanvas& canvas, const PanelFrame& place, int order, con
     PlotFrame frame;
     frame.horizontal = {0.0, 1.0, place.left, place.left + place.width, false};
     frame.vertical = {bottom, top, place.top + place.height, place.top, false};
-    for (const double value : round_ticks(0.0, 1.0, 5))
-        frame.horizontal_ticks.push_back({value, tick_text(value, 0.2)});
-    const std::vector<double> values = round_ticks(bottom, top, 5);
-    for (const double value : values)
-        frame.vertical_ticks.push_back({value, tick_text(value, values[1] - values[0])});
+    frame.horizontal_ticks = labelled_ticks(0.0, 1.0, 5);
+    frame.vertical_ticks = labelled_ticks(bottom, top, 5);
     if (order == 3) frame.horizontal_title = "x = cam angle / rise";
     draw_plot_frame(canvas, frame);
     const double zero = frame.vertical.place(0.0);

@@ -104,15 +104,6 @@ ProfileCanvas fitted_canvas(SvgCanvas& canvas, const Extent& extent) {
         canvas, {left + 0.5 * width - scale * middle.x(), top + 0.5 * height + scale * middle.y()}, scale};
 }
 
-std::vector<PlotTick> ticks_of(const PlotAxis& axis) {
-    std::vector<PlotTick> ticks;
-    const std::vector<double> values = round_ticks(axis.lower, axis.upper, 8);
-    ticks.reserve(values.size());
-    for (const double value : values)
-        ticks.push_back({value, tick_text(value, values.size() > 1 ? values[1] - values[0] : 1.0)});
-    return ticks;
-}
-
 void draw_frame(const ProfileCanvas& drawing) {
     const double mm = drawing.scale * millimetre;
     PlotFrame frame;
@@ -120,8 +111,8 @@ void draw_frame(const ProfileCanvas& drawing) {
                         left + width};
     frame.vertical = {(drawing.origin.y() - top - height) / mm, (drawing.origin.y() - top) / mm, top + height,
                       top};
-    frame.horizontal_ticks = ticks_of(frame.horizontal);
-    frame.vertical_ticks = ticks_of(frame.vertical);
+    frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
+    frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 8);
     frame.horizontal_title = "x, y in mm (cam frame)";
     draw_plot_frame(drawing.canvas, frame);
 }

@@ -15,9 +15,9 @@ namespace {
 
 using input::json_words;
 
-class Comparison {
+class TolerantComparison {
  public:
-    explicit Comparison(double tolerance) : tolerance_(tolerance) {}
+    explicit TolerantComparison(double tolerance) : tolerance_(tolerance) {}
 
     [[nodiscard]] std::string difference(const Json& found, const Json& allowed,
                                          const std::string& path) const {
@@ -69,7 +69,7 @@ class Comparison {
 }  // namespace
 
 std::string json_difference(const Json& found, const Json& allowed, double tolerance) {
-    return Comparison(tolerance).difference(found, allowed, "");
+    return TolerantComparison(tolerance).difference(found, allowed, "");
 }
 
 }  // namespace camopt

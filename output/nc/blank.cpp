@@ -52,16 +52,16 @@ double separation(const Blank& blank, const Cutter& cutter, Eigen::Vector3d dire
     return cutter.least_along(direction) - blank.support(direction);
 }
 
-void require(bool holds, const char* what, double found) {
+void require_blank(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("blank: {}, found {:g} mm", what, found / units::millimetre));
 }
 
 }  // namespace
 
 void Blank::validate() const {
-    require(std::isfinite(radius) && radius > 0.0, "its radius must be given and > 0 mm", radius);
-    require(std::isfinite(lower), "its lower end must be a finite height", lower);
-    require(std::isfinite(upper) && upper > lower, "its upper end must lie above its lower end", upper);
+    require_blank(std::isfinite(radius) && radius > 0.0, "its radius must be given and > 0 mm", radius);
+    require_blank(std::isfinite(lower), "its lower end must be a finite height", lower);
+    require_blank(std::isfinite(upper) && upper > lower, "its upper end must lie above its lower end", upper);
 }
 
 double Blank::support(const Eigen::Vector3d& direction) const {
@@ -74,7 +74,7 @@ double Blank::reach() const {
 }
 
 void BlankChoice::validate() const {
-    require(std::isfinite(allowance) && allowance >= 0.0, "the allowance must be >= 0 mm", allowance);
+    require_blank(std::isfinite(allowance) && allowance >= 0.0, "the allowance must be >= 0 mm", allowance);
 }
 
 Blank chosen_blank(const Blank& with_allowance, const BlankChoice& choice) {

@@ -15,24 +15,26 @@ namespace {
 // A cutter that is said to equal the roller may differ in the last digits of the unit it was given in.
 constexpr double equal_diameters = 1e-9;
 
-void require(bool holds, const char* what, double found) {
+void require_location(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("cutter location: {}, found {:g}", what, found));
 }
 
 }  // namespace
 
 void CutterLocation::validate() const {
-    require(std::isfinite(roller_radius) && roller_radius > 0.0, "the roller radius must be > 0 m",
-            roller_radius);
-    require(std::isfinite(diameter) && diameter > 0.0, "the cutter diameter must be > 0 m", diameter);
-    require(std::isfinite(stock) && stock >= 0.0, "the stock must be >= 0 m", stock);
-    require(flank == 1 || flank == -1, "the flank must be +1 or -1", flank);
-    require(std::isfinite(station), "the station must be a finite length", station);
-    require(std::isfinite(tip_beyond) && tip_beyond >= 0.0,
-            "the tip must lie at or beyond the steered station, by >= 0 m", tip_beyond);
-    require(0.5 * diameter + stock <= roller_radius * (1.0 + equal_diameters),
-            "cutter radius + stock must not exceed the roller radius, or the other flank is cut away; m",
-            0.5 * diameter + stock);
+    require_location(std::isfinite(roller_radius) && roller_radius > 0.0, "the roller radius must be > 0 m",
+                     roller_radius);
+    require_location(std::isfinite(diameter) && diameter > 0.0, "the cutter diameter must be > 0 m",
+                     diameter);
+    require_location(std::isfinite(stock) && stock >= 0.0, "the stock must be >= 0 m", stock);
+    require_location(flank == 1 || flank == -1, "the flank must be +1 or -1", flank);
+    require_location(std::isfinite(station), "the station must be a finite length", station);
+    require_location(std::isfinite(tip_beyond) && tip_beyond >= 0.0,
+                     "the tip must lie at or beyond the steered station, by >= 0 m", tip_beyond);
+    require_location(
+        0.5 * diameter + stock <= roller_radius * (1.0 + equal_diameters),
+        "cutter radius + stock must not exceed the roller radius, or the other flank is cut away; m",
+        0.5 * diameter + stock);
 }
 
 ToolPose cutter_pose(const RollerPose& roller, const CutterLocation& location) {

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 // A tool axis nearer to the rotary axis than this, rad, leaves the turn to rounding.
 constexpr double least_tilt_distance = 1e-9;
 // What a unit vector out of some hundred operations may be off.
-constexpr double axis_rounding = 1e-9;
+constexpr double upright_rounding = 1e-9;
 
 const MachineAxis x_axis{"x", AxisKind::linear}, y_axis{"y", AxisKind::linear}, z_axis{"z", AxisKind::linear};
 
@@ -73,7 +73,7 @@ class RotaryTable final : public Machine {
 
     Eigen::VectorXd values(const ToolPose& pose) const override {
         const Eigen::Vector3d& o = pose.axis;
-        if (!(std::abs(o.z()) <= axis_rounding))
+        if (!(std::abs(o.z()) <= upright_rounding))
             throw InputError(fmt::format(
                 "the tool leans by {:g} deg along the cam's axis: this cam needs a machine with five "
                 "axes, not one with four",
@@ -100,7 +100,7 @@ class PlaneMilling final : public Machine {
     const std::vector<MachineAxis>& axes() const override { return axes_; }
 
     Eigen::VectorXd values(const ToolPose& pose) const override {
-        if (!((pose.axis + Eigen::Vector3d::UnitZ()).norm() <= axis_rounding))
+        if (!((pose.axis + Eigen::Vector3d::UnitZ()).norm() <= upright_rounding))
             throw InputError("a machine with three axes holds its tool along -z only");
         return pose.tip;
     }

@@ -13,8 +13,8 @@ namespace camopt {
 
 namespace {
 
-constexpr double kinematics_rounding = 1e-12;  // of the lever arms: some dozen operations either way
-constexpr double partial_step = 1e-5;          // m, rad: central differences, exact to 1e-10
+constexpr double pose_rounding = 1e-12;  // of the lever arms: some dozen operations either way
+constexpr double partial_step = 1e-5;    // m, rad: central differences, exact to 1e-10
 
 /// What half a last digit in every axis can do to tip (m) and axis (rad).
 struct Rounding {
@@ -32,10 +32,10 @@ Rounding rounding_at(const Machine& machine, const PostProcessor& post, const Ei
         result.tip += (machine.pose(up).tip - machine.pose(down).tip).norm() / (2.0 * partial_step) * half;
         if (kind == AxisKind::rotary) result.axis += half;
     }
-    result.kinematics = kinematics_rounding * (values.head<3>().norm() + machine.pose(values).tip.norm());
+    result.kinematics = pose_rounding * (values.head<3>().norm() + machine.pose(values).tip.norm());
     // The differences above are themselves rounded.
     result.tip *= 1.0 + 1e-6;
-    result.axis = result.axis * (1.0 + 1e-6) + kinematics_rounding;
+    result.axis = result.axis * (1.0 + 1e-6) + pose_rounding;
     return result;
 }
 

@@ -17,7 +17,7 @@ namespace {
 // A block that does not move takes a control no time, and 1 / 0 is no feed.
 constexpr double least_block_seconds = 1e-3;
 
-void require(bool holds, const char* what, double found) {
+void require_job(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("NC job: {}, found {:g}", what, found));
 }
 
@@ -83,23 +83,24 @@ std::vector<std::vector<NcStep>> steps_of(const Machine& machine, const NcJob& j
 }  // namespace
 
 void NcJob::validate() const {
-    require(std::isfinite(feed) && feed > 0.0, "the feed must be > 0 m/s", feed);
-    require(std::isfinite(plunge_feed) && plunge_feed > 0.0, "the plunge feed must be > 0 m/s", plunge_feed);
-    require(std::isfinite(rotary_speed) && rotary_speed >= 0.0, "the rotary speed must be >= 0 rad/s",
-            rotary_speed);
+    require_job(std::isfinite(feed) && feed > 0.0, "the feed must be > 0 m/s", feed);
+    require_job(std::isfinite(plunge_feed) && plunge_feed > 0.0, "the plunge feed must be > 0 m/s",
+                plunge_feed);
+    require_job(std::isfinite(rotary_speed) && rotary_speed >= 0.0, "the rotary speed must be >= 0 rad/s",
+                rotary_speed);
     blank.validate();
-    require(std::isfinite(safe_distance) && safe_distance > 0.0,
-            "the safe distance of rapids from the blank must be > 0 m", safe_distance);
+    require_job(std::isfinite(safe_distance) && safe_distance > 0.0,
+                "the safe distance of rapids from the blank must be > 0 m", safe_distance);
     if (!(std::isfinite(clearance) && clearance >= safe_distance))
         throw InputError(
             fmt::format("NC job: the clearance plane must lie above the blank by the safe distance of {:g} "
                         "mm or more, found {:g} mm{}",
                         safe_distance / units::millimetre, clearance / units::millimetre,
                         clearance < 0.0 ? ", which is inside the blank" : ""));
-    require(std::isfinite(spindle_rpm) && spindle_rpm >= 0.0, "the spindle speed must be >= 0 rev/min",
-            spindle_rpm);
-    require(!passes.empty(), "there must be a pass", 0);
-    for (const NcPass& pass : passes) require(!pass.poses.empty(), "each pass must have a pose", 0);
+    require_job(std::isfinite(spindle_rpm) && spindle_rpm >= 0.0, "the spindle speed must be >= 0 rev/min",
+                spindle_rpm);
+    require_job(!passes.empty(), "there must be a pass", 0);
+    for (const NcPass& pass : passes) require_job(!pass.poses.empty(), "each pass must have a pose", 0);
 }
 
 NcProgram nc_program(const Machine& machine, const PostProcessor& post, const NcJob& job) {

@@ -18,7 +18,7 @@ namespace {
 using Section = std::vector<Eigen::Vector3d>;
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-constexpr double same_angle = 1e-9;  // rad
+constexpr double same_end = 1e-9;  // rad
 constexpr int roller_corners = 40, hub_corners = 96;
 // Choices of drawing, as parts of the least radius of the flanks.
 constexpr double hub_part = 0.985, thread_part = 0.975, bore_part = 0.35;
@@ -149,10 +149,10 @@ void IndexingBodyOptions::validate() const {
 IndexingBody indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
                            const IndexingBodyOptions& options) {
     options.validate();
-    if (std::abs(motion.end() - motion.begin() - whole_turn) > same_angle)
+    if (std::abs(motion.end() - motion.begin() - whole_turn) > same_end)
         throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
                                      (motion.end() - motion.begin()) / units::degree));
-    if (!(std::abs(motion.state(motion.end()).s - motion.state(motion.begin()).s) > same_angle))
+    if (!(std::abs(motion.state(motion.end()).s - motion.state(motion.begin()).s) > same_end))
         throw InputError("indexing cam: the motion must end one pitch from where it begins");
     return Builder(cam, motion, options).build();
 }

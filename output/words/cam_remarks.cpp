@@ -2,6 +2,7 @@
 #include "output/words/cam_remarks.hpp"
 
 #include "core/units.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
@@ -18,16 +19,11 @@ namespace {
 
 using units::degree, units::millimetre;
 
-constexpr int angle_digits = 5;
 constexpr int check_digits = 2;
 constexpr double moves_as_designed = 1e-4;  // of the prime radius: what an undercut cam is off is far more
 constexpr double at_end_of_range = 1e-6;    // of the range: a dimension stands at its end
 constexpr double whole_turn = 1e-9;         // rad
 constexpr double raised_follower = 1e-3;    // lifts: below it a spring has nothing to press with
-
-std::string degrees_at(const Solution& solution, double x) {
-    return short_text(x * solution.scene.motion.unit_angle() / degree, angle_digits);
-}
 
 std::string undercut_remark(const Solution& solution) {
     const CamReport& cam = *solution.cam;

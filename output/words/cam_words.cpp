@@ -2,6 +2,7 @@
 #include "output/words/cam_words.hpp"
 
 #include "core/units.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/number_text.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,6 @@ using units::degree, units::millimetre;
 
 constexpr double megapascal = 1e6;
 constexpr double no_radius = 1e9;  // m: what is straighter than this is straight
-constexpr int angle_digits = 5;
 
 double millimetres(double metres) {
     return metres / millimetre;

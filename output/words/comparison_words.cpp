@@ -16,7 +16,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int figures = 4;
+constexpr int table_figures = 4;
 constexpr int base_decimals = 3;  // of mm
 
 bool is_exact(const LimitOutcome& outcome) {
@@ -24,7 +24,7 @@ bool is_exact(const LimitOutcome& outcome) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-    return short_text(value, figures) + (unit.empty() ? "" : " " + unit);
+    return short_text(value, table_figures) + (unit.empty() ? "" : " " + unit);
 }
 
 /// By how much of the limit it is passed.
@@ -53,14 +53,14 @@ std::string broken_words(const LimitOutcome& outcome) {
     if (reached.no_contact) return fmt::format("{}: {}", name, no_contact_words);
     if (std::isnan(outcome.excess)) return name + " does not exist: the cam cannot be built";
     if (reached.name == "symmetric")
-        return fmt::format("not symmetric, by {}", short_text(outcome.excess, figures));
+        return fmt::format("not symmetric, by {}", short_text(outcome.excess, table_figures));
     const std::string found = fmt::format("{} {}", name, with_unit(reached.worst, reached.unit));
     if (std::isinf(outcome.excess))
-        return fmt::format("{}, allowed {}", found, short_text(reached.limit, figures));
+        return fmt::format("{}, allowed {}", found, short_text(reached.limit, table_figures));
     const bool below = reached.worst < reached.limit;
     return fmt::format("{}, {} {} {}", found,
-                       short_text(std::abs(outcome.excess), is_exact(outcome) ? 3 : figures),
-                       below ? "below" : "above", short_text(reached.limit, figures));
+                       short_text(std::abs(outcome.excess), is_exact(outcome) ? 3 : table_figures),
+                       below ? "below" : "above", short_text(reached.limit, table_figures));
 }
 
 std::vector<std::string> broken_limits(const ComparisonRow& row) {
@@ -115,7 +115,7 @@ std::string objective_words(const Comparison& comparison) {
     for (const CostTerm& term : cost_terms())
         if (const double weight = term.weight_in(objective); weight != 0.0)
             text += fmt::format("{}{} {}/{}", text.empty() ? "" : " + ", short_text(weight), term.symbol,
-                                short_text(term.measured.of(reference), figures));
+                                short_text(term.measured.of(reference), table_figures));
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; }))
         text += text.empty() ? "dimensions of the cam" : " + dimensions of the cam";
     return text;

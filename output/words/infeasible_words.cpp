@@ -19,7 +19,7 @@ constexpr double same_stretch = 0.1;   // of the motion: rows of a proof this cl
 constexpr double same_place = 0.02;    // of the motion: a stretch shorter than this is a place
 constexpr double worth_naming = 0.02;  // of a limit's heaviest row: lighter rows are left out
 constexpr std::size_t most_stretches = 3;
-constexpr int angle_digits = 3;
+constexpr int short_angle_digits = 3;
 
 /// Where a limit bites.
 struct Stretch {
@@ -67,7 +67,7 @@ std::vector<Stretch> stretches_of(std::vector<ConflictReport> rows, double lengt
 /// "the pressure angle limit at 12 deg and from 40 to 55.5 deg"
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
     const double degrees_per_x = motion.unit_angle() / units::degree;
-    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, angle_digits); };
+    const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
     const std::vector<Stretch> stretches = stretches_of(limit.rows, motion.length());
     std::string places;
     for (std::size_t i = 0; i < stretches.size(); ++i) {

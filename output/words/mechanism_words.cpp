@@ -2,6 +2,7 @@
 #include "output/words/mechanism_words.hpp"
 
 #include "core/units.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "scene/limit_table.hpp"
@@ -18,13 +19,8 @@ namespace {
 
 using units::degree, units::millimetre;
 
-constexpr int angle_digits = 5;
 constexpr int check_digits = 2;
 constexpr double moves_as_designed = 1e-4;  // of the lift: what an undercut cam is off is far more
-
-std::string degrees_at(const Solution& solution, double x) {
-    return short_text(x * solution.scene.motion.unit_angle() / degree, angle_digits);
-}
 
 std::string undercut_remark(const Solution& solution) {
     const MechanismSummary& summary = solution.mechanism->summary;

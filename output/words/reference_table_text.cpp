@@ -12,7 +12,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int line_width = 100;
+constexpr int table_line_width = 100;
 constexpr const char* title = "The best cubic spline beside the modified sine";
 constexpr const char* introduction =
     "Rise between two dwells; C2 cubic spline on n equal segments, y(x) + y(1 − x) = 1. Every optimum is "
@@ -24,16 +24,17 @@ constexpr const char* introduction =
 }  // namespace
 
 std::string reference_table_text(const ReferenceTable& table) {
-    std::string text = fmt::format("{}\n\n{}", title, wrapped_text(introduction, "", line_width));
+    std::string text = fmt::format("{}\n\n{}", title, wrapped_text(introduction, "", table_line_width));
     const std::string warning = unproved_warning(table);
-    if (!warning.empty()) text += fmt::format("\n{}", wrapped_text(warning, "WARNING  ", line_width));
+    if (!warning.empty()) text += fmt::format("\n{}", wrapped_text(warning, "WARNING  ", table_line_width));
     for (const TableSection& section : reference_table_sections(table)) {
-        text += fmt::format("\n{}\n{}\n{}", section.title, wrapped_text(section.introduction, "", line_width),
+        text += fmt::format("\n{}\n{}\n{}", section.title,
+                            wrapped_text(section.introduction, "", table_line_width),
                             aligned_text(section.table));
     }
     if (!table.notes.empty()) text += "\nNotes\n";
     for (std::size_t i = 0; i < table.notes.size(); ++i)
-        text += wrapped_text(table.notes[i], fmt::format("{}. ", i + 1), line_width);
+        text += wrapped_text(table.notes[i], fmt::format("{}. ", i + 1), table_line_width);
     return text;
 }
 

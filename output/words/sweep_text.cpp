@@ -15,7 +15,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int figures = 9;
+constexpr int row_figures = 9;
 
 std::string verdict_line(const std::vector<SweepRow>& rows) {
     std::vector<std::string> parts;
@@ -43,7 +43,7 @@ std::string best_line(const SweepTable& table) {
     std::vector<std::string> settings;
     for (std::size_t i = 0; i < table.columns.keys.size(); ++i)
         settings.push_back(fmt::format("{} {}", table.columns.keys[i], short_text(best->settings[i])));
-    return fmt::format("  least objective: {} in row {} ({})\n", short_text(*best->objective, figures),
+    return fmt::format("  least objective: {} in row {} ({})\n", short_text(*best->objective, row_figures),
                        best->number, fmt::join(settings, ", "));
 }
 

@@ -8,11 +8,11 @@
 //   gradient = Jᵀ ∇f,   hessian = Jᵀ ∇²f J + ∂f/∂p ∇²p.
 #pragma once
 
+#include "core/second_order.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/AutoDiff>
 
 #include <array>
 #include <cstddef>
@@ -21,20 +21,7 @@
 namespace camopt::expansion {
 
 template <int n>
-using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
-template <int n>
-using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<n>, n, 1>>;
-template <int n>
 using Jacobian = Eigen::Matrix<double, n, quantity_variables>;
-
-/// The local variable `index` of n.
-template <int n>
-[[nodiscard]] SecondOrder<n> variable(double value, int index) {
-    SecondOrder<n> result;
-    result.value() = FirstOrder<n>(value, n, index);
-    for (int i = 0; i < n; ++i) result.derivatives()(i) = FirstOrder<n>(i == index ? 1.0 : 0.0);
-    return result;
-}
 
 /// Value and partials in n local variables.
 template <int n>
@@ -44,9 +31,9 @@ struct Expansion {
     Eigen::Matrix<double, n, n> hessian;
 
     explicit Expansion(const SecondOrder<n>& result)
-        : value(result.value().value()), gradient(result.value().derivatives()) {
-        for (int i = 0; i < n; ++i) hessian.col(i) = result.derivatives()(i).derivatives();
-    }
+        : value(result.value().value()),
+          gradient(result.value().derivatives()),
+          hessian(second_partials<n>(result)) {}
 
     /// In the global variables, as if all local ones were linear in them.
     [[nodiscard]] QuantityValue substituted(const Jacobian<n>& jacobian) const {

@@ -11,7 +11,7 @@ namespace {
 
 using enum DimensionIndex;
 
-[[noreturn]] void refuse(FollowerType follower) {
+[[noreturn]] void refuse_range(FollowerType follower) {
     throw ModelError(std::string("quantity: a ") + name_of(follower) + " follower has no such quantity");
 }
 
@@ -34,7 +34,7 @@ RangeAlong roller_quantity(const DiskCam& cam, const Roller& roller, Quantity wh
         case Quantity::contact_offset:
             break;
     }
-    refuse(cam.follower);
+    refuse_range(cam.follower);
 }
 
 RangeAlong translating_flat_quantity(const DiskCam& cam, const StateAlong& state, Quantity which) {
@@ -55,7 +55,7 @@ RangeAlong translating_flat_quantity(const DiskCam& cam, const StateAlong& state
         case Quantity::pitch_curvature:
             break;
     }
-    refuse(cam.follower);
+    refuse_range(cam.follower);
 }
 
 RangeAlong oscillating_flat_quantity(const DiskCam& cam, const StateAlong& state, Quantity which) {
@@ -77,7 +77,7 @@ RangeAlong oscillating_flat_quantity(const DiskCam& cam, const StateAlong& state
         case Quantity::pitch_curvature:
             break;
     }
-    refuse(cam.follower);
+    refuse_range(cam.follower);
 }
 
 }  // namespace

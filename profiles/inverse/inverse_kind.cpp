@@ -11,7 +11,7 @@ using namespace spellings;
 
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> rows() {
+std::vector<KeyRow> inverse_rows() {
     return {
         {"cam", "roller_rest", number_or_range, length, not_negative, {}, "required for inverse",
          "Distance from the body's pivot at which the roller started from rest; from there its acceleration is "
@@ -60,7 +60,7 @@ CamKind inverse_kind() {
     kind.lift_remark = ", the stroke of its feeder";
     kind.has_rotation = false;
     kind.only_drd = true;
-    kind.rows = rows();
+    kind.rows = inverse_rows();
     return kind;
 }
 

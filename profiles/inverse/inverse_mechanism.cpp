@@ -2,12 +2,12 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 
 #include "core/errors.hpp"
+#include "core/second_order.hpp"
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 
 #include <fmt/format.h>
-#include <unsupported/Eigen/AutoDiff>
 
 #include <array>
 #include <cmath>
@@ -66,19 +66,6 @@ T value_of(MechanismQuantity which, const std::array<T, inverse_number_count>& n
     return T(1.0) - T(of(roller_radius) * curvature);
 }
 
-template <int n>
-using First = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
-template <int n>
-using Second = Eigen::AutoDiffScalar<Eigen::Matrix<First<n>, n, 1>>;
-
-template <int n>
-Second<n> variable(double value, int index) {
-    Second<n> result{First<n>(value)};
-    result.value() = First<n>(value, n, index);
-    result.derivatives()(index) = First<n>(1.0);
-    return result;
-}
-
 GuideNode node_at(std::span<const double> numbers, const FollowerState& output, double theta) {
     const FollowerState feeder{output.s + number(numbers, feeder_start), output.velocity,
                                output.acceleration};
@@ -132,18 +119,18 @@ class InverseMechanism final : public CamMechanism {
 template <int n>
 MechanismValue InverseMechanism::expanded(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) {
-    std::array<Second<n>, inverse_number_count> numbers;
+    std::array<SecondOrder<n>, inverse_number_count> numbers;
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto place = static_cast<std::size_t>(i);
         const double value = state.dimensions[place];
-        numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : Second<n>(First<n>(value));
+        numbers[place] = n > 4 ? variable<n>(value, n > 4 ? 4 + i : 0) : SecondOrder<n>(FirstOrder<n>(value));
     }
-    const inverse::Feeder<Second<n>> output{variable<n>(state.output.s, 0),
-                                            variable<n>(state.output.velocity, 1),
-                                            variable<n>(state.output.acceleration, 2)};
+    const inverse::Feeder<SecondOrder<n>> output{variable<n>(state.output.s, 0),
+                                                 variable<n>(state.output.velocity, 1),
+                                                 variable<n>(state.output.acceleration, 2)};
     const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
-    const Second<n> value =
-        value_of<Second<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
+    const auto value =
+        value_of<SecondOrder<n>>(which, numbers, output, variable<n>(state.theta, angle_column), wall);
     const auto size = static_cast<Eigen::Index>(3 + active.size());
     const auto from = [&](Eigen::Index k) {
         return k < 3 ? k : 4 + static_cast<Eigen::Index>(active[static_cast<std::size_t>(k - 3)]);

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/inverse/inverse_quantity.hpp"
 
+#include "core/second_order.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
-
-#include <unsupported/Eigen/AutoDiff>
 
 namespace camopt {
 
 namespace {
 
-using First = Eigen::AutoDiffScalar<Eigen::Vector3d>;
-using Second = Eigen::AutoDiffScalar<Eigen::Matrix<First, 3, 1>>;
-
-Second variable(double value, int index) {
-    Second result;
-    result.value() = First(value, 3, index);
-    for (int i = 0; i < 3; ++i) result.derivatives()(i) = First(i == index ? 1.0 : 0.0);
-    return result;
-}
+using Value = SecondOrder<3>;
 
 }  // namespace
 
@@ -30,17 +21,17 @@ InverseQuantityValue inverse_quantity(const FeederLinkage& linkage, const Roller
         result.value = roller.velocity;
         return result;
     }
-    const auto back = inverse::backwards<Second>(
-        inverse::numbers_of<Second>(linkage), inverse::branch_of(linkage),
-        {variable(feeder.s, 0), variable(feeder.velocity, 1), variable(feeder.acceleration, 2)});
-    const Second value =
+    const auto back = inverse::backwards<Value>(
+        inverse::numbers_of<Value>(linkage), inverse::branch_of(linkage),
+        {variable<3>(feeder.s, 0), variable<3>(feeder.velocity, 1), variable<3>(feeder.acceleration, 2)});
+    const Value value =
         which == InverseQuantity::pressure_numerator
-            ? Second(-roller.distance * back.velocity)
-            : inverse::guide_curvature<Second>(
-                  {Second(roller.distance), Second(roller.velocity), Second(roller.acceleration)}, back);
+            ? Value(-roller.distance * back.velocity)
+            : inverse::guide_curvature<Value>(
+                  {Value(roller.distance), Value(roller.velocity), Value(roller.acceleration)}, back);
     result.value = value.value().value();
     result.gradient = value.value().derivatives();
-    for (int i = 0; i < 3; ++i) result.hessian.col(i) = value.derivatives()(i).derivatives();
+    result.hessian = second_partials<3>(value);
     return result;
 }
 

@@ -29,7 +29,7 @@ std::optional<double> default_of(RemoteDimension which) {
 
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> rows() {
+std::vector<KeyRow> remote_rows() {
     return {
         {"cam", "roller_arm", number_or_range, length, positive, {}, "required for remote",
          "From the lever's pivot to the roller's centre."},
@@ -112,7 +112,7 @@ CamKind remote_kind() {
         kind.variants.push_back(variant(linkage));
     kind.with_angle = "\"lever\" or \"lever_coupler_lever\"";
     kind.with_length = "a linkage with a slider";
-    kind.rows = rows();
+    kind.rows = remote_rows();
     return kind;
 }
 

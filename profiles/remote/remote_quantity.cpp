@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Quantities with exact partials by (s, s', s'', active dimensions): automatic differentiation, by two
 // dimensions at a time, so that the number of variables of one pass is small and known at compile time.
+#include "core/second_order.hpp"
 #include "profiles/remote/remote_cam.hpp"
 #include "profiles/remote/remote_numbers.hpp"
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/AutoDiff>
 
 namespace camopt {
 namespace {
 
-template <int n>
-using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
-template <int n>
-using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<n>, n, 1>>;
-
 constexpr int output_variables = 3;
-
-template <int n>
-SecondOrder<n> constant(double value) {
-    SecondOrder<n> result;
-    result.value() = FirstOrder<n>(value);
-    for (int i = 0; i < n; ++i) result.derivatives()(i) = FirstOrder<n>(0.0);
-    return result;
-}
-
-template <int n>
-SecondOrder<n> variable(double value, int index) {
-    SecondOrder<n> result = constant<n>(value);
-    result.value() = FirstOrder<n>(value, n, index);
-    result.derivatives()(index) = FirstOrder<n>(1.0);
-    return result;
-}
 
 template <class T>
 T formula(const RemoteEvaluation<T>& own, const std::array<T, 3>& output, MechanismQuantity which) {

@@ -17,7 +17,7 @@ struct DimensionRow {
     bool angle, sign;
 };
 
-constexpr std::array<DimensionRow, remote_dimension_count> rows = {{
+constexpr std::array<DimensionRow, remote_dimension_count> dimension_rows = {{
     {"roller_radius", false, false},     {"roller_arm", false, false},    {"lever_pivot_x", false, true},
     {"lever_pivot_y", false, true},      {"center_x", false, true},       {"center_y", false, true},
     {"lever_arm", false, false},         {"lever_angle", true, true},     {"coupler", false, false},
@@ -28,7 +28,7 @@ constexpr std::array<DimensionRow, remote_dimension_count> rows = {{
 }};
 
 const DimensionRow& row_of(RemoteDimension dimension) {
-    return rows[static_cast<std::size_t>(dimension)];
+    return dimension_rows[static_cast<std::size_t>(dimension)];
 }
 
 }  // namespace

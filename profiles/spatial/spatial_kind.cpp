@@ -16,7 +16,7 @@ using namespace spellings;
 
 // A row is read as a row.
 // clang-format off
-std::vector<KeyRow> rows() {
+std::vector<KeyRow> spatial_rows() {
     return {
         {"cam", "cylinder_radius", number_or_range, length, positive, {}, "required for cylindrical, translating",
          "From the cam's axis to the roller's near end; the roller's axis points to the cam's. "
@@ -86,7 +86,7 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
 
 CamKind barrel_kind() {
     CamKind kind = kind_of(barrel_type, {variant(barrel)});
-    kind.rows = rows();
+    kind.rows = spatial_rows();
     return kind;
 }
 

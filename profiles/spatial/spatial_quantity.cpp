@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The quantities of limits, expanded to second order by automatic differentiation. All seven variables of a
 // formula are those of the partials (q differs from s by a constant), so no chain rule is left to do.
+#include "core/second_order.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
-
-#include <unsupported/Eigen/AutoDiff>
 
 namespace camopt {
 namespace {
 
 using enum SpatialDimension;
 
-constexpr int n = spatial_variables;
-using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
-using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder, n, 1>>;
+using Value = SecondOrder<spatial_variables>;
 
-SecondOrder variable(double value, int index) {
-    SecondOrder result;
-    result.value() = FirstOrder(value, n, index);
-    for (int i = 0; i < n; ++i) result.derivatives()(i) = FirstOrder(i == index ? 1.0 : 0.0);
-    return result;
+Value variable(double value, int column) {
+    return camopt::variable<spatial_variables>(value, column);
 }
 
-SpatialValue expanded(const SecondOrder& result) {
+SpatialValue expanded(const Value& result) {
     SpatialValue value;
     value.value = result.value().value();
     value.gradient = result.value().derivatives();
-    for (int i = 0; i < n; ++i) value.hessian.col(i) = result.derivatives()(i).derivatives();
+    value.hessian = second_partials<spatial_variables>(result);
     // Mixed partials differ by rounding in the order they are taken.
     value.hessian = (0.5 * (value.hessian + value.hessian.transpose())).eval();
     return value;
@@ -36,7 +30,7 @@ SpatialValue expanded(const SecondOrder& result) {
 
 SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state, const RollerStation& station,
                               SpatialQuantity which) {
-    const spatial_formulas::Variables<SecondOrder> variables{
+    const spatial_formulas::Variables<Value> variables{
         variable(cam.start + state.s, 0),
         variable(state.velocity, 1),
         variable(state.acceleration, 2),

@@ -138,7 +138,7 @@ double Iteration::target_after_affine() const {
 
 /// Gondzio's centrality corrections, as long as they lengthen the step.
 void Iteration::add_correctors(double target) {
-    constexpr double low = 0.1, high = 10.0, reach = 0.3, worthwhile = 0.02, long_enough = 0.95;
+    constexpr double low = 0.1, high = 10.0, reach = 0.3, worthwhile_gain = 0.02, long_enough = 0.95;
     const double fraction = boundary_fraction();
     double primal = primal_step(direction_, fraction), dual = dual_step(direction_, fraction);
     for (int k = 0; k < limits_.correctors && std::min(primal, dual) < long_enough; ++k) {
@@ -151,7 +151,7 @@ void Iteration::add_correctors(double target) {
         if (!trial_.finite) return;
         trial_ += direction_;
         const double trial_primal = primal_step(trial_, fraction), trial_dual = dual_step(trial_, fraction);
-        if (trial_primal + trial_dual < primal + dual + worthwhile) return;
+        if (trial_primal + trial_dual < primal + dual + worthwhile_gain) return;
         std::swap(direction_, trial_);
         primal = trial_primal;
         dual = trial_dual;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double largest_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
 constexpr double shift_growth = 100.0;  // a breakdown is rare; few retries matter more than the least shift
-constexpr double good_residual = 1e-8;  // relative; above it other shifts are tried and the best is kept
+constexpr double good_solve = 1e-8;     // relative; above it other shifts are tried and the best is kept
 constexpr RefinementLimits refinement{1e-14, 20};
 
 Eigen::Index position_of(const SymmetricFactor::Matrix& matrix, int row, int column) {
@@ -81,7 +81,7 @@ KktSystem::Step KktSystem::solve(const Eigen::VectorXd& p, const Eigen::VectorXd
     double best_shift = shift_;
     const double tried_first = shift_;
     for (const double factor : {10.0, 100.0, 0.01, 1e3, 1e4}) {
-        if (best.finite && best.residual <= good_residual) break;
+        if (best.finite && best.residual <= good_solve) break;
         shift_ = tried_first * factor;
         if (!factorize_shifted()) continue;
         RefinedSolve trial = refined_solve(*factor_, lower_, right_side, refinement);

@@ -3,6 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
+#include "core/infinity.hpp"
 #include "core/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/check/touching_follower.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -21,7 +21,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_between = 64;   // places looked at between two points, however small the roller
 constexpr int section_steps = 34;  // golden sections: to 1e-7 of a distance, of whose square the lift depends
 constexpr int bisections = 60;     // down to neighbouring numbers

@@ -2,18 +2,19 @@
 #include "studies/check/mechanism_check.hpp"
 
 #include "core/errors.hpp"
+#include "studies/check/forward_check_input.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace camopt {
 
 namespace {
-
-constexpr double same_angle = 1e-9;  // rad; also of the least radius: two points are one
 
 /// The lever seen as the arm of a disk cam: its pivot on the +x axis, its roller above it.
 struct AsDisk {
@@ -59,19 +60,11 @@ ForwardCheckInput mechanism_check_input(const DrivenMechanism& mechanism, const 
         throw InputError("the forward check needs a lever that carries the roller, and there is none");
     const AsDisk disk = disk_of(*lever, mechanism.formulas->rotation());
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, points);
-    ForwardCheckInput input;
-    input.cam = disk.cam;
-    input.breaks = profile.breaks;
-    for (const MechanismPoint& point : profile.points) input.points.push_back(disk.point(point.contact));
-    input.begin = scale.unit_angle * motion.begin();
-    input.end = scale.unit_angle * motion.end();
-    const bool turn = std::abs(input.end - input.begin - 2.0 * std::numbers::pi) < same_angle;
-    const double gap = (input.points.back() - input.points.front()).norm();
-    input.closed = turn && gap < same_angle * disk.cam[DimensionIndex::base_radius];
-    input.designed = [&motion, scale](double theta) {
-        const double x = std::clamp(theta / scale.unit_angle, motion.begin(), motion.end());
-        return scale.lift * motion.at(x).derivative[0];
-    };
+    std::vector<Eigen::Vector2d> contacts;
+    contacts.reserve(profile.points.size());
+    for (const MechanismPoint& point : profile.points) contacts.push_back(disk.point(point.contact));
+    ForwardCheckInput input =
+        forward_check_input(disk.cam, motion, scale, std::move(contacts), profile.breaks);
     const double start = rest_position(disk.cam);
     input.output = [disk, start, run = lever->output](double lift) {
         return run(disk.lever_angle(start + lift));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/touching_follower.hpp"
 
+#include "core/infinity.hpp"
+
 #include <cmath>
-#include <limits>
 
 namespace camopt {
 
@@ -10,7 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-10;        // of a length: a cut this deep is none
 constexpr double gaps_in_roller = 0.125;  // of its radius: between points this close a roller sinks by 0.2 %
 

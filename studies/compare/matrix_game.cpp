@@ -14,7 +14,7 @@ namespace {
 // Corners of nearly parallel faces are far away or rounding; others of the same value stand beside them.
 constexpr double singular = 1e-12;
 // A share below zero by this much is zero.
-constexpr double rounding = 1e-12;
+constexpr double game_rounding = 1e-12;
 
 double least_row(std::span<const std::array<double, 3>> rows, const Eigen::Vector3d& mix) {
     double least = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ GameValue solve_game(std::span<const std::array<double, 3>> rows) {
                 system.row(2) = faces[k];
                 if (std::abs(system.determinant()) < singular) continue;
                 Eigen::Vector3d mix = system.partialPivLu().solve(Eigen::Vector4d::Unit(3)).head<3>();
-                if (mix.minCoeff() < -rounding) continue;
+                if (mix.minCoeff() < -game_rounding) continue;
                 mix = mix.cwiseMax(0.0) / mix.cwiseMax(0.0).sum();
                 const double value = least_row(rows, mix);
                 if (value > best.value) best = {{mix[0], mix[1], mix[2]}, value};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/extremes_along.hpp"
 
+#include "core/infinity.hpp"
 #include "core/scalar_search.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace camopt {
@@ -61,8 +61,6 @@ class Search {
     }
 
  private:
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
     void see(const CamExtreme& found) {
         if (found.value > best_.value) best_ = found;
     }

@@ -13,12 +13,12 @@ namespace camopt {
 namespace {
 
 constexpr double first_part = 0.02;
-constexpr int most_doublings = 16;
+constexpr int most_joint_doublings = 16;
 // The common part is found to this part of itself: finer than the digits it is told with.
 constexpr double part_accuracy = 1e-7;
 constexpr int most_bisections = 40;
 // How much more than the least part a solve is tried with.
-constexpr double farther_off[] = {0.0, 1e-3, 1e-2, 1e-1};
+constexpr double larger_factors[] = {0.0, 1e-3, 1e-2, 1e-1};
 
 class JointSearch {
  public:
@@ -34,7 +34,7 @@ class JointSearch {
         const double part = least_part();
         if (!(part > 0.0)) return {};
         keep_what_may_stay(part);
-        for (const double more : farther_off) {
+        for (const double more : larger_factors) {
             std::vector<Relaxation> rows = rounded(part * (1.0 + more));
             Scene changed = scene_;
             for (std::size_t i = 0; i < rows.size(); ++i)
@@ -73,7 +73,7 @@ class JointSearch {
     [[nodiscard]] double least_part() const {
         double low = 0.0, high = first_part;
         for (int k = 0; !does(high); ++k, high *= 2.0) {
-            if (k == most_doublings || budget_.spent()) return 0.0;
+            if (k == most_joint_doublings || budget_.spent()) return 0.0;
             low = high;
         }
         return bisected([&](double part) { return does(part); }, {high, low}, most_bisections,

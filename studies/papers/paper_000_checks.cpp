@@ -13,7 +13,7 @@ namespace camopt::feeding_paper {
 
 namespace {
 
-constexpr double inch = units::inch;
+using units::inch;
 constexpr double roller_radius = 0.5 * inch;  // chosen
 
 // Round values near the recovered ones, chosen: what the reference numbers of the tests are for.

@@ -11,7 +11,7 @@ namespace camopt::feeding_paper {
 
 namespace {
 
-constexpr double inch = units::inch, degree = units::degree;
+using units::degree, units::inch;
 constexpr double turning_time = 0.158;   // s, forward stroke
 constexpr double sample_step = 0.00158;  // s, its hundredth part
 constexpr double guide_end = 14.0;       // inch; the roller turns at 13.982

@@ -15,7 +15,7 @@ namespace camopt::feeding_paper {
 
 namespace {
 
-constexpr double inch = units::inch, degree = units::degree;
+using units::degree, units::inch;
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 struct Stroke {

@@ -18,7 +18,7 @@ namespace camopt::feeding_paper {
 
 namespace {
 
-constexpr double inch = units::inch;
+using units::inch;
 constexpr int guide_nodes = 64;
 constexpr int segments = 24;                                     // of the motion spline
 constexpr double wide_from = 3.0 * inch, wide_to = 13.9 * inch;  // chosen

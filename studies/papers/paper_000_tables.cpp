@@ -123,7 +123,7 @@ PaperTable dimension_table() {
     };
     const G1GuideDimensions f = forward_guide(), r = return_guide();
     const FeederLinkage l = linkage();
-    constexpr double inch = units::inch, degree = units::degree;
+    using units::degree, units::inch;
     add("x0, end of the first line", "in", f.line_end / inch, r.line_end / inch, "recovered");
     add("R1, first arc", "in", f.first_radius / inch, r.first_radius / inch, "recovered");
     add("R2, second arc", "in", f.second_radius / inch, r.second_radius / inch, "recovered");

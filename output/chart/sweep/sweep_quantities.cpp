@@ -52,18 +52,6 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
     return quantities;
 }
 
-void ValueRange::add(double value) {
-    if (!std::isfinite(value)) return;
-    lower = started ? std::min(lower, value) : value;
-    upper = started ? std::max(upper, value) : value;
-    started = true;
-}
-
-ValueRange ValueRange::padded(double part) const {
-    const double width = std::max(upper - lower, 1e-6 * std::max(1.0, std::abs(upper)));
-    return {lower - part * width, upper + part * width, started};
-}
-
 ValueRange range_of(std::span<const SweepRow> rows, const SweepQuantity& quantity) {
     ValueRange range;
     for (const SweepRow& row : rows) {
@@ -97,10 +85,7 @@ std::vector<PlotTick> labelled_ticks(const PlotAxis& axis, int wanted) {
                 if (axis.holds(digit * power)) ticks.push_back({digit * power, short_text(digit * power, 5)});
         return ticks;
     }
-    const std::vector<double> values = round_ticks(axis.lower, axis.upper, wanted);
-    const double step = values.size() > 1 ? values[1] - values[0] : axis.upper - axis.lower;
-    for (const double value : values) ticks.push_back({value, tick_text(value, step)});
-    return ticks;
+    return labelled_ticks(axis.lower, axis.upper, wanted);
 }
 
 }  // namespace camopt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/chart/plot_frame.hpp"
+#include "output/chart/value_range.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
 #include <array>
@@ -25,15 +26,6 @@ struct SweepQuantity {
 [[nodiscard]] std::array<SweepQuantity, 3> peak_quantities();
 /// The objective, V, A, J, every other figure with a weight, and the variable dimensions.
 [[nodiscard]] std::vector<SweepQuantity> drawn_quantities(const SweepTable& table);
-
-struct ValueRange {
-    double lower = 0.0, upper = 0.0;
-    void add(double value);
-    [[nodiscard]] bool empty() const { return !(upper >= lower) || !started; }
-    /// A little wider, and never of no width.
-    [[nodiscard]] ValueRange padded(double part) const;
-    bool started = false;
-};
 
 /// Over the feasible rows.
 [[nodiscard]] ValueRange range_of(std::span<const SweepRow> rows, const SweepQuantity& quantity);

@@ -125,6 +125,9 @@ TEST(AxisTicks, AreRoundAndInside) {
     EXPECT_EQ(round_ticks(-0.1, 1.05, 6), (std::vector<double>{0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0}));
     EXPECT_EQ(degree_ticks(0, 180, 14).size(), 13U);
     EXPECT_TRUE(round_ticks(1, 1, 5).empty());
+    EXPECT_TRUE(labelled_ticks(1, 1, 5).empty());
+    ASSERT_EQ(labelled_ticks(0.93, 1.04, 1).size(), 1U);  // one alone has no neighbour to be told from
+    EXPECT_EQ(labelled_ticks(0.93, 1.04, 1).front().words, "1.0");
     EXPECT_EQ(tick_text(-0.5, 0.5), "−0.5");
     EXPECT_EQ(tick_text(20, 10), "20");
 }
