@@ -40,6 +40,7 @@ class CountingNlp final : public Nlp {
     }
     [[nodiscard]] std::string variable_name(int index) const override { return base_.variable_name(index); }
     [[nodiscard]] std::string row_name(int index) const override { return base_.row_name(index); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
 
  private:
     const Nlp& base_;

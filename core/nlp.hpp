@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/infinity.hpp"
+#include "core/row_origin.hpp"
 
 #include <Eigen/Core>
 
@@ -72,6 +73,13 @@ class Nlp {
 
     [[nodiscard]] virtual std::string variable_name(int index) const = 0;
     [[nodiscard]] virtual std::string row_name(int index) const = 0;
+    /// The same for programs.
+    [[nodiscard]] virtual RowOrigin row_origin(int index) const {
+        RowOrigin origin;
+        origin.rule = row_name(index);
+        origin.limit = shape_.rows[static_cast<std::size_t>(index)].limit;
+        return origin;
+    }
 
  protected:
     Nlp() = default;

@@ -161,6 +161,10 @@ std::string ChainedColumns::row_name(int index) const {
     return fmt::format("{} = {}", variable_name(tie.first), variable_name(tie.second));
 }
 
+RowOrigin ChainedColumns::row_origin(int index) const {
+    return index < base_rows_ ? base_.row_origin(index) : Nlp::row_origin(index);
+}
+
 ChainedColumns::Vector ChainedColumns::chained(const ConstVectorRef& base_x) const {
     Vector x(shape_.variables());
     x.head(base_variables_) = base_x;

@@ -47,6 +47,7 @@ class ChainedColumns final : public Nlp {
                  std::span<double> out) const override;
     [[nodiscard]] std::string variable_name(int index) const override;
     [[nodiscard]] std::string row_name(int index) const override;
+    [[nodiscard]] RowOrigin row_origin(int index) const override;
 
     /// Every copy at the value of its variable.
     [[nodiscard]] Vector chained(const ConstVectorRef& base_x) const;

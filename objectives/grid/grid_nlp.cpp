@@ -315,15 +315,24 @@ std::string GridNlp::variable_name(int index) const {
                                  : model_->parameters[index - design_size()].name;
 }
 
-std::string GridNlp::row_name(int index) const {
+RowOrigin GridNlp::row_origin(int index) const {
+    RowOrigin origin;
+    origin.limit = shape_.rows[static_cast<std::size_t>(index)].limit;
     const int equalities = static_cast<int>(model_->design.equalities().size());
-    if (index < equalities) return model_->design.equalities()[index].name;
     const int conditions = equalities + static_cast<int>(model_->parameter_rows.size());
-    if (index < conditions) return model_->parameter_rows[index - equalities].name;
-    if (index < first_sample_row_) return model_->design_rows[index - conditions].name;
-    const RuleSample& place = samples_[index - first_sample_row_];
-    return fmt::format("{} at x = {:.9g}{}", model_->rules[place.rule]->name(), place.at,
-                       place.side == Side::left ? "-" : "");
+    if (index >= first_sample_row_) {
+        const RuleSample& place = samples_[index - first_sample_row_];
+        origin = model_->rules[place.rule]->origin();
+        origin.at = place.at;
+        origin.side = place.side;
+    } else if (index < equalities) {
+        origin.rule = model_->design.equalities()[index].name;
+    } else if (index < conditions) {
+        origin.rule = model_->parameter_rows[index - equalities].name;
+    } else {
+        origin.rule = model_->design_rows[index - conditions].name;
+    }
+    return origin;
 }
 
 }  // namespace camopt

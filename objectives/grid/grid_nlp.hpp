@@ -33,7 +33,8 @@ class GridNlp final : public Nlp {
     void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
                  std::span<double> out) const override;
     [[nodiscard]] std::string variable_name(int index) const override;
-    [[nodiscard]] std::string row_name(int index) const override;
+    [[nodiscard]] std::string row_name(int index) const override { return row_origin(index).text(); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override;
 
     [[nodiscard]] int first_sample_row() const { return first_sample_row_; }
 

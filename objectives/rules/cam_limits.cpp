@@ -20,9 +20,10 @@ constexpr double least_face_turn = 1e-3;
 
 void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
     if (!has_turning_face(cam->cam.follower)) return;
-    CamFormula formula = cam_formula(key + " (face turns back)", [](const DiskCam& own, const auto& state) {
+    CamFormula formula = cam_formula(key, [](const DiskCam& own, const auto& state) {
         return shifted(scaled(velocity(state), -sense_of(own.rotation)), least_face_turn - 1.0);
     });
+    formula.remark = "face turns back";
     formula.highest_order = 1;
     formula.linear = true;
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));

@@ -38,6 +38,12 @@ Curvature CamRule::curvature(double least, double most) const {
     return formula_.convex && formula_.convex(least, most) ? Curvature::convex : Curvature::general;
 }
 
+RowOrigin CamRule::origin() const {
+    RowOrigin origin = PointRule::origin();
+    origin.remark = formula_.remark;
+    return origin;
+}
+
 SlopeRange CamRule::slope_range() const {
     if (!parameters_.empty()) return {};
     const double unit = cam_->scale.lift / cam_->scale.unit_angle;

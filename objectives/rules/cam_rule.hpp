@@ -37,7 +37,8 @@ struct CamVariables {
 };
 
 struct CamFormula {
-    std::string name;  ///< the key of the limit, as the user wrote it
+    std::string name;    ///< the key of the limit, as the user wrote it
+    std::string remark;  ///< which part of the limit it is, where there are several
     /// <= 0 is kept; dimensionless, of order one.
     std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
     /// The same over a stretch of the cam angle.
@@ -65,6 +66,7 @@ class CamRule final : public PointRule {
     CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
 
     [[nodiscard]] std::string name() const override { return formula_.name; }
+    [[nodiscard]] RowOrigin origin() const override;
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;

@@ -36,7 +36,15 @@ struct SlopeRange {
 class PointRule {
  public:
     virtual ~PointRule() = default;
+    /// Of a limit of the scene: its key, as the user wrote it.
     [[nodiscard]] virtual std::string name() const = 0;
+    /// Of the rows that keep it, without a place.
+    [[nodiscard]] virtual RowOrigin origin() const {
+        RowOrigin origin;
+        origin.rule = name();
+        origin.limit = limit();
+        return origin;
+    }
     /// Which parameters of the problem are q_1 … q_m.
     [[nodiscard]] virtual const std::vector<int>& parameters() const = 0;
     /// Affine in the point and in q: its continuous maxima are then found exactly.

@@ -11,6 +11,15 @@ namespace camopt {
 
 namespace {
 
+/// What is not said is as in a RowOrigin of its own: no remark, the side above x.
+Json origin_json(const RowOrigin& origin) {
+    Json json = {{"rule", origin.rule}, {"limit", origin.limit}};
+    if (!origin.remark.empty()) json["remark"] = origin.remark;
+    if (origin.at) json["at"] = number_json(*origin.at);
+    if (origin.side == Side::left) json["side"] = "left";
+    return json;
+}
+
 Json proof_json(const DualityProof& proof) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < proof.matrix.rows(); ++i) {
@@ -20,7 +29,9 @@ Json proof_json(const DualityProof& proof) {
             indices.push_back(static_cast<int>(entry.col()));
             values.push_back(entry.value());
         }
-        rows.push_back({{"name", proof.rows[static_cast<std::size_t>(i)]},
+        const auto place = static_cast<std::size_t>(i);
+        rows.push_back({{"name", proof.rows[place]},
+                        {"origin", origin_json(proof.origins[place])},
                         {"indices", indices},
                         {"values", numbers_json(values)},
                         {"lower", number_json(proof.lower[i])},

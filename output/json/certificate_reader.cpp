@@ -44,6 +44,16 @@ void read_row(const Json& row, int index, int columns, Triplets& entries) {
     }
 }
 
+RowOrigin read_origin(const Json& json) {
+    RowOrigin origin;
+    origin.rule = json.at("rule").get<std::string>();
+    origin.limit = json.at("limit").get<bool>();
+    origin.remark = json.value("remark", std::string());
+    if (json.contains("at")) origin.at = json.at("at").get<double>();
+    if (json.value("side", std::string("right")) == "left") origin.side = Side::left;
+    return origin;
+}
+
 void read_rows(const Json& rows, DualityProof& proof) {
     const auto count = static_cast<Eigen::Index>(rows.size());
     const int columns = static_cast<int>(proof.variables.size());
@@ -54,6 +64,7 @@ void read_rows(const Json& rows, DualityProof& proof) {
     for (Eigen::Index i = 0; i < count; ++i) {
         const Json& row = rows.at(static_cast<std::size_t>(i));
         proof.rows.push_back(row.at("name").get<std::string>());
+        proof.origins.push_back(read_origin(row.at("origin")));
         proof.lower[i] = number_or(row.at("lower"), -infinity);
         proof.upper[i] = number_or(row.at("upper"), infinity);
         proof.multipliers[i] = row.at("multiplier").get<double>();

@@ -115,10 +115,12 @@ Json explanation_json(const Explanation& explanation) {
 Json conflict_json(const Solution& solution) {
     const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
     Json list = Json::array();
-    for (const ConflictReport& row : solution.conflict)
+    for (const ConflictReport& row : solution.conflict) {
         list.push_back({{"key", row.key},
                         {"at_deg", number_json(row.at * degrees_per_x)},
                         {"weight", number_json(row.weight)}});
+        if (!row.remark.empty()) list.back()["remark"] = row.remark;
+    }
     return list;
 }
 

@@ -36,7 +36,7 @@ struct OneLimit {
 std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
     std::vector<OneLimit> limits;
     for (const ConflictReport& row : conflict) {
-        const std::string words = key_words(row.key).words;
+        const std::string words = key_words(row.key, row.remark).words;
         auto limit = std::ranges::find(limits, words, &OneLimit::words);
         if (limit == limits.end()) limit = limits.insert(limit, {words, 0.0, {}});
         limit->weight += row.weight;

@@ -38,7 +38,7 @@ double rounded_on(double needed, bool up) {
 
 }  // namespace
 
-KeyWords key_words(std::string_view key) {
+KeyWords key_words(std::string_view key, std::string_view remark) {
     KeyWords found;
     found.limit = key.starts_with("limits.");
     if (const std::size_t table = key.find('.'); table != std::string_view::npos)
@@ -47,9 +47,6 @@ KeyWords key_words(std::string_view key) {
                                           : key.ends_with(".min") ? "least "
                                                                   : "";
     if (!end_of_range.empty()) key.remove_suffix(std::string_view(".max").size());
-    const std::size_t remark = key.find(' ');  // "torque_max_nm (face turns back)"
-    const std::string_view behind = remark == std::string_view::npos ? "" : key.substr(remark);
-    key = key.substr(0, remark);
     for (const auto& [ending, unit] : units_of_keys) {
         if (!key.ends_with(ending)) continue;
         found.unit = unit;
@@ -58,7 +55,8 @@ KeyWords key_words(std::string_view key) {
     }
     for (const std::string_view bound : bounds)
         if (key.ends_with(bound)) key.remove_suffix(bound.size());
-    found.words = fmt::format("{}{}{}", end_of_range, words_of(key), behind);
+    found.words = fmt::format("{}{}", end_of_range, words_of(key));
+    if (!remark.empty()) found.words += fmt::format(" ({})", remark);
     return found;
 }
 

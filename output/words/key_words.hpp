@@ -15,7 +15,7 @@ struct KeyWords {
     bool limit = false;  ///< of the table [limits]: it bounds something, it is not the thing itself
 };
 
-[[nodiscard]] KeyWords key_words(std::string_view key);
+[[nodiscard]] KeyWords key_words(std::string_view key, std::string_view remark = {});
 
 /// "base radius >= 31.4 mm", "pressure angle <= 33.1 deg": a dimension on the needed side of its value, a
 /// limit as it would have to be written. Empty where no change of it alone helps.

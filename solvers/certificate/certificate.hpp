@@ -10,6 +10,7 @@
 
 #include "core/continuous_problem.hpp"
 #include "core/extremum.hpp"
+#include "core/row_origin.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -40,7 +41,8 @@ struct DualityProof {
     std::vector<std::string> variables;
     Eigen::VectorXd cost;  ///< c
     double constant = 0.0;
-    std::vector<std::string> rows;
+    std::vector<std::string> rows;                        ///< their names, for people
+    std::vector<RowOrigin> origins;                       ///< where each of them comes from
     Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;  ///< G, rows x variables
     Eigen::VectorXd lower, upper;                         ///< right sides, ±infinity where open
     Eigen::VectorXd multipliers;

@@ -103,6 +103,7 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
         kept.push_back(i);
         multipliers.push_back(multiplier);
         proof.rows.push_back(problem.row_name(i));
+        proof.origins.push_back(problem.row_origin(i));
     }
     const auto rows = static_cast<Eigen::Index>(kept.size());
     proof.matrix.resize(rows, shape.variables());

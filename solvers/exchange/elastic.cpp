@@ -54,6 +54,7 @@ class ElasticProblem::Grid final : public Nlp {
         return index == t_ ? "least common violation" : base_.variable_name(index);
     }
     std::string row_name(int index) const override { return base_.row_name(index); }
+    RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
 
     /// Peaks that no limit speaks of: they follow any curve, and are taken from it.
     const std::vector<int>& idle() const { return idle_; }

@@ -31,6 +31,7 @@ class RelaxedGrid final : public Nlp {
     }
     std::string variable_name(int index) const override { return base_.variable_name(index); }
     std::string row_name(int index) const override { return base_.row_name(index); }
+    RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
 
  private:
     const Nlp& base_;

@@ -154,8 +154,16 @@ std::string LinearizedProblem::variable_name(int index) const {
 }
 
 std::string LinearizedProblem::row_name(int index) const {
+    return problem_.row_name(source_row(index));
+}
+
+RowOrigin LinearizedProblem::row_origin(int index) const {
+    return problem_.row_origin(source_row(index));
+}
+
+int LinearizedProblem::source_row(int index) const {
     const int own = problem_.shape().constraints();
-    return problem_.row_name(index < own ? index : extra_rows_[static_cast<std::size_t>(index - own)]);
+    return index < own ? index : extra_rows_[static_cast<std::size_t>(index - own)];
 }
 
 VectorXd LinearizedProblem::step_of(const VectorXd& u) const {

@@ -57,6 +57,7 @@ class LinearizedProblem final : public Nlp {
                  std::span<double> out) const override;
     [[nodiscard]] std::string variable_name(int index) const override;
     [[nodiscard]] std::string row_name(int index) const override;
+    [[nodiscard]] RowOrigin row_origin(int index) const override;
 
     [[nodiscard]] Eigen::VectorXd step_of(const Eigen::VectorXd& u) const;
     [[nodiscard]] double elastic_of(const Eigen::VectorXd& u) const;  ///< t
@@ -64,6 +65,8 @@ class LinearizedProblem final : public Nlp {
     [[nodiscard]] Eigen::VectorXd multipliers_of(const Eigen::VectorXd& lambda) const;
 
  private:
+    /// Of the problem, where row `index` of this one comes from.
+    [[nodiscard]] int source_row(int index) const;
     void drop_nonlinear_rows();
     void add_elastic_rows();
     const Nlp& problem_;

@@ -165,8 +165,7 @@ class Checker {
 /// A limit may be several rules (both signs, parts of a cam): the worst of them is its shape.
 std::vector<LimitShape> limit_shapes(const CamModel& model) {
     std::vector<LimitShape> shapes;
-    const auto add = [&](const std::string& name, Curvature curvature) {
-        const std::string key = name.substr(0, name.find(' '));
+    const auto add = [&](const std::string& key, Curvature curvature) {
         const auto known = std::ranges::find(shapes, key, &LimitShape::key);
         if (known == shapes.end())
             shapes.push_back({key, curvature});

@@ -59,9 +59,10 @@ struct Explanation {
 
 /// One rule of a contradiction and where on the cam it bites.
 struct ConflictReport {
-    std::string key;      ///< "limits.pressure_angle_deg"
-    double at = 0.0;      ///< x
-    double weight = 0.0;  ///< its part in the proof, in (0, 1]
+    std::string key;          ///< "limits.pressure_angle_deg"
+    double at = 0.0;          ///< x
+    double weight = 0.0;      ///< its part in the proof, in (0, 1]
+    std::string remark = {};  ///< which part of the rule: "face turns back"; mostly empty
 };
 
 /// One segment of a program. `peaks`, `curve`: of spline segments, normalised by its own angle and

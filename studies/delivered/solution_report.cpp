@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_report.hpp"
 
-#include "core/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -253,22 +252,14 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 void report_conflict(Solution& solution) {
     if (!solution.certificate.proof) return;
     const DualityProof& proof = *solution.certificate.proof;
-    constexpr const char* separator = " at x = ";
     double whole = 0.0;
     std::vector<ConflictReport> found;
-    for (std::size_t i = 0; i < proof.rows.size(); ++i) {
-        const std::string& row = proof.rows[i];
-        const bool limit = row.starts_with("limits.") || row.starts_with("cam.");
+    for (std::size_t i = 0; i < proof.origins.size(); ++i) {
+        const RowOrigin& origin = proof.origins[i];
         const double weight = std::abs(proof.multipliers[static_cast<Eigen::Index>(i)]);
-        if (!limit || weight == 0.0) continue;
+        if (!origin.limit || weight == 0.0) continue;
         whole += weight;
-        const std::size_t at = row.find(separator);
-        const double x =
-            at == std::string::npos
-                ? 0.0
-                : number_at_start(std::string_view(row).substr(at + std::string_view(separator).size()))
-                      .value_or(0.0);
-        found.push_back({row.substr(0, at), x, weight});
+        found.push_back({origin.rule, origin.at.value_or(0.0), weight, origin.remark});
     }
     for (ConflictReport& conflict : found) conflict.weight /= whole;
     std::erase_if(found, [](const ConflictReport& conflict) { return conflict.weight < telling_weight; });

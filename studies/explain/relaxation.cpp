@@ -60,10 +60,8 @@ Scene only_limit(const Scene& scene, const std::string& key) {
 /// The limits that the proof of infeasibility rests on, each once.
 std::vector<std::string> fighting_keys(const Solution& solution) {
     std::vector<std::string> keys;
-    for (const ConflictReport& row : solution.conflict) {
-        const std::string key = row.key.substr(0, row.key.find(' '));  // a remark stands behind it
-        if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
-    }
+    for (const ConflictReport& row : solution.conflict)
+        if (std::ranges::find(keys, row.key) == keys.end()) keys.push_back(row.key);
     return keys;
 }
 

@@ -40,6 +40,7 @@ DualityProof contradiction_proof(const ConditionConflict& conflict, int control_
     for (Eigen::Index i = 0; i < rows; ++i) {
         const ConflictRow& row = conflict.rows[static_cast<std::size_t>(i)];
         proof.rows.push_back(row.name);
+        proof.origins.push_back({row.name, {}, {}, Side::right, false});
         proof.lower[i] = -row.row.offset;
         proof.multipliers[i] = row.multiplier;
         for (std::size_t k = 0; k < row.row.columns.size(); ++k) {

@@ -78,6 +78,7 @@ class FreeKnotStep::Program final : public Nlp {
         return step_.problem_.variable_name(index);
     }
     [[nodiscard]] std::string row_name(int index) const override { return step_.problem_.row_name(index); }
+    [[nodiscard]] RowOrigin row_origin(int index) const override { return step_.problem_.row_origin(index); }
 
  private:
     const FreeKnotStep& step_;

@@ -47,6 +47,7 @@ DualityProof proof_of(const RestConflict& conflict) {
     proof.cost = Eigen::VectorXd::Ones(1);
     proof.rows = {fmt::format("{} at rest, x = {:.17g}, y = {:.17g}", conflict.key, conflict.where.x,
                               conflict.where.y)};
+    proof.origins = {{conflict.key, {}, conflict.where.x, Side::right, true}};
     proof.matrix.resize(1, 1);
     proof.matrix.insert(0, 0) = 1.0;
     proof.lower = Eigen::VectorXd::Constant(1, conflict.violation);
@@ -66,7 +67,7 @@ bool report_rest_conflict(Solution& solution, const CamModel& model) {
     solution.certificate.reason = "limit_broken_at_rest";
     solution.certificate.proof = proof_of(*worst);
     solution.certificate.proof_kind = ProofKind::duality;
-    solution.conflict = {{worst->key, worst->where.x, 1.0}};
+    solution.conflict = {{worst->key, worst->where.x, 1.0, {}}};
     solution.notes.push_back(fmt::format(
         "every motion of this scene rests at {:.6g} deg at displacement {:.6g} (in lifts), and {} is "
         "broken there whatever it does elsewhere",

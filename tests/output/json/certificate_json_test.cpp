@@ -39,6 +39,7 @@ TEST(CertificateJson, TheProofComesBackBitForBit) {
     EXPECT_EQ(read.statement, proof.statement);
     EXPECT_EQ(read.variables, proof.variables);
     EXPECT_EQ(read.rows, proof.rows);
+    EXPECT_EQ(read.origins, proof.origins);
     EXPECT_EQ(read.cost, proof.cost);
     EXPECT_EQ(read.constant, proof.constant);
     EXPECT_EQ(Eigen::MatrixXd(read.matrix), Eigen::MatrixXd(proof.matrix));

@@ -34,7 +34,7 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(angle.words, "pressure angle");
     EXPECT_EQ(angle.unit, "deg");
     EXPECT_TRUE(angle.limit);
-    EXPECT_EQ(key_words("limits.cam_radius_min_mm (face turns back)").words, "cam radius (face turns back)");
+    EXPECT_EQ(key_words("limits.cam_radius_min_mm", "face turns back").words, "cam radius (face turns back)");
     EXPECT_EQ(key_words("limits.acceleration_mm_s2").unit, "mm/s²");
     EXPECT_EQ(key_words("limits.contact_moment_min_nm").unit, "N m");
     EXPECT_EQ(key_words("limits.velocity").unit, "");
