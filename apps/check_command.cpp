@@ -5,7 +5,7 @@
 #include "apps/terminal.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/text_table.hpp"
 #include "studies/check/scene_check.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
-#include "apps/sweep_request.hpp"
+#include "apps/sweep/sweep_request.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/chart/pareto_svg.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/progress.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <cstdio>
 #include <unistd.h>

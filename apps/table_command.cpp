@@ -4,12 +4,12 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
-#include "output/chart/reference_table_svg.hpp"
+#include "output/chart/reference_table/reference_table_svg.hpp"
 #include "output/csv/reference_table_csv.hpp"
 #include "output/json/reference_table_json.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/words/reference_table_text.hpp"
+#include "output/words/tables/reference_table_text.hpp"
 #include "studies/compare/reference_table.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/terminal.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <cstdio>
 

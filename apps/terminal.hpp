@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one way to the terminal: what it would obey instead of showing is written out (core/printable.hpp).
+// The one way to the terminal: what it would obey instead of showing is written out
+// (core/text/printable.hpp).
 #pragma once
 
 #include <string_view>

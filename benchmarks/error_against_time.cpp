@@ -9,7 +9,7 @@
 #include "benchmarks/machine.hpp"
 #include "benchmarks/measurement.hpp"
 #include "benchmarks/solver_variants.hpp"
-#include "core/number_parsing.hpp"
+#include "core/text/number_parsing.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/text_file.hpp"
 #include "studies/solve/solve.hpp"

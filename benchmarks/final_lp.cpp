@@ -13,7 +13,7 @@
 #include "benchmarks/linear_program_text.hpp"
 #include "benchmarks/measurement.hpp"
 #include "core/errors.hpp"
-#include "core/number_parsing.hpp"
+#include "core/text/number_parsing.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/report/text_file.hpp"
 

@@ -2,7 +2,7 @@
 #include "input/document.hpp"
 
 #include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/follower_kinds.hpp"
 
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "core/range.hpp"
 #include "core/units.hpp"
-#include "input/key_check.hpp"
+#include "input/keys/key_check.hpp"
 
 #include <fmt/format.h>
 

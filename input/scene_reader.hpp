@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TOML scene file → validated Scene: units converted to SI and radians, every value checked, nothing guessed.
 // Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …", the first one met (keys and values in the
-// order of the file, then what must hold between them). The keys are listed in input/scene_keys.hpp and
+// order of the file, then what must hold between them). The keys are listed in input/keys/scene_keys.hpp and
 // docs/scene_file.md.
 #pragma once
 

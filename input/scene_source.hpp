@@ -4,7 +4,7 @@
 #pragma once
 
 #include "input/document.hpp"
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <initializer_list>

@@ -2,7 +2,7 @@
 #include "solvers/registry.hpp"
 
 #include "core/errors.hpp"
-#include "core/spelling_hint.hpp"
+#include "core/text/spelling_hint.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
 #include "solvers/nlopt/nlopt_solver.hpp"

@@ -3,9 +3,9 @@
 // What was found is not judged here: that is the certificate's word (certificate.hpp).
 #pragma once
 
-#include "core/choices.hpp"
 #include "core/deadline.hpp"
 #include "core/nlp.hpp"
+#include "core/text/choices.hpp"
 
 #include <Eigen/Core>
 

@@ -11,7 +11,7 @@
 // E x = e. Rows that follow from the others are left out; rows that contradict them are named.
 #pragma once
 
-#include "core/choices.hpp"
+#include "core/text/choices.hpp"
 #include "splines/curve.hpp"
 #include "splines/space.hpp"
 

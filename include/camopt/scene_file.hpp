@@ -5,5 +5,5 @@
 #pragma once
 
 #include "input/follower_kinds.hpp"
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"

@@ -2,7 +2,7 @@
 #include "input/result/json_source.hpp"
 
 #include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "input/result/json_words.hpp"
 
 #include <fmt/format.h>

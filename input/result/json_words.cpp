@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/result/json_words.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -20,7 +20,7 @@
 // section 3.4.
 #pragma once
 
-#include "core/choices.hpp"
+#include "core/text/choices.hpp"
 
 #include <optional>
 #include <vector>

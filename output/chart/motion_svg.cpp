@@ -7,9 +7,9 @@
 #include "output/chart/svg_canvas.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/peak_comparison.hpp"
-#include "output/words/segment_table.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/segment_table.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 

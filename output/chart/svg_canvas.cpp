@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/svg_canvas.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "output/csv/reference_table_csv.hpp"
 
 #include "output/csv/csv_line.hpp"
-#include "output/words/reference_table_rows.hpp"
+#include "output/words/tables/reference_table_rows.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/certificate_reader.hpp"
 
-#include "core/choice_named.hpp"
 #include "core/errors.hpp"
+#include "core/text/choice_named.hpp"
 #include "output/json/json_text.hpp"
 #include "output/report/text_file.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/json_difference.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "input/result/json_words.hpp"
 
 #include <fmt/format.h>

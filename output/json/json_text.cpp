@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/json/json_text.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
-#include "output/words/reference_table_rows.hpp"
+#include "output/words/tables/reference_table_rows.hpp"
 
 namespace camopt {
 

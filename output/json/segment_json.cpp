@@ -3,7 +3,7 @@
 
 #include "core/peak_figures.hpp"
 #include "output/words/display_scale.hpp"
-#include "output/words/segment_table.hpp"
+#include "output/words/tables/segment_table.hpp"
 
 namespace camopt {
 

@@ -13,7 +13,7 @@
 
 #include "output/nc/blank.hpp"
 #include "output/nc/machine.hpp"
-#include "output/nc/post_processor.hpp"
+#include "output/nc/post/post_processor.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #include "output/report/folder_update.hpp"
 
 #include "core/errors.hpp"
-#include "core/number_parsing.hpp"
+#include "core/text/number_parsing.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/text_file.hpp"
 

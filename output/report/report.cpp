@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/report.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/report/report_sections.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/peak_comparison.hpp"
 #include "output/words/scene_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/peak_comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include "output/words/key_words.hpp"
 #include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/peak_comparison.hpp"
-#include "output/words/segment_table.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/segment_table.hpp"
+#include "output/words/tables/text_table.hpp"
 #include "studies/delivered/mechanism_report.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "output/report/result_folder_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "input/result/result_reader.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/json_difference.hpp"

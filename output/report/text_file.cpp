@@ -2,7 +2,7 @@
 #include "output/report/text_file.hpp"
 
 #include "core/errors.hpp"
-#include "core/file_bytes.hpp"
+#include "core/text/file_bytes.hpp"
 
 #include <fmt/format.h>
 

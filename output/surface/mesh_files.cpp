@@ -2,7 +2,7 @@
 #include "output/surface/mesh_files.hpp"
 
 #include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "core/units.hpp"
 
 #include <Eigen/Geometry>

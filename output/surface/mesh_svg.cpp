@@ -2,7 +2,7 @@
 #include "output/surface/mesh_svg.hpp"
 
 #include "core/errors.hpp"
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

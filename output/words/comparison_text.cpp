@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/comparison_text.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "output/words/paper_report_text.hpp"
 
 #include "output/words/number_text.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/solution_text.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/peak_comparison.hpp"
-#include "output/words/segment_table.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/segment_table.hpp"
+#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 

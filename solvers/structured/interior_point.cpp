@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/interior_point.hpp"
 
-#include "solvers/structured/newton_step.hpp"
-#include "solvers/structured/path_reduction.hpp"
+#include "solvers/structured/newton/newton_step.hpp"
+#include "solvers/structured/newton/path_reduction.hpp"
 #include "solvers/structured/vector_measures.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/paper_000_data.hpp"
 
-#include "core/number_parsing.hpp"
+#include "core/text/number_parsing.hpp"
 #include "core/units.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/restored/restored_solution.hpp"
 
-#include "core/choice_named.hpp"
 #include "core/errors.hpp"
+#include "core/text/choice_named.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"

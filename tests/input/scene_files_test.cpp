@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every example scene reads, and docs/scene_file.md shows the key table of the code.
 #include "core/errors.hpp"
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "core/errors.hpp"
 #include "input/follower_kinds.hpp"
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "scene/written_limits.hpp"
 #include "tests/input/scene_key_cases.hpp"
 

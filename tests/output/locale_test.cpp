@@ -6,7 +6,7 @@
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/paper_report_json.hpp"
-#include "output/nc/post_processor.hpp"
+#include "output/nc/post/post_processor.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/text_file.hpp"
 #include "scene/scene.hpp"

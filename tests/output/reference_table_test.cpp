@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The reference table's texts, against a small table made by hand: one row proved, one failed, one infinite
 // jerk.
-#include "output/chart/reference_table_svg.hpp"
+#include "output/chart/reference_table/reference_table_svg.hpp"
 #include "output/csv/reference_table_csv.hpp"
 #include "output/json/reference_table_json.hpp"
-#include "output/words/reference_table_text.hpp"
+#include "output/words/tables/reference_table_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "scene/limit_table.hpp"
 
 #include "core/range.hpp"
-#include "input/scene_keys.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/report.hpp"
 #include "output/words/key_words.hpp"

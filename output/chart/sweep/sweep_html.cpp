@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/sweep/sweep_html.hpp"
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/words/number_text.hpp"

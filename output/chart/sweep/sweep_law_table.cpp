@@ -2,7 +2,7 @@
 // Where the classical laws lie above the trade-off, as lines of the picture.
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/text_table.hpp"
+#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 

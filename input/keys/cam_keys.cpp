@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The rows of the key table that have to do with a cam.
+#include "input/keys/key_spellings.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
+
+namespace camopt::input {
+namespace {
+
+using enum KeyType;
+using namespace spellings;
+
+const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
+constexpr auto needs_cam = Availability::needs_cam;
+
+/// What cam.follower may say, over all kinds.
+std::vector<std::string_view> words_of_followers() {
+    std::vector<std::string_view> words;
+    for (const CamKind& kind : cam_kinds())
+        for (const CamVariant& variant : kind.variants)
+            if (kind.choosing_table == "cam" && kind.choosing_key == "follower")
+                words.emplace_back(variant.word);
+    return words;
+}
+
+}  // namespace
+
+// A row is read as a row.
+// clang-format off
+std::vector<KeyRow> cam_rows() {
+    return {
+        {"cam", "type", text, plain, any, cam_types(), "required",
+         "The kind of cam: a disk cam with its follower, one whose lever moves the output through a linkage, a barrel "
+         "cam with its index, a cylindrical cam, an inverse cam with its feeder."},
+        {"cam", "follower", text, plain, any,
+         words_of_followers(),
+         "required",
+         "`rotating` and `translating` are for cylindrical cams, the others for disks. "
+         "What touches the cam. The lift of an oscillating or rotating follower is an angle, that of the others a length."},
+        {"cam", "base_radius", number_or_range, length, positive, {}, "required",
+         "Radius of the base circle, on which the follower rests at displacement 0; the prime circle is base + "
+         "roller."},
+        {"cam", "roller_radius", number_or_range, length, positive, {}, "required for rollers",
+         "Radius of the roller; of disk cams `translating_roller` and `oscillating_roller` only."},
+        {"cam", "offset", number_or_range, length, any, {}, "0",
+         "x of the follower's axis, lift along +y; positive reduces the rise's pressure angle where the cam "
+         "turns counterclockwise. `translating_roller` and `translating_knife` only."},
+        {"cam", "center_distance", number_or_range, length, positive, {}, "required for oscillating",
+         "From the cam's centre to the follower's pivot: oscillating followers; cylindrical: a rotating one. Barrel: "
+         "from the cam's axis to the rollers' near end."},
+        {"cam", "arm_length", number_or_range, length, positive, {}, "required for oscillating_roller, rotating, barrel",
+         "From the pivot to the roller's centre: `oscillating_roller`; to its near end: `rotating`; barrel: the index "
+         "radius, from the index's axis to the rollers'."},
+        {"cam", "face_offset", number_or_range, length, any, {}, "0",
+         "Distance of the flat face from its parallel through the pivot, positive towards the cam's centre; "
+         "`oscillating_flat` only."},
+        {"cam", "face_half_width", number, length, positive, {}, "unlimited",
+         "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
+        {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
+         "The sense in which the cam turns."},
+    };
+}
+
+std::vector<KeyRow> force_rows() {
+    return {
+        {"forces", "mass", number, mass, not_negative, {}, "0",
+         "Mass that the cam accelerates; translating followers."},
+        {"forces", "inertia", number, inertia, not_negative, {}, "0",
+         "Moment of inertia about the pivot; oscillating followers.", Availability::now, "mass"},
+        {"forces", "spring_rate", number, spring_rate, not_negative, {}, "0",
+         "Rate of the return spring: per length for translating, per angle for oscillating followers."},
+        {"forces", "preload", number, force_or_moment, any, {}, "0",
+         "Force (translating) or moment (oscillating) that presses the follower on the cam at displacement 0, "
+         "standing still: spring, weight, load."},
+        {"forces", "contact_width", number, length, positive, {}, "none",
+         "Width of the line of contact; the Hertz pressure needs it."},
+        {"forces", "cam_modulus", number, modulus, positive, {}, "210 GPa", "Young's modulus of the cam."},
+        {"forces", "follower_modulus", number, modulus, positive, {}, "210 GPa",
+         "Young's modulus of the roller or the face."},
+        {"forces", "cam_poisson", number, plain, poisson_ratio, {}, "0.3", "Poisson's ratio of the cam."},
+        {"forces", "follower_poisson", number, plain, poisson_ratio, {}, "0.3",
+         "Poisson's ratio of the roller or the face."},
+    };
+}
+
+std::vector<KeyRow> dimension_weight_rows() {
+    return {
+        {"objective", "base_radius", number, plain, not_negative, {}, "0",
+         "Weight of the base radius divided by the lift (oscillating: by lift in rad · centre distance).",
+         needs_cam},
+        {"objective", "roller_radius", number, plain, not_negative, {}, "0",
+         "Weight of the roller radius, divided likewise.", needs_cam},
+        {"objective", "offset", number, plain, not_negative, {}, "0",
+         "Weight of the offset's magnitude, divided likewise.", needs_cam},
+        {"objective", "center_distance", number, plain, not_negative, {}, "0",
+         "Weight of the centre distance, divided likewise.", needs_cam},
+        {"objective", "arm_length", number, plain, not_negative, {}, "0",
+         "Weight of the arm length, divided likewise.", needs_cam},
+        {"objective", "face_offset", number, plain, not_negative, {}, "0",
+         "Weight of the face offset, divided likewise.", needs_cam},
+    };
+}
+
+// clang-format on
+
+}  // namespace camopt::input

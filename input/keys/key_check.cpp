@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "input/keys/key_check.hpp"
+
+#include "core/text/spelling_hint.hpp"
+#include "input/keys/meaning_hint.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt::input {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+class KeyCheck {
+ public:
+    explicit KeyCheck(const SceneSource& source) : source_(source) {}
+
+    void run() const { check_table(source_.root, "", ""); }
+
+ private:
+    const SceneSource& source_;
+
+    /// `table`: the name in the key table; `path`: as the user would write it, with indices.
+    void check_table(const Node& node, std::string_view table, const std::string& path) const {
+        for (const Member& member : node.members) {
+            const KeyMatch match = match_key(table, member.name);
+            const std::string key = joined_key(path, member.name);
+            if (!match.row) refuse_unknown(member, table, key);
+            const Given given{&member, match.row, match.spelling};
+            refuse_second_spelling(node, given, path);
+            refuse_other_cam(given, key);
+            check_value(given, key);
+        }
+        for (const KeyRow& row : scene_keys())
+            if (row.table == table && row.required() && is_of_this_cam(row) &&
+                !SceneSource::find_in(node, table, row.name))
+                source_.fail(node.place, joined_key(path, row.key(row.spellings.front())),
+                             fmt::format("missing; allowed: {}", row.allowed(row.spellings.front())));
+    }
+
+    /// cam.type as it is written; empty where it is not.
+    [[nodiscard]] std::string_view cam_type() const {
+        const auto type = source_.find("cam", "type");
+        return type ? std::string_view(type->value().text) : std::string_view{};
+    }
+    [[nodiscard]] bool is_of_this_cam(const KeyRow& row) const { return row.is_for(cam_type()); }
+    void refuse_other_cam(const Given& given, const std::string& key) const {
+        if (is_of_this_cam(*given.row)) return;
+        // Without a type the missing type is what is wrong.
+        if (given.row->table == "cam" && cam_type().empty()) return;
+        source_.fail(given.member->place, key,
+                     fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}",
+                                 given.row->cam_types_text('"')));
+    }
+
+    /// What may stand in a table beside this type of cam; a [cam] without a type is taken for a disk cam.
+    [[nodiscard]] std::vector<std::string> keys_of_this_cam(std::string_view table) const {
+        const std::string_view type =
+            table == "cam" && cam_type().empty() ? std::string_view(cam_kinds().front().type) : cam_type();
+        std::vector<std::string> keys;
+        for (const KeyRow& row : scene_keys()) {
+            if (row.table != table || !row.is_for(type)) continue;
+            for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
+        }
+        return keys;
+    }
+
+    [[noreturn]] void refuse_unknown(const Member& member, std::string_view table,
+                                     const std::string& key) const {
+        const std::vector<std::string> allowed = keys_of_this_cam(table);
+        std::string hint = spelling_hint(member.name, allowed);
+        if (const KeyRow* const row = find_row(table, member.name))  // the unit forgotten
+            hint = fmt::format("; did you mean '{}'?", row->key(row->spellings.front()));
+        if (const std::string meant = key_meant(table, member.name); !meant.empty())  // another word
+            hint = did_you_mean({meant});
+        for (const KeyRow& row : scene_keys())  // in the wrong table
+            if (hint.empty() && match_key(row.table, member.name).row != nullptr)
+                hint = fmt::format("; did you mean '{}'?", joined_key(row.table, member.name));
+        source_.fail(member.place, key,
+                     fmt::format("found an unknown key; allowed: {}{}", joined(allowed), hint));
+    }
+
+    void refuse_second_spelling(const Node& node, const Given& given, const std::string& path) const {
+        for (const Member& other : node.members) {
+            if (&other == given.member) break;
+            const KeyRow* row = match_key(given.row->table, other.name).row;
+            if (row == given.row || row->name == given.row->instead_of || row->instead_of == given.row->name)
+                source_.fail(given.member->place, joined_key(path, given.member->name),
+                             fmt::format("found beside {}, which says the same; allowed: only one of the two",
+                                         joined_key(path, other.name)));
+        }
+    }
+
+    void check_value(const Given& given, const std::string& key) const {
+        switch (given.row->type) {
+            case KeyType::text:
+                return check_text(given, key);
+            case KeyType::boolean:
+                return refuse_unless(given.value().kind == NodeKind::boolean, given, key);
+            case KeyType::integer:
+                return check_integer(given, key);
+            case KeyType::number:
+                return check_number(given, key);
+            case KeyType::number_or_range:
+                return check_number_or_range(given, key);
+            case KeyType::numbers:
+                return check_numbers(given, key);
+            case KeyType::tables:
+                return check_tables(given, key);
+            case KeyType::text_or_table:
+                if (given.value().kind == NodeKind::text) return;
+                [[fallthrough]];
+            case KeyType::table:
+                refuse_unless(given.value().kind == NodeKind::table, given, key);
+                return check_table(given.value(), joined_key(given.row->table, given.row->name), key);
+            case KeyType::options:
+                return check_options(given, key);
+        }
+    }
+
+    void check_text(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const auto& choices = given.row->choices;
+        refuse_unless(value.kind == NodeKind::text, given, key);
+        if (choices.empty() || std::ranges::find(choices, value.text) != choices.end()) return;
+        const std::vector<std::string> words(choices.begin(), choices.end());
+        source_.fail(value.place, key,
+                     fmt::format("found {}; allowed: {}{}", value.shown(),
+                                 given.row->allowed(*given.spelling), choice_hint(key, value.text, words)));
+    }
+
+    void check_integer(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const std::string allowed = given.row->allowed(*given.spelling);
+        if (value.kind == NodeKind::number && std::trunc(value.number) == value.number)
+            source_.fail(
+                value.place, key,
+                fmt::format("found {}, a number with a decimal point or exponent; allowed: {}, written "
+                            "without one",
+                            value.shown(), allowed));
+        const auto& choices = given.row->choices;
+        refuse_unless(value.kind == NodeKind::integer &&
+                          (choices.empty() ? given.row->range.contains(static_cast<double>(value.integer))
+                                           : std::ranges::find(choices, value.shown()) != choices.end()),
+                      given, key);
+    }
+
+    void check_number(const Given& given, const std::string& key) const {
+        const Node& value = given.value();
+        const Range range = written_range(given);
+        refuse_unless(value.is_number() && range.contains(value.as_number()), given, key);
+    }
+
+    void check_number_or_range(const Given& given, const std::string& key) const {
+        if (given.value().kind != NodeKind::table) return check_number(given, key);
+        const Range range = written_range(given);
+        for (const Member& member : given.value().members) {
+            const std::string bound_key = joined_key(key, member.name);
+            if (member.name != "min" && member.name != "max")
+                source_.fail(member.place, bound_key, "found an unknown key; allowed: min, max");
+            if (!member.value.is_number() || !range.contains(member.value.as_number()))
+                source_.fail(member.value.place, bound_key,
+                             fmt::format("found {}; allowed: {}", member.value.shown(), range.number_text()));
+        }
+        for (const char* bound : {"min", "max"})
+            if (!given.value().find(bound))
+                source_.fail(given.value().place, joined_key(key, bound),
+                             fmt::format("missing; allowed: {}", range.number_text()));
+        const Node& min = given.value().find("min")->value;
+        const Node& max = given.value().find("max")->value;
+        if (!(min.as_number() < max.as_number()))
+            source_.fail(
+                given.value().place, key,
+                fmt::format("found a range from {} to {}; allowed: min below max", min.shown(), max.shown()));
+    }
+
+    static Range written_range(const Given& given) {
+        return given.row->range.scaled(given.row->spellings.front().factor / given.spelling->factor);
+    }
+
+    void check_numbers(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::array, given, key);
+        const std::vector<Node>& items = given.value().items;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (!items[i].is_number() || !given.row->range.contains(items[i].as_number()))
+                source_.fail(
+                    items[i].place, fmt::format("{}[{}]", key, i),
+                    fmt::format("found {}; allowed: {}", items[i].shown(), given.row->range.number_text()));
+    }
+
+    void check_tables(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::array, given, key);
+        const std::vector<Node>& items = given.value().items;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const std::string item_key = fmt::format("{}[{}]", key, i);
+            if (items[i].kind != NodeKind::table)
+                source_.fail(items[i].place, item_key,
+                             fmt::format("found {}; allowed: a table of {}", items[i].shown(),
+                                         joined(written_keys(key))));
+            check_table(items[i], joined_key(given.row->table, given.row->name), item_key);
+        }
+    }
+
+    void check_options(const Given& given, const std::string& key) const {
+        refuse_unless(given.value().kind == NodeKind::table, given, key);
+        for (const Member& option : given.value().members) {
+            const Node& value = option.value;
+            const bool scalar = value.kind == NodeKind::boolean || value.kind == NodeKind::text ||
+                                (value.is_number() && std::isfinite(value.as_number()));
+            if (!scalar)
+                source_.fail(
+                    value.place, joined_key(key, option.name),
+                    fmt::format("found {}; allowed: a text, a finite number, true or false", value.shown()));
+        }
+    }
+
+    void refuse_unless(bool allowed, const Given& given, const std::string& key) const {
+        if (!allowed)
+            source_.fail(given.value().place, key,
+                         fmt::format("found {}; allowed: {}", given.value().shown(),
+                                     given.row->allowed(*given.spelling)));
+    }
+};
+
+}  // namespace
+
+void check_name(const SceneSource& source, const Given& given, const std::string& key,
+                const AllowedNames& allowed) {
+    const std::string& text = given.value().text;
+    if (std::ranges::find(allowed.names, text) != allowed.names.end()) return;
+    std::string list;
+    for (const std::string& name : allowed.names)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+    source.fail(given.value().place, key,
+                fmt::format("found {}; allowed: {}{}{}{}", given.value().shown(), allowed.before, list,
+                            allowed.after, choice_hint(key, text, allowed.names)));
+}
+
+void check_keys(const SceneSource& source) {
+    KeyCheck(source).run();
+}
+
+}  // namespace camopt::input

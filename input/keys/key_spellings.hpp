@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The units in which quantities may be written, and the ranges several keys share. Internal to input/.
+#pragma once
+
+#include "core/units.hpp"
+#include "input/keys/scene_keys.hpp"
+
+namespace camopt::input::spellings {
+
+using camopt::spellings::angle;
+using camopt::spellings::force;
+using camopt::spellings::length;
+using camopt::spellings::moment;
+using camopt::spellings::plain;
+
+inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
+                                    {"_in", "in", units::inch},
+                                    {"_m", "m", 1.0},
+                                    {"_deg", "deg", units::degree},
+                                    {"_rad", "rad", 1.0}};
+inline constexpr Spelling displacement[] = {
+    {"", "", 1.0},    {"_mm", "mm", units::millimetre}, {"_in", "in", units::inch},
+    {"_m", "m", 1.0}, {"_deg", "deg", units::degree},   {"_rad", "rad", 1.0}};
+inline constexpr Spelling speed[] = {{"_rpm", "rpm", units::revolution_per_minute}, {"_rad_s", "rad/s", 1.0}};
+inline constexpr Spelling mass[] = {{"_kg", "kg", 1.0}};
+inline constexpr Spelling inertia[] = {{"_kg_m2", "kg m^2", 1.0}};
+inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
+                                           {"_n_m", "N/m", 1.0},
+                                           {"_nm_rad", "N m/rad", 1.0},
+                                           {"_nm_deg", "N m/deg", 1.0 / units::degree}};
+inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
+inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
+
+using camopt::spellings::any;
+using camopt::spellings::not_negative;
+using camopt::spellings::positive;
+
+}  // namespace camopt::input::spellings
+
+namespace camopt::input {
+
+/// Rows of [cam], [forces] and of what [objective] says about a cam.
+[[nodiscard]] std::vector<KeyRow> cam_rows();
+[[nodiscard]] std::vector<KeyRow> force_rows();
+[[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
+
+}  // namespace camopt::input

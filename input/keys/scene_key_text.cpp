@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Look-up in the key table and its rows as words: error messages and the Markdown of docs/scene_file.md.
+#include "input/keys/scene_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt::input {
+namespace {
+
+std::string_view type_name(const KeyRow& row) {
+    switch (row.type) {
+        case KeyType::text:
+            return "text";
+        case KeyType::boolean:
+            return "boolean";
+        case KeyType::integer:
+            return "integer";
+        case KeyType::number:
+            return "number";
+        case KeyType::number_or_range:
+            return "number or range";
+        case KeyType::numbers:
+            return "array of numbers";
+        case KeyType::table:
+            return "table";
+        case KeyType::tables:
+            return "array of tables";
+        case KeyType::text_or_table:
+            return "text or table";
+        case KeyType::options:
+            break;
+    }
+    return "table of options";
+}
+
+std::string unit_text(const KeyRow& row) {
+    std::string joined;
+    for (const Spelling& spelling : row.spellings) {
+        if (!joined.empty()) joined += ", ";
+        joined += spelling.unit.empty() ? "–" : spelling.unit;
+    }
+    return joined;
+}
+
+std::string range_text(const KeyRow& row) {
+    if (!row.choices.empty()) return row.choices_text();
+    return row.range.text();
+}
+
+std::string_view remark(const KeyRow& row) {
+    switch (row.availability) {
+        case Availability::needs_cam:
+            return " *Needs a `[cam]` table.*";
+        case Availability::needs_forces:
+            return " *Needs a `[forces]` table.*";
+        case Availability::now:
+            break;
+    }
+    return "";
+}
+
+std::string markdown_row(const KeyRow& row) {
+    std::string keys;
+    for (const Spelling& spelling : row.spellings)
+        keys += fmt::format("{}`{}`", keys.empty() ? "" : ", ", row.key(spelling));
+    std::string later;
+    if (!row.instead_of.empty()) later = fmt::format(" Instead of `{}`.", row.instead_of);
+    if (!row.cam_types.empty() && row.table == "cam")
+        later += fmt::format(" *Type {} only.*", row.cam_types_text('`'));
+    return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_name(row), unit_text(row),
+                       range_text(row), row.default_text, row.meaning, later, remark(row));
+}
+
+}  // namespace
+
+const KeyRow* find_row(std::string_view table, std::string_view name) {
+    for (const KeyRow& row : scene_keys())
+        if (row.table == table && row.name == name) return &row;
+    return nullptr;
+}
+
+KeyMatch match_key(std::string_view table, std::string_view key) {
+    for (const KeyRow& row : scene_keys()) {
+        if (row.table != table || !key.starts_with(row.name)) continue;
+        for (const Spelling& spelling : row.spellings)
+            if (key.substr(row.name.size()) == spelling.suffix) return {&row, &spelling};
+    }
+    return {};
+}
+
+std::vector<std::string> written_keys(std::string_view table) {
+    std::vector<std::string> keys;
+    for (const KeyRow& row : scene_keys())
+        if (row.table == table)
+            for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
+    return keys;
+}
+
+std::string scene_keys_markdown() {
+    std::string markdown;
+    const KeyRow* previous = nullptr;
+    for (const KeyRow& row : scene_keys()) {
+        if (!previous || previous->table != row.table) {
+            markdown += row.table.empty() ? std::string("\n### Top level\n\n")
+                                          : fmt::format("\n### `[{}]`\n\n", row.table);
+            markdown += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
+        }
+        markdown += markdown_row(row);
+        previous = &row;
+    }
+    return markdown + "\n";
+}
+
+}  // namespace camopt::input

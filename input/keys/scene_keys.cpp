@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "input/keys/scene_keys.hpp"
+
+#include "input/keys/key_spellings.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt::input {
+namespace {
+
+using enum KeyType;
+using namespace spellings;
+
+const Range within_turn = Range::above_up_to(0.0, 360.0);
+
+using Rows = std::vector<KeyRow>;
+
+/// From SI to the unit of the spelling: 90 deg, not 90.00000000000001.
+Range range_in(Range range, const Spelling& spelling) {
+    for (double* bound : {&range.low, &range.high})
+        if (std::isfinite(*bound)) *bound = as_written(*bound / spelling.factor);
+    return range;
+}
+
+// A row is read as a row.
+// clang-format off
+Rows top_level() {
+    return {
+        {"", "title", text, plain, any, {}, "empty", "What the scene is; repeated in every output."},
+        {"", "motion", table, plain, any, {}, "required", "What must move."},
+        {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
+        {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
+        {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
+        {"", "linkage", table, plain, any, {}, "no linkage",
+         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.",
+         Availability::needs_cam},
+        {"", "forces", table, plain, any, {}, "no forces",
+         "What the follower carries; needs a speed.", Availability::needs_cam},
+        {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
+        {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
+    };
+}
+
+Rows motion() {
+    return {
+        {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
+         "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
+         "`\"program\"`: the segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place "
+         "in it."},
+        {"motion", "lift", number, lift, positive, {}, "1 mm",
+         "Lift of the follower; an angle for a swinging or indexing output."},
+        {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
+        {"motion", "return", number, angle, within_turn, {}, "the rise",
+         "Cam angle of the return, RR only; rise and return together at most 360 deg."},
+        {"motion", "speed", number, speed, positive, {}, "none",
+         "Speed of the cam; only limits and outputs in time need it."},
+        {"motion", "symmetric", boolean, plain, any, {}, "false",
+         "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles)."},
+        {"motion", "via", tables, plain, any, {}, "none", "Points the curve meets exactly, one table each."},
+        {"motion", "segments", tables, plain, any, {}, "none",
+         "The segments of a program, one table each, from displacement 0 on."},
+        {"motion", "closed", boolean, plain, any, {}, "true",
+         "The program is a whole turn: its angles add up to 360 deg and it ends at displacement 0."},
+        {"motion.via", "at", number, plain, not_negative, {}, "required",
+         "Where, in units of the rise: DRD 0 to 1, RR 0 to 1 + return/rise."},
+        {"motion.via", "displacement", number, plain, any, {}, "free", "y = s/lift at that point."},
+        {"motion.via", "velocity", number, plain, any, {}, "free", "dy/dx at that point."},
+        {"motion.via", "acceleration", number, plain, any, {}, "free", "d²y/dx² at that point."},
+        {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
+         "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
+        {"motion.segments", "angle", number, angle, within_turn, {}, "required", "Cam angle of the segment."},
+        {"motion.segments", "law", text, plain, any, {}, "none",
+         "A law of the catalogue; kind `\"law\"` only, and needed there."},
+        {"motion.segments", "to", number, displacement, any, {}, "free",
+         "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
+         "chooses it, and the peaks are measured by what it finds; but the last one of a closed program is 0."},
+    };
+}
+
+Rows spline() {
+    return {
+        {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline."},
+        {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
+         "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
+         "program."},
+        {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
+         "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
+         "program from 0 to 1, in units of each spline segment.",
+         Availability::now, "segments"},
+        {"spline", "knots", text, plain, any, {"fixed", "free"}, "\"fixed\"",
+         "`\"free\"` makes the interior breakpoints design variables: those of `segments` or `breakpoints` are "
+         "where the search starts. DRD and RR, at most 256 segments."},
+        {"spline", "continuity", integer, plain, Range::between(2, 4), {}, "degree - 1",
+         "Highest continuous derivative, from 2 to degree - 1."},
+        {"spline", "end_jerk", text, plain, any, {"free", "zero"}, "\"free\"",
+         "`\"zero\"`: y''' = 0 at both ends, so that the jerk does not jump at the dwells; degree 5 only."},
+        {"spline", "design", text, plain, any, {"auto", "ordinates", "coefficients", "states"}, "\"auto\"",
+         "The variables of the search: displacements at the breakpoints (full continuity only), B-spline "
+         "coefficients, or displacement and derivatives at the breakpoints."},
+    };
+}
+
+/// As the manual lists them: what is convex before what is not.
+std::vector<const CostTerm*> listed_terms() {
+    std::vector<const CostTerm*> terms;
+    for (const CostTerm& term : cost_terms()) terms.push_back(&term);
+    std::ranges::stable_partition(
+        terms, [](const CostTerm* term) { return term->kind != CostTerm::Kind::torque; });
+    return terms;
+}
+
+Rows objective() {
+    Rows rows;
+    for (const CostTerm* term : listed_terms())
+        rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
+    return rows;
+}
+
+/// The first is the default.
+std::vector<std::string_view> tie_break_words() {
+    std::vector<std::string_view> words;
+    for (const TieBreak value : tie_breaks) words.emplace_back(name_of(value));
+    return words;
+}
+
+Rows reference() {
+    static const std::string first_tie_break = fmt::format("\"{}\"", name_of(tie_breaks.front()));
+    Rows rows = {
+        {"objective", "reference", text_or_table, plain, any, {}, "\"modified_sine\"",
+         "What every term is divided by: the peaks of a law of the catalogue, or a table of numbers."},
+        {"objective", "tie_break", text, plain, any, tie_break_words(), first_tie_break,
+         "Among curves equally good within the tolerance take the one of least ∫ y'''²; `\"none\"` keeps "
+         "the solver's point."},
+    };
+    for (const CostTerm* term : listed_terms())
+        rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",
+                        term->reference_meaning});
+    return rows;
+}
+
+Rows limits() {
+    Rows rows;
+    for (const PeakLimitRow& row : peak_limit_rows())
+        rows.push_back({"limits", row.name(), number, row.spellings, positive, {}, "none", row.meaning});
+    for (const LimitRow& row : limit_rows()) {
+        const Availability needs = row.needs_forces ? Availability::needs_forces : Availability::needs_cam;
+        rows.push_back({"limits", row.name, number, row.spellings, range_in(row.range, row.spellings.front()),
+                        {}, row.default_text, row.meaning, needs});
+        if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
+            rows.push_back({"limits", swinging.name, number, swinging.spellings,
+                            range_in(row.range, swinging.spellings.front()), {}, row.default_text,
+                            swinging.meaning, needs, row.name});
+    }
+    return rows;
+}
+
+Rows solver() {
+    return {
+        {"solver", "name", text, plain, any, {}, "\"auto\"",
+         "`\"auto\"` or a solver of `camopt list solvers`."},
+        {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
+         "Feasibility and optimality of the solve, relative."},
+        {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7",
+         "Proved relative gap below which the verdict is optimal."},
+        {"solver", "max_seconds", number, plain, positive, {}, "60",
+         "Wall time of search, proof, tie-break and explanation together; then what was found so far is kept."},
+        {"solver", "starts", integer, plain, Range::between(1, 100000), {}, "1 where convex, 8 otherwise",
+         "Starting points; a convex scene needs one."},
+        {"solver", "seed", integer, plain, Range::between(0, 4294967295), {}, "0",
+         "Seed of the random starting points."},
+        {"solver", "options", options, plain, any, {}, "none",
+         "The solver's own options: any names, values are text, numbers, true or false."},
+    };
+}
+// clang-format on
+
+Rows rows_of_kinds() {
+    Rows all;
+    for (const CamKind& kind : cam_kinds()) all.insert(all.end(), kind.rows.begin(), kind.rows.end());
+    return all;
+}
+
+/// Empty where it has nothing to do with a kind, or all have it.
+std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
+    std::vector<std::string_view> types;
+    for (const CamKind& kind : cam_kinds())
+        if (kind.knows(row.table, row.name)) types.emplace_back(kind.type);
+    if (types.size() == cam_kinds().size()) types.clear();
+    return types;
+}
+
+}  // namespace
+
+const std::vector<KeyRow>& scene_keys() {
+    static const std::vector<KeyRow> rows = [] {
+        Rows all;
+        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
+                                 reference(), cam_rows(), rows_of_kinds(), force_rows(), limits(), solver()})
+            all.insert(all.end(), part.begin(), part.end());
+        for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
+        return all;
+    }();
+    return rows;
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/tables/peak_comparison.hpp"
+
+#include "output/words/display_scale.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+namespace {
+
+/// The law's own peak where there is a law, else the number the objective divides by (0: not in use).
+std::optional<double> reference_value(const ReferenceMotion& reference, double of_law, double divisor) {
+    if (!reference.title.empty()) return of_law;
+    if (divisor > 0.0) return divisor;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMotion& reference) {
+    const Peaks& peaks = solution.peaks;
+    const Peaks& motion = solution.motion_peaks;
+    const Peaks& law = reference.peaks;
+    const Peaks& divisor = solution.reference_peaks;
+    const LimitCurve limit = solution.any_curve_limit.value_or(LimitCurve{});
+    const DerivativeScale scale = display_scale(solution.scene.motion).by_angle;
+    return {
+        {"velocity", "V", peaks.velocity, motion.velocity,
+         reference_value(reference, law.velocity.value, divisor.velocity.value), limit.velocity,
+         scale.factor[1], scale.unit[1]},
+        {"acceleration", "A", peaks.acceleration, motion.acceleration,
+         reference_value(reference, law.acceleration.value, divisor.acceleration.value), limit.acceleration,
+         scale.factor[2], scale.unit[2]},
+        {"jerk", "J", peaks.jerk, motion.jerk, reference_value(reference, law.jerk.value, divisor.jerk.value),
+         limit.jerk, scale.factor[3], scale.unit[3]},
+        {"torque", "Q", peaks.torque, motion.torque,
+         reference_value(reference, law.torque.value, divisor.torque.value), std::nullopt, 0.0, ""},
+    };
+}
+
+std::string left_out_of_any_curve(const Scene& scene) {
+    const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
+    std::string text = cam ? "limits of the cam" : "";
+    if (!scene.motion.via.empty()) text += text.empty() ? "via points" : " and via points";
+    return text;
+}
+
+std::string any_curve_title(const Scene& scene) {
+    const std::string left_out = left_out_of_any_curve(scene);
+    return left_out.empty() ? "limit of any curve"
+                            : fmt::format("limit of any curve ({} left out)", left_out);
+}
+
+std::string reference_title(const ReferenceMotion& reference) {
+    return reference.title.empty() ? "reference" : reference.title;
+}
+
+}  // namespace camopt

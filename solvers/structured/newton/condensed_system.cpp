@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "solvers/structured/newton/condensed_system.hpp"
+
+#include "solvers/structured/newton/condensed_pattern.hpp"
+#include "solvers/structured/vector_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace camopt::structured {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using RowMajor = RangeRows::RowMajor;
+
+constexpr double largest_shift = 1e-4;  // of entries near 1: beyond it the factor helps nothing
+constexpr double shift_growth = 1e3;    // a breakdown is rare; few retries matter more than the least shift
+constexpr int most_refinements = 6;
+constexpr double worthwhile = 0.3;  // a refinement that gains less is the last
+
+/// The terms as a matrix that makes the entries of `lower` out of the weights.
+CompressedRows assembly_of(const CondensedPattern& pattern) {
+    std::vector<int> count(static_cast<std::size_t>(pattern.lower.nonZeros()), 0);
+    for (const CondensedPattern::Term& term : pattern.terms) ++count[static_cast<std::size_t>(term.slot)];
+    std::vector<int> names, next(count.size(), 0);
+    CompressedRows::Entries entries{{0}, std::vector<int>(pattern.terms.size()), {}};
+    for (std::size_t slot = 0; slot < count.size(); ++slot) {
+        if (count[slot] == 0) continue;
+        names.push_back(static_cast<int>(slot));
+        next[slot] = entries.begin.back();
+        entries.begin.push_back(entries.begin.back() + count[slot]);
+    }
+    entries.values.resize(pattern.terms.size());
+    for (const CondensedPattern::Term& term : pattern.terms) {
+        const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(term.slot)]++);
+        entries.columns[place] = term.source;
+        entries.values[place] = term.product;
+    }
+    return {entries, names};
+}
+
+}  // namespace
+
+CondensedSystem::CondensedSystem(const ConvexModel& model, const RangeRows& ranges, FactorKind kind,
+                                 double shift)
+    : model_(model),
+      ranges_(ranges),
+      first_shift_(shift),
+      shift_(shift),
+      rows_(ranges.matrix),
+      columns_(RowMajor(ranges.matrix.transpose())) {
+    CondensedPattern pattern(model, ranges);
+    assembly_ = assembly_of(pattern);
+    lower_ = std::move(pattern.lower);
+    hessian_slot_ = std::move(pattern.hessian_slot);
+    width_slot_ = std::move(pattern.width_slot);
+    std::vector<int> signs(static_cast<std::size_t>(lower_.rows()), 1);
+    std::fill(signs.begin() + model.variables(), signs.end(), -1);
+    factor_ = make_symmetric_factor(kind, lower_, signs);
+    const Index n = model.variables(), equalities = ranges.equal_to.size();
+    weight_.resize(ranges.sides());
+    right_side_.resize(n + equalities);
+    image_.resize(ranges.matrix.rows());
+    joined_.resize(ranges.matrix.rows());
+    rest_p_.resize(n);
+    rest_q_.resize(equalities);
+    step_ = {VectorXd::Zero(n), VectorXd::Zero(equalities), VectorXd::Zero(ranges.sides()),
+             VectorXd::Zero(ranges.sides())};
+    shifts_.resize(lower_.rows());
+}
+
+bool CondensedSystem::factorize(const std::vector<double>& hessian, const VectorXd& curvature) {
+    hessian_ = &hessian;
+    curvature_ = &curvature;
+    const Index count = ranges_.ranges();
+    const auto low = curvature.head(count), high = curvature.tail(count);
+    weight_.head(count) = low + high;
+    weight_.tail(count) = (low - high).cwiseProduct(ranges_.width);
+    double* values = lower_.valuePtr();
+    for (const int slot : hessian_slot_) values[slot] = 0.0;
+    for (const int slot : width_slot_) values[slot] = 0.0;
+    assembly_.multiply(weight_.data(), values);
+    for (std::size_t e = 0; e < hessian.size(); ++e) values[hessian_slot_[e]] += hessian[e];
+    for (std::size_t g = 0; g < width_slot_.size(); ++g) {
+        const RangeRows::Group& group = ranges_.groups[g];
+        const Index size = group.last - group.first;
+        const auto width = ranges_.width.segment(group.first, size);
+        values[width_slot_[g]] += weight_.segment(group.first, size).dot(width.cwiseAbs2());
+    }
+    for (shift_ = first_shift_; shift_ <= largest_shift; shift_ *= shift_growth) {
+        shifts_.setConstant(shift_);
+        const FactorOutcome outcome = factor_->factorize(lower_, shifts_);
+        // A wrong sign is rounding, the matrix being quasi-definite: the residual of the solve decides.
+        if (outcome == FactorOutcome::ok || outcome == FactorOutcome::wrong_sign) return true;
+    }
+    return false;
+}
+
+void CondensedSystem::add_transposed(double factor, const VectorXd& lambda, const VectorXd& nu,
+                                     VectorXd& out) {
+    const Index count = ranges_.ranges();
+    joined_.head(count) = nu.head(count) - nu.tail(count);
+    joined_.tail(lambda.size()) = lambda;
+    columns_.add_product(factor, joined_, out);
+    for (const RangeRows::Group& group : ranges_.groups) {
+        const Index size = group.last - group.first;
+        out[group.variable] +=
+            factor * ranges_.width.segment(group.first, size)
+                         .dot(nu.segment(group.first, size) + nu.segment(count + group.first, size));
+    }
+}
+
+/// x, λ and the slides of one solve with the factor.
+void CondensedSystem::apply_factor(const VectorXd& p, const VectorXd& q, NewtonUnknowns& out) {
+    const Index n = model_.variables();
+    right_side_.head(n) = p;
+    right_side_.tail(q.size()) = q;
+    factor_->solve_in_place(right_side_);
+    out.x = right_side_.head(n);
+    out.lambda = right_side_.tail(q.size());
+    rows_.multiply(out.x, image_);
+    ranges_.slides(out.x, image_, out.slide);
+}
+
+/// rest = what is left of the equations in p and q; its largest entry.
+double CondensedSystem::residual(const NewtonRightSide& right_side, const NewtonUnknowns& at) {
+    rest_p_ = right_side.p;
+    add_transposed(-1.0, at.lambda, at.nu, rest_p_);
+    const SparsityPattern& pattern = model_.hessian;
+    for (std::size_t e = 0; e < hessian_->size(); ++e) {
+        const int row = pattern.rows[e], column = pattern.columns[e];
+        rest_p_[row] -= (*hessian_)[e] * at.x[column];
+        if (row != column) rest_p_[column] -= (*hessian_)[e] * at.x[row];
+    }
+    rest_q_ -= image_.tail(rest_q_.size());
+    if (!finite(rest_p_) || !finite(rest_q_)) return infinity;
+    return std::max(largest(rest_p_), largest(rest_q_));
+}
+
+CondensedSystem::Accuracy CondensedSystem::solve(const NewtonRightSide& right_side, double goal,
+                                                 NewtonUnknowns& out) {
+    // With f = 0 the forces stand in the right side: p + Cᵀ(f_l − f_u) + Wᵀ(f_l + f_u).
+    rest_p_ = right_side.p;
+    rest_q_.setZero();
+    add_transposed(1.0, rest_q_, right_side.force, rest_p_);
+    apply_factor(rest_p_, right_side.q, out);
+    out.nu = curvature_->cwiseProduct(out.slide) - right_side.force;
+    rest_q_ = right_side.q;
+    double rest = residual(right_side, out);
+    for (int k = 0; k < most_refinements && rest > goal && std::isfinite(rest); ++k) {
+        apply_factor(rest_p_, rest_q_, step_);
+        step_.nu = curvature_->cwiseProduct(step_.slide) + out.nu;
+        step_.x += out.x;
+        step_.lambda += out.lambda;
+        step_.slide += out.slide;
+        const double now = residual(right_side, step_);
+        if (!(now < rest)) break;
+        std::swap(out, step_);
+        const bool last = now > worthwhile * rest;
+        rest = now;
+        if (last) break;
+    }
+    return {rest, rest <= goal};
+}
+
+}  // namespace camopt::structured

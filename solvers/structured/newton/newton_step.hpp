@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Internal to solvers/structured/: residuals of the optimality conditions and Newton directions for them.
+//
+// With the ranges of range_rows.hpp (t = C x, w = W x), gaps g and multipliers z of their sides,
+//
+//     ∇f + Eᵀ λ − Cᵀ (z_l − z_u) − Wᵀ (z_l + z_u) = 0,   E x = e,
+//     t + w − l = g_l,   w − t + u = g_u,   g z = μ.
+//
+// Nothing here allocates after construction.
+#pragma once
+
+#include "solvers/structured/interior_point.hpp"
+#include "solvers/structured/newton/condensed_system.hpp"
+#include "solvers/structured/newton/kkt_system.hpp"
+#include "solvers/structured/range_rows.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace camopt::structured {
+
+struct Iterate {
+    Eigen::VectorXd x;
+    Eigen::VectorXd lambda;     ///< one an equality
+    Eigen::VectorXd gap, dual;  ///< g, z: one a side; 1 and 0 where there is none
+};
+
+struct Residuals {
+    Eigen::VectorXd dual;      ///< of the variables
+    Eigen::VectorXd equality;  ///< E x − e
+    Eigen::VectorXd bound;     ///< one a side: t + w − l − g
+    Eigen::VectorXd gradient;
+    double mu = 0.0;  ///< mean of g z
+    [[nodiscard]] bool finite() const;
+};
+
+struct Direction {
+    Eigen::VectorXd x, lambda, gap, dual;
+    bool finite = true;
+    void resize(Eigen::Index variables, const RangeRows& ranges);
+    Direction& operator+=(const Direction& other);
+};
+
+class NewtonStep {
+ public:
+    NewtonStep(const ConvexModel& model, const RangeRows& ranges, const InteriorPointLimits& limits);
+
+    void residuals(const Iterate& point, Residuals& out);
+    /// Evaluates the Hessian and factorizes. False: breakdown, or a Hessian that is not finite (see
+    /// `finite`).
+    [[nodiscard]] bool prepare(const Iterate& point, bool& finite);
+    /// 1/g and 1/z of the point last prepared; where there is no side, some finite number.
+    [[nodiscard]] const Eigen::VectorXd& inverse_gap() const { return inverse_gap_; }
+    [[nodiscard]] const Eigen::VectorXd& inverse_dual() const { return inverse_dual_; }
+    /// The products g z are to change by `change`, to first order. With `residuals` null they alone.
+    void direction(const Iterate& point, const Residuals* residuals, const Eigen::VectorXd& change,
+                   Direction& out);
+
+ private:
+    [[nodiscard]] bool prepare_careful(const Iterate& point);
+    void solve(const Iterate& point, double goal);
+    void solve_carefully(double known_residual);
+    void keep_products(const Iterate& point, const Eigen::VectorXd& change, Direction& out) const;
+
+    const ConvexModel& model_;
+    const RangeRows& ranges_;
+    double tolerance_;
+    double shift_;
+    CondensedSystem system_;
+    std::unique_ptr<KktSystem> careful_;  ///< takes over where the condensed system is too inaccurate
+    bool careful_is_current_ = false;
+    std::vector<double> hessian_;
+    Eigen::VectorXd inverse_gap_, inverse_dual_, curvature_, image_, slide_;
+    Eigen::VectorXd variable_curvature_, row_flatness_;  ///< of the careful system: Σ and D
+    NewtonRightSide right_side_;
+    NewtonUnknowns solution_;
+    double goal_ = 0.0;  ///< largest entry that the residual of a direction may have
+    bool solved_ = false;
+};
+
+/// Largest step in [0, 1] that keeps v + step·dv >= (1 − fraction) v for v > 0, from 1/v.
+[[nodiscard]] double step_to_boundary(const Eigen::VectorXd& inverse, const Eigen::VectorXd& change,
+                                      double fraction);
+
+void advance(Iterate& point, const Direction& direction, double primal_step, double dual_step);
+
+}  // namespace camopt::structured

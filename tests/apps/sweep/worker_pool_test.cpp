@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Worker processes: everything is done once, crashes cost one unit, nobody outlives the parent.
+#include "apps/sweep/worker_pool.hpp"
+
+#include "core/errors.hpp"
+#include "tests/output/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <poll.h>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace camopt::apps {
+namespace {
+
+using test::TemporaryFolder;
+
+std::vector<int> units(int count) {
+    std::vector<int> all;
+    for (int i = 0; i < count; ++i) all.push_back(i);
+    return all;
+}
+
+bool no_child_is_left() {
+    return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
+}
+
+/// The pool's task with everything the parent heard.
+struct Heard {
+    std::map<int, int> told;
+    std::map<int, std::string> lost;
+
+    PoolTask task(int count, int workers) {
+        PoolTask task;
+        task.units = units(count);
+        task.workers = workers;
+        task.work = [](int unit, const std::function<void(int)>& tell) { tell(unit); };
+        task.told = [this](int number) { ++told[number]; };
+        task.lost = [this](int unit, const std::string& reason) { lost[unit] = reason; };
+        return task;
+    }
+};
+
+TEST(WorkerPool, DoesEveryUnitOnceWithAnyNumberOfWorkers) {
+    for (const int workers : {1, 2, 5, 40}) {
+        SCOPED_TRACE(workers);
+        Heard heard;
+        EXPECT_EQ(run_workers(heard.task(30, workers)), PoolOutcome::finished);
+        EXPECT_EQ(heard.told.size(), 30U);
+        for (const auto& [unit, times] : heard.told) EXPECT_EQ(times, 1) << unit;
+        EXPECT_TRUE(heard.lost.empty());
+        EXPECT_TRUE(no_child_is_left());
+    }
+    Heard heard;
+    EXPECT_EQ(run_workers(heard.task(0, 2)), PoolOutcome::finished);
+}
+
+TEST(WorkerPool, AUnitWhoseWorkerDiesOnceIsDoneByAnother) {
+    const TemporaryFolder folder;
+    Heard heard;
+    PoolTask task = heard.task(12, 2);
+    task.work = [&](int unit, const std::function<void(int)>& tell) {
+        const std::string mark = folder.path() + "/" + std::to_string(unit);
+        if (unit % 3 == 0 && !std::filesystem::exists(mark)) {
+            std::ofstream(mark) << "tried";
+            std::raise(SIGKILL);
+        }
+        tell(unit);
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+    EXPECT_EQ(heard.told.size(), 12U);
+    EXPECT_TRUE(heard.lost.empty());
+}
+
+TEST(WorkerPool, AUnitThatKillsTwoWorkersIsLostAndTheRestIsDone) {
+    Heard heard;
+    PoolTask task = heard.task(10, 3);
+    task.work = [](int unit, const std::function<void(int)>& tell) {
+        if (unit == 4) std::raise(SIGTERM);
+        if (unit == 7) std::raise(SIGKILL);
+        if (unit == 8) ::_exit(3);
+        tell(unit);
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+    EXPECT_EQ(heard.told.size(), 7U);
+    EXPECT_EQ(heard.lost, (std::map<int, std::string>{{4, "worker died: signal 15"},
+                                                      {7, "worker died: signal 9"},
+                                                      {8, "worker died: exit code 3"}}));
+    EXPECT_TRUE(no_child_is_left());
+}
+
+TEST(WorkerPool, ExceptionsEndTheRunAndKeepTheirWords) {
+    Heard heard;
+    PoolTask task = heard.task(10, 2);
+    task.work = [](int unit, const std::function<void(int)>&) {
+        if (unit == 3) throw InputError("cannot write: the disk is full");
+    };
+    try {
+        (void)run_workers(task);
+        FAIL() << "no exception";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "cannot write: the disk is full");
+    }
+    EXPECT_TRUE(no_child_is_left());
+    task.work = [](int, const std::function<void(int)>&) { throw std::logic_error(std::string(9000, 'x')); };
+    EXPECT_THROW((void)run_workers(task), std::runtime_error);
+    EXPECT_TRUE(no_child_is_left());
+}
+
+TEST(WorkerPool, StopsAtOnceAndLeavesNobody) {
+    Heard heard;
+    PoolTask task = heard.task(1000, 2);
+    task.work = [](int unit, const std::function<void(int)>& tell) {
+        tell(unit);
+        if (unit >= 2) ::pause();  // would never end
+    };
+    task.stop_requested = [&] { return heard.told.size() >= 4; };
+    EXPECT_EQ(run_workers(task), PoolOutcome::stopped);
+    EXPECT_TRUE(no_child_is_left());
+}
+
+TEST(WorkerPool, WorkersIgnoreCtrlCAndBeginOnce) {
+    Heard heard;
+    PoolTask task = heard.task(6, 2);
+    int begun = 0;
+    task.begin_worker = [&] { ++begun; };
+    task.work = [&](int unit, const std::function<void(int)>& tell) {
+        std::raise(SIGINT);
+        tell(begun == 1 ? unit : -1);
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+    EXPECT_EQ(heard.told.size(), 6U);
+    EXPECT_FALSE(heard.told.contains(-1));
+    EXPECT_EQ(begun, 0);  // in the workers, not here
+}
+
+TEST(WorkerPool, WorkersDieWithTheParent) {
+    int line[2];
+    ASSERT_EQ(::pipe(line), 0);
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+        ::close(line[0]);
+        Heard heard;
+        PoolTask task = heard.task(3, 3);
+        task.work = [&](int, const std::function<void(int)>&) {
+            if (::write(line[1], "x", 1) == 1) ::pause();
+        };
+        (void)run_workers(task);
+        ::_exit(0);
+    }
+    ::close(line[1]);
+    char letters[3];
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(::read(line[0], &letters[i], 1), 1);  // all three are at work
+    ::kill(parent, SIGKILL);
+    ASSERT_EQ(::waitpid(parent, nullptr, 0), parent);
+    pollfd end{line[0], POLLIN, 0};
+    ASSERT_EQ(::poll(&end, 1, 20'000), 1) << "a worker lives on";
+    EXPECT_EQ(::read(line[0], letters, 1), 0);  // nobody holds the other end any more
+    ::close(line[0]);
+}
+
+}  // namespace
+}  // namespace camopt::apps
