@@ -5,8 +5,11 @@
 # time goes: compiled with -O1 in Release, in four fifths of the time.
 
 add_library(camopt_warnings INTERFACE)
-target_compile_options(camopt_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+target_compile_options(camopt_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
   -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(NOT CAMOPT_UNITY_BUILD)  # the names of one file are no shadows of those of the next
+  target_compile_options(camopt_warnings INTERFACE -Wshadow)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees overlapping copies in "text" + std::string where there are none (GCC bug 105651).
   target_compile_options(camopt_warnings INTERFACE -Wno-restrict)
@@ -89,7 +92,7 @@ function(camopt_add_module name)
     set(pictures ${arg_SOURCES})
     list(FILTER pictures INCLUDE REGEX "_svg\\.cpp$")
     camopt_compile_alone(${target} ${pictures})
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CAMOPT_UNITY_BATCH})
   endif()
   set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
 endfunction()

@@ -10,7 +10,8 @@ option(CAMOPT_INSTALL "Rules for cmake --install" ${PROJECT_IS_TOP_LEVEL})
 if(PROJECT_IS_TOP_LEVEL)
   option(BUILD_SHARED_LIBS "camopt::camopt, and what is installed, is one shared library" OFF)
 endif()
-option(CAMOPT_UNITY_BUILD "Compile the sources of a folder eight at a time: half the time of a clean build" OFF)
+option(CAMOPT_UNITY_BUILD "Compile sources of a folder together: half the time of a clean build" OFF)
+set(CAMOPT_UNITY_BATCH 8 CACHE STRING "How many; 0: all, where two that do not go together are seen whatever their order")
 option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.

@@ -11,5 +11,6 @@ inline constexpr double inch = 0.0254;                                    // m
 inline constexpr double degree = std::numbers::pi / 180.0;                // rad
 inline constexpr double turn = 2.0 * std::numbers::pi;                    // rad
 inline constexpr double revolution_per_minute = std::numbers::pi / 30.0;  // rad/s
+inline constexpr double megapascal = 1e6;                                 // Pa
 
 }  // namespace camopt::units

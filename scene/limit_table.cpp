@@ -38,7 +38,7 @@ constexpr std::array<PeakLimitRow, 3> peak_rows = {{
      "Cap on the jerk: on the normalised peak J, or in time (needs a speed).", names_of_jerk},
 }};
 
-constexpr std::array<LimitRow, limited_figure_count> rows = {{
+constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
     {.figure = Figure::pressure_angle,
      .name = "pressure_angle",
      .limit = &LimitSpec::pressure_angle,
@@ -135,12 +135,12 @@ constexpr std::array<LimitRow, limited_figure_count> rows = {{
      .meaning = "Cap on the Hertz pressure; needs `forces.contact_width`."},
 }};
 
-constexpr bool in_order() {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].figure != static_cast<Figure>(i)) return false;
+constexpr bool limits_in_order() {
+    for (std::size_t i = 0; i < cam_limit_rows.size(); ++i)
+        if (cam_limit_rows[i].figure != static_cast<Figure>(i)) return false;
     return true;
 }
-static_assert(in_order(), "a row stands where its figure does in LimitedFigure");
+static_assert(limits_in_order(), "a row stands where its figure does in LimitedFigure");
 
 }  // namespace
 
@@ -153,11 +153,11 @@ std::span<const PeakLimitRow> peak_limit_rows() {
 }
 
 std::span<const LimitRow> limit_rows() {
-    return rows;
+    return cam_limit_rows;
 }
 
 const LimitRow& limit_row(LimitedFigure figure) {
-    return rows.at(static_cast<std::size_t>(figure));
+    return cam_limit_rows.at(static_cast<std::size_t>(figure));
 }
 
 const std::optional<WrittenLimit>& limit_on(const LimitSpec& limits, LimitedFigure figure) {
@@ -165,14 +165,14 @@ const std::optional<WrittenLimit>& limit_on(const LimitSpec& limits, LimitedFigu
 }
 
 const LimitRow* limit_named(std::string_view name) {
-    for (const LimitRow& row : rows)
+    for (const LimitRow& row : cam_limit_rows)
         if (name == row.name || (row.swinging.name != nullptr && name == row.swinging.name)) return &row;
     return nullptr;
 }
 
 const char* limit_name_in(std::string_view key) {
     const char* longest = nullptr;  // "rise_pressure_angle" has "pressure_angle" in it
-    for (const LimitRow& row : rows)
+    for (const LimitRow& row : cam_limit_rows)
         for (const char* name : {row.name, row.swinging.name}) {
             if (name == nullptr || key.find(name) == std::string_view::npos) continue;
             if (longest == nullptr || std::string_view(name).size() > std::string_view(longest).size())
@@ -187,12 +187,13 @@ bool is_least_limit(std::string_view name) {
 }
 
 bool limits_cam(const LimitSpec& limits) {
-    return std::ranges::any_of(rows, [&](const LimitRow& row) { return row.in(limits).has_value(); });
+    return std::ranges::any_of(cam_limit_rows,
+                               [&](const LimitRow& row) { return row.in(limits).has_value(); });
 }
 
 bool limits_forces(const LimitSpec& limits) {
     return std::ranges::any_of(
-        rows, [&](const LimitRow& row) { return row.needs_forces && row.in(limits).has_value(); });
+        cam_limit_rows, [&](const LimitRow& row) { return row.needs_forces && row.in(limits).has_value(); });
 }
 
 }  // namespace camopt

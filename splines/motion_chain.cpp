@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 // Joints that differ by less than this part of the whole are the same place.
-constexpr double same_place = 1e-12;
+constexpr double same_joint = 1e-12;
 // Relative error of x = x0 + x_scale · own and of the way back.
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
@@ -56,7 +56,7 @@ int interval_of(const std::vector<double>& begins, double x, Side side) {
 
 MotionChain::MotionChain(std::vector<ChainPart> parts) : parts_(std::move(parts)) {
     if (parts_.empty()) throw InputError("a chain of motions: found no part; allowed: one or more");
-    const double tolerance = same_place * std::max(1.0, std::abs(end() - begin()));
+    const double tolerance = same_joint * std::max(1.0, std::abs(end() - begin()));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const bool joined = i == 0 || std::abs(parts_[i].begin - parts_[i - 1].end) <= tolerance;
         if (!joined || !(parts_[i].end > parts_[i].begin)) {
@@ -83,7 +83,7 @@ MotionPoint MotionChain::at(double x, Side side) const {
 
 std::vector<double> MotionChain::breakpoints() const {
     std::vector<double> points;
-    const double tolerance = same_place * std::max(1.0, std::abs(end() - begin()));
+    const double tolerance = same_joint * std::max(1.0, std::abs(end() - begin()));
     const auto add = [&](double x) {
         if (points.empty() || x > points.back() + tolerance) points.push_back(x);
     };

@@ -8,8 +8,8 @@
 namespace camopt {
 namespace {
 
-using Rules = std::vector<std::shared_ptr<const MechanismRule>>;
-using Shared = std::shared_ptr<const MechanismVariables>;
+using MechanismRules = std::vector<std::shared_ptr<const MechanismRule>>;
+using SharedMechanism = std::shared_ptr<const MechanismVariables>;
 
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 constexpr double least_scale = 1e-3;
@@ -26,7 +26,7 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
             a.value * b.by_angle + b.value * a.by_angle};
 }
 
-void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::pressure_angle);
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
     const double length = mechanism->formulas->length(mechanism->dimensions);
@@ -45,7 +45,8 @@ void add_pressure(Rules& rules, const Scene& scene, const Shared& mechanism, int
 }
 
 /// (r + shift) κ − 1: the convex radius stays above shift, the concave one above −shift.
-void add_radius(Rules& rules, const Shared& mechanism, const MechanismFormula& frame, double shift) {
+void add_radius(MechanismRules& rules, const SharedMechanism& mechanism, const MechanismFormula& frame,
+                double shift) {
     MechanismFormula formula = frame;
     formula.value = [shift](const MechanismCall& call) {
         return shifted(product(shifted(call.dimension(call.formulas.roller_radius()), shift),
@@ -55,7 +56,7 @@ void add_radius(Rules& rules, const Shared& mechanism, const MechanismFormula& f
     rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
 }
 
-void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const int index = mechanism->formulas->roller_radius();
     const double roller = mechanism->dimensions[static_cast<std::size_t>(index)];
     const bool moves = std::ranges::any_of(mechanism->variables,
@@ -73,7 +74,7 @@ void add_radii(Rules& rules, const Scene& scene, const Shared& mechanism, int st
     add_radius(rules, mechanism, {concave->key, station, {}, 2, scale}, -least);
 }
 
-void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int station) {
+void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::regularity);
     if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
@@ -86,8 +87,8 @@ void add_margin(Rules& rules, const Scene& scene, const Shared& mechanism, int s
 
 }  // namespace
 
-Rules mechanism_limits(const Scene& scene, const Shared& mechanism) {
-    Rules rules;
+MechanismRules mechanism_limits(const Scene& scene, const SharedMechanism& mechanism) {
+    MechanismRules rules;
     for (int station = 0; station < mechanism->formulas->stations(); ++station) {
         add_pressure(rules, scene, mechanism, station);
         if (mechanism->formulas->planar()) add_radii(rules, scene, mechanism, station);

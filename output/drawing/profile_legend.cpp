@@ -14,7 +14,7 @@ namespace {
 
 using units::degree, units::millimetre;
 
-constexpr double line_height = 21, swatch = 30, indent = 40;  // px
+constexpr double legend_line_height = 21, swatch = 30, indent = 40;  // px
 
 /// Writes entry under entry.
 class Column {
@@ -24,21 +24,21 @@ class Column {
     void heading(std::string_view words) {
         y_ += 8;
         canvas_.text(left_, y_, words, "heading");
-        y_ += line_height;
+        y_ += legend_line_height;
     }
     void sample(const char* css_class, std::string_view words) {
         canvas_.line(left_, y_ - 4, left_ + swatch, y_ - 4, css_class);
         canvas_.text(left_ + indent, y_, words, "entry");
-        y_ += line_height;
+        y_ += legend_line_height;
     }
     void value(std::string_view name, double length) {
         canvas_.text(left_, y_, name, "entry");
         canvas_.text(left_ + 215, y_, short_text(length / millimetre, 6) + " mm", "entry number");
-        y_ += line_height;
+        y_ += legend_line_height;
     }
     void words(std::string_view text, const char* css_class = "entry") {
         canvas_.text(left_, y_, text, css_class);
-        y_ += line_height;
+        y_ += legend_line_height;
     }
 
  private:

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
 constexpr double same_place = 1e-9;   // of the base radius: two points of the cam are one
-constexpr double whole_turn = 1e-9;   // rad
+constexpr double same_turn = 1e-9;    // rad
 constexpr int cusp_samples = 720;     // angles searched for sign changes of the regularity
 constexpr int cusp_bisections = 60;   // down to neighbouring numbers
 
@@ -44,7 +44,7 @@ ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const Motio
         const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
         return profile_point(cam, theta, state_of(point, scale));
     };
-    const bool turn = std::abs(shape.end() - shape.begin() - 2.0 * std::numbers::pi) < whole_turn;
+    const bool turn = std::abs(shape.end() - shape.begin() - 2.0 * std::numbers::pi) < same_turn;
     const Vector2d gap = shape.at(shape.end()).contact - shape.at(shape.begin()).contact;
     shape.closed = turn && gap.norm() < same_place * cam[DimensionIndex::base_radius];
     return shape;

@@ -15,9 +15,9 @@ namespace camopt {
 
 namespace {
 
-constexpr Eigen::Index height_axis = 2;  // Z: X, Y, Z come first
-constexpr double rounding = 1e-9;        // m: pieces this small are decided as their middle
-constexpr int most_pieces = 1'000'000;   // of one move: what is not decided by then is not shown
+constexpr Eigen::Index travel_height_axis = 2;  // Z: X, Y, Z come first
+constexpr double rounding = 1e-9;               // m: pieces this small are decided as their middle
+constexpr int most_pieces = 1'000'000;          // of one move: what is not decided by then is not shown
 
 class Travel {
  public:
@@ -55,7 +55,7 @@ class Travel {
 
     /// Over the blank in whatever way the table stands: then no other axis matters.
     bool above_everything(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-        const double begin = from(height_axis), end = to(height_axis);
+        const double begin = from(travel_height_axis), end = to(travel_height_axis);
         // The first move of a program, from wherever the machine stands: it may lift or lower the tool,
         // alone.
         const bool first = std::isnan(begin) && !std::isnan(end) && only_height_moves(from, to);
@@ -76,7 +76,7 @@ class Travel {
     }
     [[nodiscard]] static bool only_height_moves(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
         for (Eigen::Index i = 0; i < from.size(); ++i)
-            if (i != height_axis && !std::isnan(to(i)) && to(i) != from(i)) return false;
+            if (i != travel_height_axis && !std::isnan(to(i)) && to(i) != from(i)) return false;
         return true;
     }
 

@@ -22,7 +22,7 @@ using units::degree, units::millimetre;
 constexpr int check_digits = 2;
 constexpr double moves_as_designed = 1e-4;  // of the prime radius: what an undercut cam is off is far more
 constexpr double at_end_of_range = 1e-6;    // of the range: a dimension stands at its end
-constexpr double whole_turn = 1e-9;         // rad
+constexpr double least_rest = 1e-9;         // rad
 constexpr double raised_follower = 1e-3;    // lifts: below it a spring has nothing to press with
 
 std::string undercut_remark(const Solution& solution) {
@@ -87,7 +87,7 @@ std::string rest_of_the_turn(const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     const double angle = motion.length() * motion.unit_angle();
     const double rest = 2.0 * std::numbers::pi - angle;
-    if (rest <= whole_turn) return {};
+    if (rest <= least_rest) return {};
     if (motion.type == MotionType::rr)
         return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
                            short_text(angle / degree), short_text(rest / degree));

@@ -16,7 +16,6 @@ namespace {
 
 using units::degree, units::millimetre;
 
-constexpr double megapascal = 1e6;
 constexpr double no_radius = 1e9;  // m: what is straighter than this is straight
 
 double millimetres(double metres) {
@@ -89,7 +88,7 @@ void add_forces(Figures& figures, const CamReport& cam) {
     figures.add("largest camshaft torque", forces.torque, 1.0, "N m");
     if (forces.normal_force) figures.add("largest force along the normal", *forces.normal_force, 1.0, "N");
     if (forces.hertz_pressure)
-        figures.add("largest Hertz pressure", *forces.hertz_pressure, megapascal, "MPa");
+        figures.add("largest Hertz pressure", *forces.hertz_pressure, units::megapascal, "MPa");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int line_width = 110;
+constexpr int comparison_line_width = 110;
 constexpr int objective_decimals = 6, peak_decimals = 4;
 
 std::string limits_cell(const Comparison& comparison, const ComparisonRow& row) {
@@ -60,14 +60,14 @@ std::string comparison_text(const Comparison& comparison) {
     text += verdict_sentence(solution) + "\n";
     if (!solution.motion) text += "What each limit would have to give: camopt solve.\n";
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
-    text += wrapped_text(comparison_sentence(comparison), "", line_width);
+    text += wrapped_text(comparison_sentence(comparison), "", comparison_line_width);
     text += "\n" + aligned_text(table_of(comparison));
     text += fmt::format("\nobjective: {}\n", objective_words(comparison));
     if (has_bases(comparison))
         text += wrapped_text(
             "the smallest base radius at which the motion keeps every limit, the cam's other dimensions as "
             "they are; none: no radius tried keeps them",
-            "base mm: ", line_width);
+            "base mm: ", comparison_line_width);
     return text;
 }
 

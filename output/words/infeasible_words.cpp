@@ -16,13 +16,13 @@ namespace camopt {
 namespace {
 
 constexpr double same_stretch = 0.1;   // of the motion: rows of a proof this close belong together
-constexpr double same_place = 0.02;    // of the motion: a stretch shorter than this is a place
+constexpr double same_point = 0.02;    // of the motion: a stretch shorter than this is a place
 constexpr double worth_naming = 0.02;  // of a limit's heaviest row: lighter rows are left out
 constexpr std::size_t most_stretches = 3;
 constexpr int short_angle_digits = 3;
 
 /// Where a limit bites.
-struct Stretch {
+struct ConflictStretch {
     double begin = 0.0, end = 0.0, weight = 0.0;  ///< x
 };
 
@@ -47,20 +47,20 @@ std::vector<OneLimit> limits_of(const std::vector<ConflictReport>& conflict) {
 }
 
 /// The heaviest few, in the order of the cam angle.
-std::vector<Stretch> stretches_of(std::vector<ConflictReport> rows, double length) {
+std::vector<ConflictStretch> stretches_of(std::vector<ConflictReport> rows, double length) {
     const double least = worth_naming * rows.front().weight;
     std::erase_if(rows, [&](const ConflictReport& row) { return row.weight < least; });
     std::ranges::sort(rows, {}, &ConflictReport::at);
-    std::vector<Stretch> stretches;
+    std::vector<ConflictStretch> stretches;
     for (const ConflictReport& row : rows) {
         if (stretches.empty() || row.at > stretches.back().end + same_stretch * length)
             stretches.push_back({row.at, row.at, 0.0});
         stretches.back().end = row.at;
         stretches.back().weight += row.weight;
     }
-    std::ranges::stable_sort(stretches, std::greater{}, &Stretch::weight);
+    std::ranges::stable_sort(stretches, std::greater{}, &ConflictStretch::weight);
     if (stretches.size() > most_stretches) stretches.resize(most_stretches);
-    std::ranges::sort(stretches, {}, &Stretch::begin);
+    std::ranges::sort(stretches, {}, &ConflictStretch::begin);
     return stretches;
 }
 
@@ -68,12 +68,12 @@ std::vector<Stretch> stretches_of(std::vector<ConflictReport> rows, double lengt
 std::string text_of(const OneLimit& limit, const MotionSpec& motion) {
     const double degrees_per_x = motion.unit_angle() / units::degree;
     const auto degrees = [&](double x) { return short_text(degrees_per_x * x, short_angle_digits); };
-    const std::vector<Stretch> stretches = stretches_of(limit.rows, motion.length());
+    const std::vector<ConflictStretch> stretches = stretches_of(limit.rows, motion.length());
     std::string places;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-        const Stretch& stretch = stretches[i];
+        const ConflictStretch& stretch = stretches[i];
         if (i > 0) places += i + 1 < stretches.size() ? ", " : " and ";
-        places += stretch.end - stretch.begin < same_place * motion.length()
+        places += stretch.end - stretch.begin < same_point * motion.length()
                       ? fmt::format("at {} deg", degrees(0.5 * (stretch.begin + stretch.end)))
                       : fmt::format("from {} to {} deg", degrees(stretch.begin), degrees(stretch.end));
     }

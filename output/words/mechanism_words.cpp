@@ -19,10 +19,10 @@ namespace {
 
 using units::degree, units::millimetre;
 
-constexpr int check_digits = 2;
-constexpr double moves_as_designed = 1e-4;  // of the lift: what an undercut cam is off is far more
+constexpr int mechanism_check_digits = 2;
+constexpr double output_moves_as_designed = 1e-4;  // of the lift: what an undercut cam is off is far more
 
-std::string undercut_remark(const Solution& solution) {
+std::string mechanism_undercut_remark(const Solution& solution) {
     const MechanismSummary& summary = solution.mechanism->summary;
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
     if (has_inverse_cam(solution))
@@ -44,7 +44,7 @@ std::string undercut_remark(const Solution& solution) {
         degrees_at(solution, summary.regularity.at), limit_row(LimitedFigure::convex_radius).first_key());
 }
 
-std::string limited_remark(const Solution& solution) {
+std::string mechanism_limited_remark(const Solution& solution) {
     std::string limits;
     for (const ConstraintReport& row : solution.constraints)
         if (row.active)
@@ -63,7 +63,7 @@ std::string what_was_driven(const Solution& solution, int points) {
                        points);
 }
 
-std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
+std::string mechanism_check_remark(const Solution& solution, const ForwardCheckReport& check) {
     const bool swings = solution.scene.motion.lift_is_angle;
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
@@ -71,9 +71,9 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
                            where);
     return fmt::format("Forward check: {}, and nothing else: the output {} {} {} (at {} deg).",
                        what_was_driven(solution, check.points),
-                       check.relative <= moves_as_designed ? "moves as designed within"
-                                                           : "DEPARTS from the designed motion by",
-                       short_text(check.deviation / (swings ? degree : millimetre), check_digits),
+                       check.relative <= output_moves_as_designed ? "moves as designed within"
+                                                                  : "DEPARTS from the designed motion by",
+                       short_text(check.deviation / (swings ? degree : millimetre), mechanism_check_digits),
                        swings ? "deg" : "mm", where);
 }
 
@@ -123,8 +123,9 @@ std::vector<CamFigure> mechanism_figures(const Solution& solution) {
 }
 
 std::vector<std::string> mechanism_remarks(const Solution& solution) {
-    std::vector<std::string> all = {undercut_remark(solution), limited_remark(solution)};
-    if (const auto& check = solution.mechanism->forward_check) all.push_back(check_remark(solution, *check));
+    std::vector<std::string> all = {mechanism_undercut_remark(solution), mechanism_limited_remark(solution)};
+    if (const auto& check = solution.mechanism->forward_check)
+        all.push_back(mechanism_check_remark(solution, *check));
     return all;
 }
 

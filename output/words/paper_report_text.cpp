@@ -15,7 +15,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int line_width = 100;
+constexpr int paper_line_width = 100;
 
 std::string title_of(const PaperReport& report) {
     return fmt::format("Paper {}: {}", report.id, report.title);
@@ -55,7 +55,7 @@ std::string numbered(const std::string& title, const std::vector<std::string>& s
     if (sentences.empty()) return {};
     std::string text = fmt::format("\n{}\n", title);
     for (std::size_t i = 0; i < sentences.size(); ++i)
-        text += wrapped_text(sentences[i], fmt::format("{}. ", i + 1), line_width);
+        text += wrapped_text(sentences[i], fmt::format("{}. ", i + 1), paper_line_width);
     return text;
 }
 
@@ -72,18 +72,18 @@ constexpr const char* assumptions_title = "Chosen by us, not given by the paper"
 }  // namespace
 
 std::string paper_report_text(const PaperReport& report) {
-    std::string text = title_of(report) + "\n" + wrapped_text(report.source, "", line_width);
-    text += "\n" + wrapped_text(report.introduction, "", line_width);
+    std::string text = title_of(report) + "\n" + wrapped_text(report.source, "", paper_line_width);
+    text += "\n" + wrapped_text(report.introduction, "", paper_line_width);
     text += numbered(faults_title, report.faults);
     text += numbered(assumptions_title, report.assumptions);
     for (const PaperTable& table : report.tables) {
         text += fmt::format("\n{}\n", table.title);
-        if (!table.introduction.empty()) text += wrapped_text(table.introduction, "", line_width);
+        if (!table.introduction.empty()) text += wrapped_text(table.introduction, "", paper_line_width);
         text += aligned_text(text_table_of(table));
     }
     if (!report.figures.empty()) text += "\nFigures (--out DIR writes them)\n";
     for (const PaperFigure& figure : report.figures)
-        text += wrapped_text(fmt::format("{}.svg  {}", figure.key, figure.title), "  ", line_width);
+        text += wrapped_text(fmt::format("{}.svg  {}", figure.key, figure.title), "  ", paper_line_width);
     return text + numbered("Notes", report.notes);
 }
 

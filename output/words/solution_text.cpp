@@ -20,7 +20,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int line_width = 110;
+constexpr int solution_line_width = 110;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
@@ -104,10 +104,10 @@ std::string mechanism_lines(const Solution& solution) {
     for (const CamFigure& figure : mechanism_figures(solution))
         table.rows.push_back({figure.name, figure.value, figure.degrees});
     std::string text = fmt::format("  cam: {}\n", mechanism_text(*solution.scene.mechanism));
-    text += wrapped_text("dimensions: " + mechanism_dimensions_text(solution), "  ", line_width);
+    text += wrapped_text("dimensions: " + mechanism_dimensions_text(solution), "  ", solution_line_width);
     text += indented(aligned_text(table));
     for (const std::string& remark : mechanism_remarks(solution))
-        text += wrapped_text(remark, "  ", line_width);
+        text += wrapped_text(remark, "  ", solution_line_width);
     return text;
 }
 
@@ -121,7 +121,8 @@ std::string cam_lines(const Solution& solution) {
     std::string text = fmt::format("  cam: {}\n", follower_text(*solution.scene.cam));
     text += fmt::format("  dimensions: {}\n", dimensions_text(solution));
     text += indented(aligned_text(table));
-    for (const std::string& remark : cam_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
+    for (const std::string& remark : cam_remarks(solution))
+        text += wrapped_text(remark, "  ", solution_line_width);
     return text;
 }
 
@@ -129,12 +130,13 @@ std::string relaxation_lines(const Solution& solution) {
     std::string text;
     if (is_told_in_words(solution.scene)) {
         for (const std::string& remark : infeasible_remarks(solution))
-            text += wrapped_text(remark, "  ", line_width);
+            text += wrapped_text(remark, "  ", solution_line_width);
         return text;
     }
     for (const Relaxation& row : solution.relaxation)
         text += fmt::format("  relax: {}\n", relaxation_sentence(row));
-    for (const std::string& remark : common_remarks(solution)) text += wrapped_text(remark, "  ", line_width);
+    for (const std::string& remark : common_remarks(solution))
+        text += wrapped_text(remark, "  ", solution_line_width);
     return text;
 }
 

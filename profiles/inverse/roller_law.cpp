@@ -15,7 +15,7 @@ namespace camopt {
 namespace {
 
 // Relative: strokes given to six digits still meet.
-constexpr double meeting_tolerance = 1e-6;
+constexpr double law_meeting_tolerance = 1e-6;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ RollerLaw::RollerLaw(std::vector<RollerStroke> strokes) : strokes_(std::move(str
         const RollerStroke& before = strokes_[i - 1];
         const double from = state_of(before, before.end).distance,
                      to = state_of(stroke, stroke.begin).distance;
-        if (before.end != stroke.begin || !(std::abs(to - from) <= meeting_tolerance * std::abs(from)))
+        if (before.end != stroke.begin || !(std::abs(to - from) <= law_meeting_tolerance * std::abs(from)))
             throw InputError(
                 fmt::format("stroke {} of the roller ends at {} s, {} m and stroke {} begins at {} s, {} m; "
                             "they must meet",

@@ -17,7 +17,7 @@ constexpr int elastic_passes = 3;       // after rows that could not be kept
 constexpr double penalty_excess = 8.0, least_penalty = 1e-6;
 constexpr int most_reductions = 20;
 constexpr int most_corrections = 3;
-constexpr double rounding = 1e-14;
+constexpr double step_rounding = 1e-14;
 
 }  // namespace
 
@@ -101,7 +101,7 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     constexpr double accept = 1e-4, poor = 0.25, good = 0.75;
     adapt_penalty(model, step);
     const double before = merit(here_);
-    const double noise = rounding * (cost_size() + penalty_);
+    const double noise = step_rounding * (cost_size() + penalty_);
     const double predicted = penalty_ * (violation(here_) - step.elastic) - slope_change(step.step) + noise;
     const auto ratio = [&](const NlpPoint& point) {
         if (!std::isfinite(point.cost) || !point.rows.allFinite()) return -infinity;
@@ -110,7 +110,8 @@ bool SequentialRun::take(const StepModel& model, Step step) {
     NlpPoint trial = moved(step.step);
     double gained = ratio(trial);
     for (int k = 0; k < most_corrections; ++k) {
-        if (!(gained < good) || !std::isfinite(gained) || violation(trial) <= step.elastic + rounding) break;
+        if (!(gained < good) || !std::isfinite(gained) || violation(trial) <= step.elastic + step_rounding)
+            break;
         StepModel again = model;
         again.rows = corrected_rows(trial, step.step);
         Step corrected = steps_.solve(here_, again);

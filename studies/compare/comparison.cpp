@@ -24,7 +24,7 @@ namespace {
 struct Bench {
     const Scene& scene;
     CamModel model;
-    std::vector<Stroke> strokes;
+    std::vector<LawStroke> strokes;
     std::optional<DiskCam> cam;
     bool limits_cam = false;
     std::vector<double> mechanism_dimensions = {};
@@ -140,7 +140,7 @@ Comparison compare(const Scene& given, const SolveControl& control) {
     const Solution& solution = comparison.optimum;
     if (scene.cam) comparison.cam = solution.cam ? solution.cam->cam : middle_cam(*scene.cam);
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
-    std::vector<Stroke> strokes = strokes_of(scene, model, solution.motion.get());
+    std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
     const bool limits_cam = model.cam && !cam_limits(scene, model.cam).empty();
     Bench bench{scene, std::move(model), std::move(strokes), comparison.cam, limits_cam};
     if (scene.mechanism)

@@ -22,22 +22,22 @@ constexpr double smallest_jump = 1e-9;
 // In lifts: a stroke that the optimizer has chosen to be shorter stands still.
 constexpr double smallest_rise = 1e-7;
 
-double width_of(const Stroke& stroke) {
+double width_of(const LawStroke& stroke) {
     return stroke.end - stroke.begin;
 }
 
-double rise_of(const Stroke& stroke) {
+double rise_of(const LawStroke& stroke) {
     return *stroke.to - *stroke.from;
 }
 
 /// Whether two neighbouring strokes of the law turn from one into the other without a rest.
-bool turns(const Stroke& before, const Stroke& after) {
+bool turns(const LawStroke& before, const LawStroke& after) {
     const bool both_move = std::min(std::abs(rise_of(before)), std::abs(rise_of(after))) > smallest_rise;
     return both_move && before.kind == SegmentKind::spline && after.kind == SegmentKind::spline &&
            rise_of(before) * rise_of(after) < 0.0;
 }
 
-std::string free_displacement(std::span<const Stroke> strokes) {
+std::string free_displacement(std::span<const LawStroke> strokes) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (strokes[i].from && strokes[i].to) continue;
         return fmt::format(
@@ -49,10 +49,10 @@ std::string free_displacement(std::span<const Stroke> strokes) {
 }
 
 /// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
-std::string turn_strokes(std::vector<Stroke>& strokes, bool closed) {
+std::string turn_strokes(std::vector<LawStroke>& strokes, bool closed) {
     const std::size_t count = strokes.size();
     for (std::size_t i = 0; i < count; ++i) {
-        Stroke& stroke = strokes[i];
+        LawStroke& stroke = strokes[i];
         if (stroke.kind != SegmentKind::spline) continue;
         const bool at_begin = (i > 0 || closed) && turns(strokes[(i + count - 1) % count], stroke);
         const bool at_end = (i + 1 < count || closed) && turns(stroke, strokes[(i + 1) % count]);
@@ -63,10 +63,11 @@ std::string turn_strokes(std::vector<Stroke>& strokes, bool closed) {
     return {};
 }
 
-MotionChain chain_of(std::span<const Stroke> strokes, const std::vector<std::shared_ptr<const Law>>& laws) {
+MotionChain chain_of(std::span<const LawStroke> strokes,
+                     const std::vector<std::shared_ptr<const Law>>& laws) {
     std::vector<ChainPart> parts;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        const Stroke& stroke = strokes[i];
+        const LawStroke& stroke = strokes[i];
         ChainPart part{stroke.begin, stroke.end, laws[i], stroke.begin, width_of(stroke), *stroke.from, 0.0};
         if (laws[i]) part.y_scale = rise_of(stroke);
         if (laws[i] && stroke.mirrored) {
@@ -79,12 +80,12 @@ MotionChain chain_of(std::span<const Stroke> strokes, const std::vector<std::sha
 }
 
 /// x of a place of the law on its stroke.
-double placed_at(const Stroke& stroke, double own) {
+double placed_at(const LawStroke& stroke, double own) {
     return stroke.mirrored ? stroke.end - width_of(stroke) * own : stroke.begin + width_of(stroke) * own;
 }
 
 /// Peaks of a law placed on its stroke.
-Peaks stretched(const Peaks& law, const Stroke& stroke, double rise, double width) {
+Peaks stretched(const Peaks& law, const LawStroke& stroke, double rise, double width) {
     Peaks peaks = scaled_peaks(law, rise, width);
     for (const auto member : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
         Extremum& peak = peaks.*member;
@@ -103,8 +104,8 @@ double acceleration_beyond(const MotionChain& motion, double x, bool closed, Sid
 }
 
 /// The first place of a stroke, its ends included, where y'' jumps by more than `least`.
-std::optional<double> impulse_of(const Stroke& stroke, const Law& law, const MotionChain& motion, bool closed,
-                                 double least) {
+std::optional<double> impulse_of(const LawStroke& stroke, const Law& law, const MotionChain& motion,
+                                 bool closed, double least) {
     const auto jump = [&](double left, double right) { return std::abs(left - right) > least; };
     const auto inside = [&](double x, Side side) { return motion.at(x, side).derivative[2]; };
     if (jump(acceleration_beyond(motion, stroke.begin, closed, Side::left),
@@ -122,7 +123,7 @@ std::optional<double> impulse_of(const Stroke& stroke, const Law& law, const Mot
 }
 
 /// Peaks of every stroke from inside, in lifts and units of x; none where it rests.
-std::vector<Peaks> inner_peaks(std::span<const Stroke> strokes,
+std::vector<Peaks> inner_peaks(std::span<const LawStroke> strokes,
                                const std::vector<std::shared_ptr<const Law>>& laws) {
     std::vector<Peaks> all(strokes.size());
     for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -133,7 +134,7 @@ std::vector<Peaks> inner_peaks(std::span<const Stroke> strokes,
     return all;
 }
 
-void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
+void add_peaks(LawMotion& result, std::span<const LawStroke> strokes,
                const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
     std::vector<Peaks> inner = inner_peaks(strokes, laws);
     for (const Peaks& peaks : inner) raise_peaks(result.motion_peaks, peaks);
@@ -141,7 +142,7 @@ void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
     JoinedMeans means;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!laws[i]) continue;
-        const Stroke& stroke = strokes[i];
+        const LawStroke& stroke = strokes[i];
         if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
             inner[i].jerk = {infinity, *x, Side::right};
             derivative_mean(inner[i], 3) = infinity;
@@ -157,12 +158,12 @@ void add_peaks(LawMotion& result, std::span<const Stroke> strokes,
 
 }  // namespace
 
-std::vector<Stroke> strokes_of(const MotionSpec& motion) {
-    std::vector<Stroke> strokes(1);
+std::vector<LawStroke> strokes_of(const MotionSpec& motion) {
+    std::vector<LawStroke> strokes(1);
     strokes[0].from = 0.0;
     strokes[0].to = 1.0;
     if (motion.type != MotionType::rr) return strokes;
-    Stroke back = strokes[0];
+    LawStroke back = strokes[0];
     back.begin = 1.0;
     back.end = motion.length();
     std::swap(back.from, back.to);
@@ -171,20 +172,20 @@ std::vector<Stroke> strokes_of(const MotionSpec& motion) {
     return strokes;
 }
 
-std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model, const Motion* optimum) {
+std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, const Motion* optimum) {
     if (scene.motion.type != MotionType::program) return strokes_of(scene.motion);
-    std::vector<Stroke> strokes;
+    std::vector<LawStroke> strokes;
     for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
         const ProgramSegment& written = scene.motion.segments[i];
         const MotionFamily::Stretch& stretch = model.design.stretches()[i];
-        Stroke stroke{written.kind,
-                      written.law,
-                      stretch.begin,
-                      stretch.end,
-                      known_displacement(stretch.from),
-                      known_displacement(stretch.to),
-                      model.stretch_scale(static_cast<int>(i)),
-                      false};
+        LawStroke stroke{written.kind,
+                         written.law,
+                         stretch.begin,
+                         stretch.end,
+                         known_displacement(stretch.from),
+                         known_displacement(stretch.to),
+                         model.stretch_scale(static_cast<int>(i)),
+                         false};
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
         if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
         if (stroke.from && stroke.to) stroke.scale.displacement = measured_displacement(rise_of(stroke));
@@ -193,15 +194,15 @@ std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model, const 
     return strokes;
 }
 
-LawMotion law_motion(std::span<const Stroke> strokes, bool closed, const std::shared_ptr<const Law>& law) {
+LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std::shared_ptr<const Law>& law) {
     LawMotion result;
     result.misfit = free_displacement(strokes);
     if (!result.misfit.empty()) return result;
-    std::vector<Stroke> placed(strokes.begin(), strokes.end());
+    std::vector<LawStroke> placed(strokes.begin(), strokes.end());
     if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);
     if (!result.misfit.empty()) return result;
     std::vector<std::shared_ptr<const Law>> laws;
-    for (const Stroke& stroke : placed) {
+    for (const LawStroke& stroke : placed) {
         if (stroke.kind == SegmentKind::law)
             laws.push_back(make_law(stroke.law));
         else

@@ -26,7 +26,7 @@
 namespace camopt {
 
 /// One stretch of a scene: where it lies, and from where to where it moves.
-struct Stroke {
+struct LawStroke {
     SegmentKind kind = SegmentKind::spline;  ///< spline: where the law goes
     std::string law = {};                    ///< kind law: its key
     double begin = 0.0, end = 1.0;           ///< x
@@ -36,11 +36,11 @@ struct Stroke {
 };
 
 /// model: of the scene. optimum: gives the displacements the scene leaves free; may be null.
-[[nodiscard]] std::vector<Stroke> strokes_of(const Scene& scene, const CamModel& model,
-                                             const Motion* optimum);
+[[nodiscard]] std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model,
+                                                const Motion* optimum);
 
 /// Of a DRD or an RR motion.
-[[nodiscard]] std::vector<Stroke> strokes_of(const MotionSpec& motion);
+[[nodiscard]] std::vector<LawStroke> strokes_of(const MotionSpec& motion);
 
 struct LawMotion {
     std::shared_ptr<const MotionChain> motion;  ///< none: the law does not fit
@@ -50,7 +50,7 @@ struct LawMotion {
 };
 
 /// closed: the end of the last stroke joins the begin of the first; else rest lies beyond both.
-[[nodiscard]] LawMotion law_motion(std::span<const Stroke> strokes, bool closed,
+[[nodiscard]] LawMotion law_motion(std::span<const LawStroke> strokes, bool closed,
                                    const std::shared_ptr<const Law>& law);
 
 }  // namespace camopt

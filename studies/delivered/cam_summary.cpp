@@ -23,9 +23,9 @@ struct Place {
 };
 using Figure = std::function<double(const Place&)>;
 
-class Turn {
+class DiskTurn {
  public:
-    Turn(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
+    DiskTurn(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
         : cam_(cam), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
 
     [[nodiscard]] CamExtreme largest(const Figure& figure) const {
@@ -58,7 +58,7 @@ struct ForcedMotion {
     double speed = 0.0;
 };
 
-ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForcedMotion& forced,
+ForceSummary force_summary(const DiskCam& cam, const DiskTurn& turn, const ForcedMotion& forced,
                            const std::optional<double>& no_contact) {
     const ForceSpec& forces = forced.forces;
     const double speed = forced.speed;
@@ -94,7 +94,7 @@ ForceSummary force_summary(const DiskCam& cam, const Turn& turn, const ForcedMot
 }
 
 /// Where 1 + σψ' of an oscillating flat face is least.
-CamExtreme least_turning(const DiskCam& cam, const Turn& turn) {
+CamExtreme least_turning(const DiskCam& cam, const DiskTurn& turn) {
     const double sense = sense_of(cam.rotation);
     return turn.least([sense](const Place& place) { return 1.0 + sense * place.state.velocity; });
 }
@@ -106,7 +106,8 @@ void set_turning_back(CamSummary& summary, const CamExtreme& turning) {
     summary.contact_offset = {infinity, turning.at};
 }
 
-std::optional<double> place_without_contact(const DiskCam& cam, const Turn& turn, const CamSummary& summary) {
+std::optional<double> place_without_contact(const DiskCam& cam, const DiskTurn& turn,
+                                            const CamSummary& summary) {
     if (summary.undercut()) return summary.regularity.at;
     const CamExtreme height = turn.least(
         [&](const Place& place) { return quantity(cam, place.state, Quantity::pressure_denominator).value; });
@@ -114,7 +115,7 @@ std::optional<double> place_without_contact(const DiskCam& cam, const Turn& turn
     return {};
 }
 
-CamExtreme rest_pressure(const Turn& turn, const Scene& scene) {
+CamExtreme rest_pressure(const DiskTurn& turn, const Scene& scene) {
     CamExtreme worst;
     for (const double x : rest_places(scene)) {
         const double angle = turn.pressure_angle_at(x);
@@ -126,7 +127,7 @@ CamExtreme rest_pressure(const Turn& turn, const Scene& scene) {
 }  // namespace
 
 CamSummary cam_summary(const DiskCam& cam, const Motion& motion, const Scene& scene) {
-    const Turn turn(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
+    const DiskTurn turn(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
     const auto angle = [](const Place& place) { return std::abs(place.point.pressure_angle); };
     CamSummary summary;
     summary.pressure_angle = turn.largest(angle);

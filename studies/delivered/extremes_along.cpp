@@ -21,7 +21,7 @@ constexpr int refinements = 60;
 constexpr double mistrust = 4.0;
 constexpr int most_halvings = 10;
 // Of the figure: second differences of rounding.
-constexpr double rounding = 1e-13;
+constexpr double search_rounding = 1e-13;
 
 /// Golden section: a place to the root of rounding, a value to rounding.
 CamExtreme refined(const FigureAlong& figure, double left, double right) {
@@ -89,7 +89,8 @@ class Search {
         const double bend = std::abs(left.value - 2.0 * middle.value + right.value);
         const double largest = std::max({left.value, middle.value, right.value});
         if (!std::isfinite(bend)) return;  // nothing to say there, or as large as can be
-        if (largest + mistrust * bend <= best_.value || bend <= rounding * std::abs(best_.value)) return;
+        if (largest + mistrust * bend <= best_.value || bend <= search_rounding * std::abs(best_.value))
+            return;
         if (halvings == most_halvings) return golden_top(left.at, right.at);
         dig(left, middle, halvings + 1);
         dig(middle, right, halvings + 1);

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double same_place = 1e-9;  // of the motion: two places are one
 
-class Turn {
+class MechanismTurn {
  public:
-    Turn(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale)
+    MechanismTurn(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale)
         : mechanism_(mechanism), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
 
     /// Over all stations.
@@ -55,7 +55,7 @@ MechanismPoint mechanism_point(const DrivenMechanism& mechanism, const MotionPoi
 
 MechanismSummary mechanism_summary(const DrivenMechanism& mechanism, const Motion& motion,
                                    const MotionScale& scale) {
-    const Turn turn(mechanism, motion, scale);
+    const MechanismTurn turn(mechanism, motion, scale);
     MechanismSummary summary;
     summary.pressure_angle =
         turn.largest([](const MechanismPoint& point) { return std::abs(point.pressure_angle); });

@@ -15,7 +15,7 @@ namespace {
 // The first change tried, relative; then it doubles.
 constexpr double first_change = 0.02;
 // No cam is built this much larger than asked for, and no limit is worth this much less.
-constexpr double farthest = 1e3;
+constexpr double farthest_change = 1e3;
 // Pressure angles end short of the right angle.
 constexpr double largest_pressure_angle = 89.9 * units::degree;
 
@@ -53,7 +53,7 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
             !pressure_limits(limits).general_at_rest_alone())
             continue;
         const bool is_angle = std::isfinite(row.range.high) && !row.is_least();
-        const double most = is_angle ? largest_pressure_angle : farthest * limit->value;
+        const double most = is_angle ? largest_pressure_angle : farthest_change * limit->value;
         all.push_back(limit_adjustment(scene, row, row.is_least() ? row.range.low : most));
     }
 }
@@ -104,7 +104,7 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
         if (!upper || !range) own.low = value * unit;
         return changed;
     };
-    const double farthest_value = farthest * size / unit;
+    const double farthest_value = farthest_change * size / unit;
     if (!dimension.is_variable()) {
         Adjustment adjustment{key,
                               as_written(dimension.low / unit),
@@ -148,7 +148,7 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
         const Dimension& dimension = scene.mechanism->dimensions[i].value;
         if (dimension.key.empty() || dimension.is_variable()) continue;
         const double size = std::max(std::abs(dimension.high), least_mechanism_size(scene, i));
-        const double farthest_value = farthest * size / dimension.unit;
+        const double farthest_value = farthest_change * size / dimension.unit;
         Adjustment adjustment{dimension.key,
                               as_written(dimension.low / dimension.unit),
                               first_change * size / dimension.unit,
@@ -171,7 +171,7 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
     const double given = as_written(*scene.cam->face_half_width / units::millimetre);
     Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
-                          farthest * given,         {}};
+                          farthest_change * given,  {}};
     adjustment.limit = true;
     adjustment.with = [](const Scene& one, double value) {
         Scene changed = one;

@@ -16,7 +16,7 @@ constexpr double first_part = 0.02;
 constexpr int most_joint_doublings = 16;
 // The common part is found to this part of itself: finer than the digits it is told with.
 constexpr double part_accuracy = 1e-7;
-constexpr int most_bisections = 40;
+constexpr int most_joint_bisections = 40;
 // How much more than the least part a solve is tried with.
 constexpr double larger_factors[] = {0.0, 1e-3, 1e-2, 1e-1};
 
@@ -76,7 +76,7 @@ class JointSearch {
             if (k == most_joint_doublings || budget_.spent()) return 0.0;
             low = high;
         }
-        return bisected([&](double part) { return does(part); }, {high, low}, most_bisections,
+        return bisected([&](double part) { return does(part); }, {high, low}, most_joint_bisections,
                         [&](const Border& now) {
                             return now.with - now.without <= part_accuracy * now.with || budget_.spent();
                         })

@@ -13,18 +13,18 @@ namespace camopt {
 namespace {
 
 // The first change tried, relative; then it doubles.
-constexpr double first_change = 0.02;
+constexpr double first_operating_change = 0.02;
 // No spring is that much stronger than asked for, no machine that much slower, no cap that much looser.
-constexpr double farthest = 1e3;
+constexpr double farthest_operating_change = 1e3;
 
 Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     Adjustment adjustment;
     adjustment.key = limit.key;
     adjustment.given = limit.given;
-    adjustment.step = first_change * limit.given;
+    adjustment.step = first_operating_change * limit.given;
     adjustment.may_shrink = false;
     adjustment.least = limit.given;
-    adjustment.most = farthest * limit.given;
+    adjustment.most = farthest_operating_change * limit.given;
     adjustment.limit = true;
     adjustment.with = [&row](const Scene& scene, double value) {
         Scene changed = scene;
@@ -49,9 +49,9 @@ Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
     adjustment.key = number.key;
     adjustment.given = as_written((*scene.forces).*number.member / number.unit);
     const double size = std::max(std::abs(adjustment.given), number.size);
-    adjustment.step = first_change * size;
+    adjustment.step = first_operating_change * size;
     adjustment.least = std::min(0.0, adjustment.given);
-    adjustment.most = farthest * size;
+    adjustment.most = farthest_operating_change * size;
     adjustment.with = [number](const Scene& one, double value) {
         Scene changed = one;
         (*changed.forces).*number.member = value * number.unit;
@@ -79,8 +79,9 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
     const double given = as_written(*scene.forces->contact_width / units::millimetre);
-    Adjustment adjustment{"forces.contact_width_mm", given, first_change * given, true, false, given,
-                          farthest * given,          {}};
+    Adjustment adjustment{
+        "forces.contact_width_mm",         given, first_operating_change * given, true, false, given,
+        farthest_operating_change * given, {}};
     adjustment.with = [](const Scene& one, double value) {
         Scene changed = one;
         changed.forces->contact_width = value * units::millimetre;
@@ -99,8 +100,14 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.motion.speed || !goes_by_time(scene)) return;
     const double unit = units::revolution_per_minute;
     const double given = as_written(*scene.motion.speed / unit);
-    Adjustment adjustment{
-        "motion.speed_rpm", given, first_change * given, false, true, given / farthest, given, {}};
+    Adjustment adjustment{"motion.speed_rpm",
+                          given,
+                          first_operating_change * given,
+                          false,
+                          true,
+                          given / farthest_operating_change,
+                          given,
+                          {}};
     adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
         changed.motion.speed = value * unit;

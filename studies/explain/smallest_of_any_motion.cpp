@@ -40,7 +40,7 @@ std::vector<GivenStroke> strokes_of_program(const MotionSpec& motion) {
     return strokes;
 }
 
-std::vector<GivenStroke> strokes_of(const MotionSpec& motion) {
+std::vector<GivenStroke> given_strokes_of(const MotionSpec& motion) {
     if (motion.type == MotionType::program) return strokes_of_program(motion);
     std::vector<GivenStroke> strokes = {{0.0, 1.0, 0.0, 1.0, true, true}};
     if (motion.type == MotionType::rr) strokes.push_back({1.0, motion.length(), 0.0, 1.0, false, true});
@@ -71,7 +71,7 @@ std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const Dis
     if (!is_pushed_point(cam)) return all;
     const PressureLimits limits = pressure_limits(scene.limits);
     const double offset_seen = sense_of(cam.rotation) * cam[offset];
-    for (const GivenStroke& stroke : strokes_of(scene.motion)) {
+    for (const GivenStroke& stroke : given_strokes_of(scene.motion)) {
         const std::optional<WrittenLimit>& limit = stroke.rises ? limits.rise : limits.back;
         if (!limit) continue;
         const double coordinate = least_coordinate(scene, stroke, offset_seen, limit->value);

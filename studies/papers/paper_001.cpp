@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 using units::degree;
 using units::millimetre;
 
-constexpr double turn = 2.0 * std::numbers::pi;
+using units::turn;
 // Chosen: the paper gives no dimension at all.
 constexpr double cutter_diameter_mm = 10.0, allowance_mm = 0.2, tool_length_mm = 120.0;
 constexpr double offset_of_the_test_mm = 12.0;

@@ -23,7 +23,7 @@ using namespace spatial_tables;
 using units::degree;
 using units::millimetre;
 
-constexpr double turn = 2.0 * std::numbers::pi;
+using units::turn;
 constexpr double index_angle = turn / 7.0;
 // Printed by the paper.
 constexpr double printed_roller_radius_mm = 31.75, printed_roller_length_mm = 38.1,

@@ -9,18 +9,18 @@ namespace camopt {
 namespace {
 
 // Points closer than this in the unit box are one point: a solve knows a goal no better.
-constexpr double same_place = 1e-6;
+constexpr double same_front_place = 1e-6;
 // Ends whose goals differ by less than this, relative, are one end.
-constexpr double same_value = 1e-7;
+constexpr double same_front_value = 1e-7;
 
 bool dominates(const FrontPlace& one, const FrontPlace& other) {
     const double first = other.box[0] - one.box[0], second = other.box[1] - one.box[1];
-    return std::min(first, second) > -same_place && std::max(first, second) > same_place;
+    return std::min(first, second) > -same_front_place && std::max(first, second) > same_front_place;
 }
 
 bool same(const FrontPlace& one, const FrontPlace& other) {
-    return std::abs(one.box[0] - other.box[0]) <= same_place &&
-           std::abs(one.box[1] - other.box[1]) <= same_place;
+    return std::abs(one.box[0] - other.box[0]) <= same_front_place &&
+           std::abs(one.box[1] - other.box[1]) <= same_front_place;
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ FrontChain::FrontChain(const FrontNode& first_end, const FrontNode& second_end) 
     has_extent_ = true;
     for (std::size_t goal = 0; goal < 2; ++goal) {
         const double size = std::max(std::abs(first_end.value[goal]), std::abs(second_end.value[goal]));
-        if (!(range_[goal] > same_value * size)) has_extent_ = false;
+        if (!(range_[goal] > same_front_value * size)) has_extent_ = false;
     }
     nodes_ = {first_end};
     if (has_extent_) nodes_.push_back(second_end);

@@ -16,7 +16,7 @@ namespace camopt {
 namespace {
 
 // Rounds of correction: each moves every point by Newton-like interpolation, a handful is enough.
-constexpr int most_rounds = 12;
+constexpr int most_front_rounds = 12;
 // A front that is not connected, or badly solved, must end too: solves a spaced point.
 constexpr int most_solves_per_point = 20;
 // Corrected points aim at this part of what they may be off, so that the next round's lengths still fit.
@@ -191,7 +191,7 @@ std::vector<FrontTarget> Tracer::missing_targets(const FrontChain& chain) const 
 }
 
 void Tracer::space(FrontChain& chain) {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_front_rounds; ++round) {
         std::vector<FrontTarget> missing = missing_targets(chain);
         if (missing.empty()) return;
         // From the far end: new points leave the numbers of the pieces before them alone.

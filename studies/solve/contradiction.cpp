@@ -16,10 +16,10 @@ namespace {
 constexpr double farthest_control_point = 1e3;
 // So many times the segments have freedom enough for whatever can be met at all; beyond a thousand there is
 // no want of it.
-constexpr int plenty = 16, most_segments = 1024;
+constexpr int plenty = 16, most_conflict_segments = 1024;
 
 int plenty_of(int segments) {
-    return std::max(segments, std::min(plenty * segments, most_segments));
+    return std::max(segments, std::min(plenty * segments, most_conflict_segments));
 }
 
 /// Weak duality for a cost of zero: the rows of a contradiction add up to 0 >= bound > 0. The box only

@@ -50,14 +50,14 @@ std::vector<double> random_breakpoints(const Scene& scene, unsigned seed) {
     return points;
 }
 
-struct Search {
+struct FreeKnotSearch {
     FreeKnotResult best;
     std::vector<double> breakpoints;
     int starts = 0, steps = 0, rounds = 0, iterations = 0;
     EvaluationCounts evaluations;
 };
 
-Search search_breakpoints(const Scene& scene, const Solution& start, const SolveControl& control) {
+FreeKnotSearch search_breakpoints(const Scene& scene, const Solution& start, const SolveControl& control) {
     const Peaks reference = reference_peaks(scene);
     const CountingSolver solver(make_structured_solver());
     FreeKnotOptions options;
@@ -68,7 +68,7 @@ Search search_breakpoints(const Scene& scene, const Solution& start, const Solve
         const double limit = start.any_curve_limit->objective;
         options.enough = limit + nothing_left * scene.solver.gap * std::max(1.0, limit);
     }
-    Search search;
+    FreeKnotSearch search;
     const int starts = scene.solver.starts.value_or(default_starts);
     for (int k = 0; k < starts; ++k) {
         if (const std::optional<Termination> ending = control.ending()) {
@@ -112,7 +112,7 @@ bool is_delivered(const Solution& solution) {
 }
 
 /// From a verdict for fixed breakpoints to one for free ones.
-void judge_freely(Solution& solution, const Search& search, const Scene& scene) {
+void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene& scene) {
     Certificate& certificate = solution.certificate;
     const std::optional<double> gap = certificate.gap;
     certificate.lower_bound.reset();
@@ -176,7 +176,7 @@ Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
     Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
     const double at_start = is_delivered(solution) ? solution.certificate.objective : infinity;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
-    const Search search = search_breakpoints(scene, solution, control.sooner(searching));
+    const FreeKnotSearch search = search_breakpoints(scene, solution, control.sooner(searching));
     const bool found = search.best.found.x.size() > 0 &&
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;

@@ -20,7 +20,7 @@ namespace {
 constexpr double active_row = 1e-6;
 
 /// One search, and the multipliers of its last grid.
-struct Search {
+struct SearchState {
     Candidate found;
     Eigen::VectorXd multipliers;
 };
@@ -43,7 +43,7 @@ class StartSearch {
         }
     }
 
-    [[nodiscard]] const Search& best() const { return best_; }
+    [[nodiscard]] const SearchState& best() const { return best_; }
     [[nodiscard]] int ran() const { return ran_; }
     [[nodiscard]] const ExchangeResult& totals() const { return totals_; }
     [[nodiscard]] const CamProblem& problem() const { return problem_; }
@@ -54,7 +54,7 @@ class StartSearch {
     const ExchangeOptions& exchange_;
     const JudgeOptions& judge_;
     const SolveControl& control_;
-    Search best_;
+    SearchState best_;
     ExchangeResult totals_;
     int ran_ = 0;
 
@@ -78,19 +78,19 @@ class StartSearch {
         return ending.has_value();
     }
 
-    Search search(const Eigen::VectorXd& start, const SolveControl& control) {
+    SearchState search(const Eigen::VectorXd& start, const SolveControl& control) {
         ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange_, control);
         totals_.rounds += ran.rounds;
         totals_.iterations += ran.iterations;
         totals_.termination = ran.termination;
         totals_.last = std::move(ran.last);
-        Search search{ran.best, {}};
+        SearchState search{ran.best, {}};
         if (is_better(ran.latest, search.found, judge_.tolerance)) search.found = ran.latest;
         if (totals_.last.row_multipliers) search.multipliers = *totals_.last.row_multipliers;
         return search;
     }
 
-    void keep(Search search) {
+    void keep(SearchState search) {
         if (search.found.x.size() == 0) return;
         const bool first = best_.found.x.size() == 0;
         if (first || is_better(search.found, best_.found, judge_.tolerance)) best_ = std::move(search);

@@ -33,8 +33,8 @@ bool wants_logarithm(const std::vector<const SweepRow*>& rows, int key) {
 }
 
 /// Halfway to the neighbour, for the width a row stands for.
-double edge(const std::vector<const SweepRow*>& rows, std::size_t i, int side, const PlotAxis& axis,
-            int key) {
+double cell_edge(const std::vector<const SweepRow*>& rows, std::size_t i, int side, const PlotAxis& axis,
+                 int key) {
     const double here = axis.place(key_value(*rows[i], key));
     if ((side < 0 && i == 0) || (side > 0 && i + 1 == rows.size())) return here + 3.0 * side;
     return 0.5 * (here + axis.place(key_value(*rows[i + static_cast<std::size_t>(side)], key)));
@@ -44,8 +44,8 @@ void shade_infeasible(SvgCanvas& canvas, const PlotFrame& frame, const std::vect
                       int key) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i]->is_feasible()) continue;
-        const double from = std::max(edge(rows, i, -1, frame.horizontal, key), frame.horizontal.begin);
-        const double to = std::min(edge(rows, i, 1, frame.horizontal, key), frame.horizontal.end);
+        const double from = std::max(cell_edge(rows, i, -1, frame.horizontal, key), frame.horizontal.begin);
+        const double to = std::min(cell_edge(rows, i, 1, frame.horizontal, key), frame.horizontal.end);
         const bool failed = rows[i]->verdict == Verdict::failed;
         canvas.rectangle(from, frame.vertical.end, to - from, frame.vertical.begin - frame.vertical.end,
                          row_class(failed ? "failed" : "shut", "", *rows[i]));

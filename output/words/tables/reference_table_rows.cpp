@@ -14,8 +14,8 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-constexpr int peak_decimals = 7;
-constexpr int objective_decimals = 9;
+constexpr int row_peak_decimals = 7;
+constexpr int row_objective_decimals = 9;
 
 std::string percent_above(double value, double base) {
     if (!std::isfinite(value) || !(base > 0.0)) return "–";
@@ -46,7 +46,8 @@ Row figures_row(const std::string& segments, const std::string& what,
 
 void add_convergence_rows(TextTable& table, const ConvergenceRow& row, double limit) {
     constexpr Decimals printed_digits{3, 3, 2, 4}, exact_digits{4, 4, 4, 6};
-    constexpr Decimals optimum_digits{peak_decimals, peak_decimals, peak_decimals, objective_decimals};
+    constexpr Decimals optimum_digits{row_peak_decimals, row_peak_decimals, row_peak_decimals,
+                                      row_objective_decimals};
     std::string segments = fmt::format("{}", row.segments);
     const auto add = [&](const char* what, const std::optional<PeakFigures>& figures,
                          const Decimals& digits) {
@@ -70,10 +71,10 @@ TableSection convergence_section(const ReferenceTable& table) {
     for (const ConvergenceRow& row : table.convergence)
         add_convergence_rows(section.table, row, table.limit.objective);
     const LimitCurve& limit = table.limit;
-    section.table.rows.push_back({"∞", "limit of all curves", fixed_text(limit.velocity, peak_decimals),
-                                  fixed_text(limit.acceleration, peak_decimals),
-                                  fixed_text(limit.jerk, peak_decimals),
-                                  fixed_text(limit.objective, objective_decimals)});
+    section.table.rows.push_back({"∞", "limit of all curves", fixed_text(limit.velocity, row_peak_decimals),
+                                  fixed_text(limit.acceleration, row_peak_decimals),
+                                  fixed_text(limit.jerk, row_peak_decimals),
+                                  fixed_text(limit.objective, row_objective_decimals)});
     return section;
 }
 
@@ -156,8 +157,9 @@ TableSection weights_section(const ReferenceTable& table) {
              fixed_text(row.printed_fourth_ordinate, 6),
              solved ? fixed_text(row.fourth_ordinate, 6) : std::string("–"),
              fixed_text(row.printed_objective, 6),
-             solved ? fixed_text(row.optimum.certificate.objective, objective_decimals) : std::string("–"),
-             fixed_text(row.limit.objective, objective_decimals), verdict_text(row.optimum.certificate)});
+             solved ? fixed_text(row.optimum.certificate.objective, row_objective_decimals)
+                    : std::string("–"),
+             fixed_text(row.limit.objective, row_objective_decimals), verdict_text(row.optimum.certificate)});
     }
     return section;
 }

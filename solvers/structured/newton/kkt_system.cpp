@@ -7,9 +7,10 @@
 namespace camopt::structured {
 namespace {
 
-constexpr double largest_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
-constexpr double shift_growth = 100.0;  // a breakdown is rare; few retries matter more than the least shift
-constexpr double good_solve = 1e-8;     // relative; above it other shifts are tried and the best is kept
+constexpr double largest_kkt_shift = 1e-2;  // of entries near 1: beyond it the factor preconditions nothing
+constexpr double kkt_shift_growth =
+    100.0;                           // a breakdown is rare; few retries matter more than the least shift
+constexpr double good_solve = 1e-8;  // relative; above it other shifts are tried and the best is kept
 constexpr RefinementLimits refinement{1e-14, 20};
 
 Eigen::Index position_of(const SymmetricFactor::Matrix& matrix, int row, int column) {
@@ -60,9 +61,9 @@ bool KktSystem::factorize(const std::vector<double>& hessian, const Eigen::Vecto
     for (const Eigen::Index p : off_diagonal_) values[p] = 0.0;
     for (std::size_t e = 0; e < hessian.size(); ++e) values[hessian_position_[e]] += hessian[e];
 
-    for (shift_ = first_shift_; shift_ <= largest_shift; shift_ *= shift_growth)
+    for (shift_ = first_shift_; shift_ <= largest_kkt_shift; shift_ *= kkt_shift_growth)
         if (factorize_shifted()) return true;
-    shift_ = largest_shift;
+    shift_ = largest_kkt_shift;
     return false;
 }
 
