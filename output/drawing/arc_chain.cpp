@@ -175,4 +175,10 @@ ArcChain arc_chain(const PlaneCurve& curve, std::span<const double> knots, bool 
     return chain;
 }
 
+double largest_radius(const ArcChain& chain) {
+    double radius = 0.0;
+    for (const ArcVertex& vertex : chain.vertices) radius = std::max(radius, vertex.position.norm());
+    return radius;
+}
+
 }  // namespace camopt

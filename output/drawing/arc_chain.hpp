@@ -50,4 +50,7 @@ struct ArcChain {
 [[nodiscard]] ArcChain arc_chain(const PlaneCurve& curve, std::span<const double> knots, bool closed,
                                  const ArcChainOptions& options = {});
 
+/// Of its vertices from the origin.
+[[nodiscard]] double largest_radius(const ArcChain& chain);
+
 }  // namespace camopt

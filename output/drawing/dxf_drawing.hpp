@@ -17,6 +17,9 @@
 
 namespace camopt {
 
+/// How far axes are drawn beyond the largest radius: this times it.
+inline constexpr double axis_overhang = 1.15;
+
 enum class DxfLine { continuous, dashed, center };
 
 /// color: AutoCAD colour index, 1 red, 3 green, 5 blue, 7 black or white, 8 grey.

@@ -17,9 +17,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double axis_overhang = 1.15;  // of the largest radius
-constexpr double closing = 1e-9;        // of the largest radius: ends this close are one point
-constexpr int sign_samples = 3600;      // in which the reversals of an undercut outline are looked for
+constexpr double closing = 1e-9;    // of the largest radius: ends this close are one point
+constexpr int sign_samples = 3600;  // in which the reversals of an undercut outline are looked for
 
 /// The mechanism's cam at any x of the motion.
 class Outline {
@@ -68,12 +67,6 @@ class Outline {
     const Motion& motion_;
     MotionScale scale_;
 };
-
-double largest_radius(const ArcChain& chain) {
-    double radius = 0.0;
-    for (const ArcVertex& vertex : chain.vertices) radius = std::max(radius, vertex.position.norm());
-    return radius;
-}
 
 ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed, double tolerance,
                   double unit_angle) {

@@ -12,8 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double cam_axis_overhang = 1.15;  // of the largest radius
-constexpr double pivot_size = 0.05;         // of the base radius
+constexpr double pivot_size = 0.05;  // of the base radius
 
 std::vector<DxfLayer> layers() {
     return {{"CAM", 7, DxfLine::continuous},     {"PITCH", 5, DxfLine::dashed},
@@ -43,12 +42,6 @@ ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape&
     ArcChain chain = arc_chain(curve, is_cam ? knots_with_cusps(shape) : shape.knots, shape.closed, options);
     drawing.polyline(layer, chain.vertices, chain.closed);
     return chain;
-}
-
-double largest_cam_radius(const ArcChain& chain) {
-    double radius = 0.0;
-    for (const ArcVertex& vertex : chain.vertices) radius = std::max(radius, vertex.position.norm());
-    return radius;
 }
 
 void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach) {
@@ -88,7 +81,7 @@ ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
         result.pitch_deviation = pitch.deviation;
         drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius]);
     }
-    const double reach = cam_axis_overhang * largest_cam_radius(outline);
+    const double reach = axis_overhang * largest_radius(outline);
     drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
     draw_follower(drawing, shape, reach);

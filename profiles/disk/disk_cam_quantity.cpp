@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 
 #include <array>
-#include <string>
 
 namespace camopt {
 namespace {
@@ -14,10 +12,6 @@ namespace {
 using enum DimensionIndex;
 using expansion::acceleration_column, expansion::velocity_column;
 using expansion::Expander, expansion::Local;
-
-[[noreturn]] void refuse(FollowerType follower) {
-    throw ModelError(std::string("quantity: a ") + name_of(follower) + " follower has no such quantity");
-}
 
 /// Slope of a linear quantity by the variable of that column.
 struct Term {
@@ -69,7 +63,7 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
         case Quantity::contact_offset:
             break;
     }
-    refuse(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
@@ -95,7 +89,7 @@ QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerStat
         case Quantity::contact_offset:
             break;
     }
-    refuse(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& state) {
@@ -122,7 +116,7 @@ QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState&
         case Quantity::pitch_curvature:
             break;
     }
-    refuse(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
@@ -149,7 +143,7 @@ QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState&
         case Quantity::pitch_curvature:
             break;
     }
-    refuse(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 }  // namespace

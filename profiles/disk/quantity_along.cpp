@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/quantity_along.hpp"
 
-#include "core/errors.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
-
-#include <string>
 
 namespace camopt {
 namespace {
 
 using enum DimensionIndex;
-
-[[noreturn]] void refuse_range(FollowerType follower) {
-    throw ModelError(std::string("quantity: a ") + name_of(follower) + " follower has no such quantity");
-}
 
 /// Of followers with a pitch curve.
 template <class Roller>
@@ -34,7 +27,7 @@ RangeAlong roller_quantity(const DiskCam& cam, const Roller& roller, Quantity wh
         case Quantity::contact_offset:
             break;
     }
-    refuse_range(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 RangeAlong translating_flat_quantity(const DiskCam& cam, const StateAlong& state, Quantity which) {
@@ -55,7 +48,7 @@ RangeAlong translating_flat_quantity(const DiskCam& cam, const StateAlong& state
         case Quantity::pitch_curvature:
             break;
     }
-    refuse_range(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 RangeAlong oscillating_flat_quantity(const DiskCam& cam, const StateAlong& state, Quantity which) {
@@ -77,7 +70,7 @@ RangeAlong oscillating_flat_quantity(const DiskCam& cam, const StateAlong& state
         case Quantity::pitch_curvature:
             break;
     }
-    refuse_range(cam.follower);
+    refuse_quantity(cam.follower);
 }
 
 }  // namespace

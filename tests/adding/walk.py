@@ -80,7 +80,8 @@ def run(camopt: pathlib.Path, name: str, one: dict, folder: pathlib.Path) -> lis
 def build(root: pathlib.Path, folder: pathlib.Path) -> int:
     source = folder / "source"
     shutil.rmtree(source, ignore_errors=True)
-    files = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=root, check=True, capture_output=True, text=True)
+    list_files = ["git", "ls-files", "--cached", "--others", "--exclude-standard"]
+    files = subprocess.run(list_files, cwd=root, check=True, capture_output=True, text=True)
     for file in files.stdout.splitlines():
         if (root / file).exists():
             (source / file).parent.mkdir(parents=True, exist_ok=True)
