@@ -3,4 +3,6 @@
 // that describes its keys and makes its formulas (camopt/mechanism.hpp).
 #pragma once
 
+#include "core/language.hpp"
+
 #include "profiles/kinds/cam_kinds.hpp"

@@ -3,4 +3,6 @@
 // N.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "scene/cam_spec.hpp"

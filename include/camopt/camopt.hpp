@@ -4,6 +4,8 @@
 // version.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "camopt/adjustments.hpp"
 #include "camopt/any_curve_limit.hpp"
 #include "camopt/cam_kinds.hpp"
@@ -23,6 +25,7 @@
 #include "camopt/laws.hpp"
 #include "camopt/mechanism.hpp"
 #include "camopt/mechanism_factory.hpp"
+#include "camopt/licenses.hpp"
 #include "camopt/motion.hpp"
 #include "camopt/motion_chain.hpp"
 #include "camopt/nc.hpp"

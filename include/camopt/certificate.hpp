@@ -7,4 +7,6 @@
 // are without units. Nothing throws.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "solvers/certificate/certificate.hpp"

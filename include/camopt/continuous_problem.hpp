@@ -4,5 +4,7 @@
 // thread at a time.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "core/continuous_problem.hpp"
 #include "solvers/exchange/continuous_solve.hpp"

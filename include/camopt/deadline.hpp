@@ -3,4 +3,6 @@
 // Seconds. Safe to ask from several threads.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "core/deadline.hpp"

@@ -5,4 +5,6 @@
 // exceptions.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "core/errors.hpp"

@@ -8,6 +8,8 @@
 // written to by a const call: threads may share one.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "core/extremum.hpp"
 #include "core/motion.hpp"
 #include "core/peaks.hpp"

@@ -9,5 +9,7 @@
 // time.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "core/derivative_check.hpp"
 #include "core/nlp.hpp"

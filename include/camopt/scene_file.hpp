@@ -5,6 +5,8 @@
 // Errors: InputError "FILE:LINE:COLUMN: key: found …; allowed: …".
 #pragma once
 
+#include "core/language.hpp"
+
 #include "input/follower_kinds.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/loading/load_scene.hpp"

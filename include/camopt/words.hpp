@@ -3,5 +3,7 @@
 // units. Nothing throws.
 #pragma once
 
+#include "core/language.hpp"
+
 #include "output/words/comparison_text.hpp"
 #include "output/words/solution_text.hpp"
