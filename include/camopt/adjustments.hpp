@@ -4,6 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/relaxation.hpp"

@@ -5,5 +5,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "motions/bounds/any_curve_limit.hpp"

@@ -4,5 +4,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "profiles/sampling.hpp"

@@ -4,5 +4,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "scene/cam_spec.hpp"

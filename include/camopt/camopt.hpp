@@ -4,8 +4,6 @@
 // version.
 #pragma once
 
-#include "core/language.hpp"
-
 #include "camopt/adjustments.hpp"
 #include "camopt/any_curve_limit.hpp"
 #include "camopt/cam_kinds.hpp"
@@ -23,9 +21,9 @@
 #include "camopt/inverse_cam.hpp"
 #include "camopt/law_losses.hpp"
 #include "camopt/laws.hpp"
+#include "camopt/licenses.hpp"
 #include "camopt/mechanism.hpp"
 #include "camopt/mechanism_factory.hpp"
-#include "camopt/licenses.hpp"
 #include "camopt/motion.hpp"
 #include "camopt/motion_chain.hpp"
 #include "camopt/nc.hpp"
@@ -54,3 +52,4 @@
 #include "camopt/units.hpp"
 #include "camopt/version.hpp"
 #include "camopt/words.hpp"
+#include "core/language.hpp"

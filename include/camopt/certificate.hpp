@@ -8,5 +8,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "solvers/certificate/certificate.hpp"

@@ -4,6 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/compare/comparison.hpp"
 #include "studies/compare/needed_base.hpp"

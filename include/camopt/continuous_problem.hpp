@@ -4,7 +4,6 @@
 // thread at a time.
 #pragma once
 
-#include "core/language.hpp"
-
 #include "core/continuous_problem.hpp"
+#include "core/language.hpp"
 #include "solvers/exchange/continuous_solve.hpp"

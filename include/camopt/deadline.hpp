@@ -3,6 +3,5 @@
 // Seconds. Safe to ask from several threads.
 #pragma once
 
-#include "core/language.hpp"
-
 #include "core/deadline.hpp"
+#include "core/language.hpp"

@@ -5,5 +5,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "profiles/disk/disk_cam.hpp"

@@ -5,6 +5,5 @@
 // exceptions.
 #pragma once
 
-#include "core/language.hpp"
-
 #include "core/errors.hpp"
+#include "core/language.hpp"

@@ -4,5 +4,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "splines/extrema.hpp"

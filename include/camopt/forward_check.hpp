@@ -4,6 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/check/check_cam.hpp"
 #include "studies/check/forward_check.hpp"

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/inverse/inverse_guide.hpp"
 #include "studies/inverse/solved_guide.hpp"

@@ -6,5 +6,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/compare/law_losses.hpp"

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"

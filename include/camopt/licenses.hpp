@@ -4,5 +4,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "core/licenses.hpp"

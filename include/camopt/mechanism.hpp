@@ -6,6 +6,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "scene/cam_mechanism.hpp"
 #include "scene/mechanism_spec.hpp"

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "output/disk/disk_export.hpp"
 #include "output/nc/checked_program.hpp"
 #include "output/nc/machine.hpp"

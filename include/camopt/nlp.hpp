@@ -9,7 +9,6 @@
 // time.
 #pragma once
 
-#include "core/language.hpp"
-
 #include "core/derivative_check.hpp"
+#include "core/language.hpp"
 #include "core/nlp.hpp"

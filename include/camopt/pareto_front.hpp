@@ -4,6 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/pareto/sweep_front.hpp"

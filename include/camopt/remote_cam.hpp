@@ -4,5 +4,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "profiles/remote/remote_cam.hpp"

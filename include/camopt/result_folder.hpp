@@ -5,7 +5,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "output/report/report.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/result_folder_reader.hpp"

@@ -8,6 +8,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "scene/scene.hpp"
 #include "scene/spellings.hpp"

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "input/follower_kinds.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/loading/load_scene.hpp"

@@ -7,5 +7,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "motions/bounds/smallest_cam.hpp"

@@ -8,6 +8,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "scene/peak_units.hpp"
 #include "studies/solve/solve.hpp"

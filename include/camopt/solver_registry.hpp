@@ -5,5 +5,4 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "solvers/registry.hpp"

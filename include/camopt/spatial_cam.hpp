@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "profiles/spatial/contact.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_cam.hpp"

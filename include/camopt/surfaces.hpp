@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "output/spatial/cam_export.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/surface/step/step_file.hpp"

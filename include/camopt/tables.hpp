@@ -4,6 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/profile_csv.hpp"
