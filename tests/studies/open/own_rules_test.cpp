@@ -215,6 +215,40 @@ TEST(OwnRule, StandsInComparisonsWithTheLaws) {
     EXPECT_EQ(comparison.rows.front().title, "optimum");
 }
 
+TEST(OwnRule, HoldsOverTheWholeTurnOfAProgram) {
+    Scene scene = paper_objective(MotionType::program, 5, 8);
+    scene.motion.segments = {{SegmentKind::spline, 120 * units::degree, {}, 1.0},
+                             {SegmentKind::dwell, 60 * units::degree, {}, {}},
+                             {SegmentKind::spline, 180 * units::degree, {}, 0.0}};
+    scene.own_limits = {
+        {"fall",
+         1.3,
+         motion_formula([](const auto&, const auto& v, const auto&, const auto&) { return -1.0 * v; }),
+         Curvature::linear,
+         1,
+         {},
+         0.0}};
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << told(solution);
+    double steepest = 0.0;
+    for (int k = 0; k <= 30000; ++k)
+        steepest = std::max(steepest, -solution.motion->at(3.0 * k / 30000.0).derivative[1]);
+    EXPECT_NEAR(solution.constraints.front().worst, steepest, 1e-6);
+    EXPECT_LE(steepest, 1.3 * (1.0 + 1e-8));
+}
+
+TEST(OwnRule, IsKeptWhileBreakpointsMove) {
+    Scene scene = paper_objective(MotionType::drd, 3, 5);
+    scene.spline.free_knots = true;
+    Scene built_in = scene;
+    built_in.limits.velocity = 1.6;
+    scene.own_limits = {{"speed", 1.6, derivative_of_motion(1), Curvature::linear, 1, {}, 0.0}};
+    const Solution found = solve(scene), expected = solve(built_in);
+    ASSERT_TRUE(found.motion) << told(found);
+    EXPECT_LE(found.constraints.front().worst, 1.6 * (1.0 + 1e-8));
+    EXPECT_NEAR(found.certificate.objective, expected.certificate.objective, 1e-4);
+}
+
 TEST(OwnRule, AFalseShapeIsFoundOut) {
     Scene scene = paper_objective(MotionType::drd, 3, 12);
     const MotionFormula bent =
