@@ -71,3 +71,19 @@ def pages_of(root):
 
 def all_blocks(root):
     return [block for page in pages_of(root) for block in blocks_of(page, (root / page).read_text(encoding="utf-8"))]
+
+
+INDENTED = re.compile(r"^ {4,}(camopt|build/\S+|scripts/\S+|cmake|ctest|find_package\(|#include) ?")
+
+
+def indented_commands(root):
+    """Places of commands and code that no fence encloses, and so nobody checks."""
+    places = []
+    for page in pages_of(root):
+        fenced = False
+        for number, line in enumerate((root / page).read_text(encoding="utf-8").split("\n"), 1):
+            if FENCE.match(line):
+                fenced = not fenced
+            elif not fenced and INDENTED.match(line):
+                places.append(f"{page}:{number}")
+    return places

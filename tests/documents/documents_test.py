@@ -4,13 +4,15 @@ docs/ is run, compiled, read or looked up. A block that nobody claims is a fault
 
 toml    camopt check reads it           cpp, c   compiled against what is installed in PREFIX; with a main also run
 sh      run in a scratch copy           cmake    configured (with add_executable of the page's or README's program)
-python  run                             text, gcode: what programs print; no commands
+python  run                             usage   options looked up              text, gcode: what programs print; no commands
+Commands and code stand in fences: an indented block with one is a fault too.
 """
 
 import argparse
 import collections
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -85,6 +87,11 @@ class Documents:
         script = f"set -euo pipefail\n{text}"
         return "blocks of commands run", self.run(["bash", "-c", script], self.scratch / block.notes.get("in", "."))
 
+    def usage(self, block):
+        """Brackets and bars are the notation, not the command."""
+        text = re.sub(r"[][|…]", " ", block.text)
+        return "synopses looked up", "; ".join(commands.faults_of(self.root, self.program, text)) or None
+
     def flags(self):
         words = ["pkg-config", "--define-prefix", "--cflags", "camopt"]
         run = subprocess.run(words, env=self.surroundings, capture_output=True, text=True, check=True)
@@ -147,10 +154,10 @@ class Documents:
             self.counts["blocks that programs print"] += 1
             first = block.text.split(maxsplit=1)[:1]
             return "a command; its fence must be 'sh'" if first and first[0] in commands.PROGRAMS else None
-        check = {"toml": self.toml, "sh": self.sh, "cpp": self.cpp, "c": self.c, "cmake": self.cmake,
+        check = {"toml": self.toml, "sh": self.sh, "usage": self.usage, "cpp": self.cpp, "c": self.c, "cmake": self.cmake,
                  "python": self.python}.get(block.language)
         if not check:
-            known = "toml, sh, cpp, c, cmake, python; text, gcode for what is printed"
+            known = "toml, sh, usage, cpp, c, cmake, python; text, gcode for what is printed"
             return f"nobody claims a block of '{block.language}'; allowed: {known}"
         what, fault = check(block)
         self.counts[what] += 1
@@ -175,7 +182,11 @@ def read_options():
 def main():
     documents = Documents(read_options())
     documents.lay_out()
-    faults, slowest = 0, (0.0, "")
+    slowest = (0.0, "")
+    indented = blocks.indented_commands(documents.root)
+    faults = len(indented)
+    for place in indented:
+        print(f"{place}: a command in an indented block; fence it as 'sh', or as 'usage'")
     found = blocks.all_blocks(documents.root)
     for block in found:
         begin = time.monotonic()
