@@ -59,9 +59,10 @@ def entities_in(folder):
     """{header: entities}, of types and of what stands directly in a namespace."""
     found = {}
     for path in folder.glob("*.xml"):
-        if path.stem.startswith(("struct", "class", "namespace", "union")):
+        # Of files only those of C: what a C++ header declares stands in its namespace.
+        if path.stem.startswith(("struct", "class", "namespace", "union")) or path.stem.endswith("_8h"):
             compound = xml.parse(path).getroot().find("compounddef")
-            if compound.get("kind") == "namespace":
+            if compound.get("kind") in ("namespace", "file"):
                 for member in compound.iter("memberdef"):
                     add(found, member, member.get("kind"), member.findtext("name"))
             else:
@@ -85,6 +86,8 @@ def declaration(lines, entity):
     while first > 0 and re.match(r"\s*(template|\[\[)", lines[first - 1]):
         first -= 1
     last = entity.last - 1
+    if entity.kind == "define":
+        return first, lines[first:first + 1]
     while last < len(lines) - 1 and not re.search(r"[;}]\s*(//.*)?$", lines[last]):
         last += 1
     body = lines[first:last + 1]
@@ -139,9 +142,10 @@ def anchor(kind, name):
 class Reference:
     def __init__(self, root, out, work):
         self.root, self.out = root, out
-        self.promised = sorted((root / "include/camopt").glob("*.h*")) + sorted((root / "include").glob("*.h"))
+        self.promised = sorted((root / "include/camopt").glob("*.hpp"))
         brought = {header for promised in self.promised for header in brought_by(promised, root)}
-        own = [header for header in self.promised if not brought_by(header, root) and header.suffix == ".h"]
+        own = sorted((root / "bindings/c").glob("*.h"))
+        self.promised += own
         self.entities = entities_in(run_doxygen(root, work, sorted(brought) + own))
         self.names = []
 
@@ -153,18 +157,18 @@ class Reference:
                 continue
             page = header.name.replace(".", "_")
             (self.out / f"api/{page}.md").write_text(self.page(header, page), encoding="utf-8")
-            pages.append(page)
+            pages.append(f"{header.name} <{page}>")
             first = " ".join(purpose_of(header.read_text(encoding="utf-8").split("\n")[0:9])).split(". ")[0].split(": ")[0]
             rows.append(f"| [`{self.name_of(header)}`]({page}.md) | {escaped(first).rstrip('.')} |")
         (self.out / "api/index.md").write_text(self.index(rows, pages), encoding="utf-8")
         return len(pages), len(self.names)
 
     def name_of(self, header):
-        return str(header.relative_to(self.root / "include"))
+        return header.name if header.suffix == ".h" else str(header.relative_to(self.root / "include"))
 
     def page(self, header, page):
         parts = [f"# `<{self.name_of(header)}>`\n", prose(purpose_of(header.read_text(encoding="utf-8").split("\n")))]
-        headers = brought_by(header, self.root) or [header]
+        headers = [header] if header.suffix == ".h" else brought_by(header, self.root)
         for brought in headers:
             lines = brought.read_text(encoding="utf-8").split("\n")
             if len(headers) > 1 or brought != header:
@@ -180,6 +184,8 @@ class Reference:
         for entity in entities:
             if outer and entity.first <= outer[-1].last or "::" in entity.name:
                 continue
+            if entity.kind == "define" and len(lines[entity.first - 1].split()) < 3:
+                continue  # a guard, or a word that only a compiler sees
             outer.append(entity)
         return outer
 
@@ -194,7 +200,7 @@ class Reference:
 
     def index(self, rows, pages):
         names = sorted(self.names, key=lambda name: name[0].lower())
-        text = ["# C++ reference\n\nThe promised headers, and what they bring. `<camopt/camopt.hpp>` is all of them. What is promised and how to link: "
+        text = ["# C++ and C reference\n\nThe promised headers, and what they bring. `<camopt/camopt.hpp>` is all of them. What is promised and how to link: "
                 "[Embedding](../docs/embedding.md).\n", "| header | for |", "|---|---|", *rows, "\n## Every name\n",
                 " · ".join(f'<a href="{page}.html#{key}"><code>{html.escape(name)}</code></a>' for name, key, page in names),
                 "\n```{toctree}\n:hidden:\n\n" + "\n".join(pages) + "\n```\n"]

@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).parent
 SECTIONS = [
     ("Using camopt", ["scene_file", "command_line", "results", "compare", "sweep", "cams", "programs", "nc", "notation"]),
     ("Reference", ["reference/scene", "reference/laws", "reference/solvers", "api/index", "embedding"]),
-    ("Examples", ["gallery/index", "notebooks/index"]),
+    ("Examples", ["gallery/index", "notebooks/index", "notebooks_cpp/README"]),
     ("Theory", ["method", "stability", "theory/pressure_angle"]),
     ("Papers", []),
     ("Benchmarks", ["benchmarks/RESULTS", "benchmarks/README"]),
@@ -31,7 +31,7 @@ SECTIONS = [
 
 
 def pages_of_tree(root):
-    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "benchmarks/README.md", "benchmarks/RESULTS.md"]
+    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "benchmarks/README.md", "benchmarks/RESULTS.md", "notebooks_cpp/README.md"]
     pages += [str(path.relative_to(root)) for path in (root / "benchmarks/results").glob("*.md")]
     pages += [str(path.relative_to(root)) for path in sorted((root / "docs").rglob("*.md"))]
     return [page for page in pages if (root / page).exists()]
@@ -70,11 +70,12 @@ def write_pages(root, program, out, work):
         shutil.copy(HERE / name, out / ("_static" if name.endswith(".css") else "") / name)
     scenes = gallery.Gallery(root, out, work / "solved", program)
     pages = tree.Tree(root, out, scenes.places())
+    pages.pages = notebooks.found_in(root)
     pages.add_pages(pages_of_tree(root))
     pages.write("reference/scene.md", keys.page(program))
     pages.write("reference/laws.md", keys.laws_page(program))
     pages.write("reference/solvers.md", keys.solvers_page(program))
-    pages.write("notebooks/index.md", notebooks.index(notebooks.pages_of(root, out)))
+    pages.write("notebooks/index.md", notebooks.index(notebooks.write(root, out, pages)))
     step("pages of the tree")
     headers, names = api.Reference(root, out, work / "doxygen").write()
     step(f"C++ reference: {names} names of {headers} headers")

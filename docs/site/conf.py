@@ -2,6 +2,10 @@
 """Sphinx's settings for the documentation site; scripts/site calls it."""
 
 import os
+import pathlib
+import re
+
+import furo
 
 project = "camopt"
 author = "The camopt authors"
@@ -29,3 +33,14 @@ html_last_updated_fmt = None
 highlight_language = "text"
 pygments_style = "default"
 pygments_dark_style = "monokai"
+smartquotes = False
+
+
+def dark_colors():
+    """Debian's furo.css has its dark colours only behind the switch on the page; given as options they follow the system too."""
+    styles = pathlib.Path(furo.__file__).parent / "theme/furo/static/styles/furo.css"
+    block = re.search(r'body\[data-theme="?dark"?\] *\{(.*?)\}', styles.read_text(encoding="utf-8"), re.S)
+    return {name: value.strip() for name, value in re.findall(r"--([\w-]+):([^;]+)", block.group(1))}
+
+
+html_theme_options = {"dark_css_variables": dark_colors()}

@@ -7,6 +7,7 @@ import hashlib
 import html
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import tomllib
@@ -52,6 +53,11 @@ def solved(program, scene, folder):
     return facts
 
 
+def by_number(scene):
+    """drd_cubic_4 before drd_cubic_10."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", scene.stem)]
+
+
 def comment_of(text):
     """The lines below the title that say why the scene is there."""
     lines = [line[1:].strip() for line in text.split("\n") if line.startswith("#")]
@@ -61,7 +67,7 @@ def comment_of(text):
 class Gallery:
     def __init__(self, root, out, cache, program):
         self.root, self.out, self.cache, self.program = root, out, cache, program
-        self.scenes = sorted((root / "scenes").glob("**/*.toml"))
+        self.scenes = sorted((root / "scenes").glob("**/*.toml"), key=by_number)
 
     def places(self):
         """Of each scene's file its page on the site."""

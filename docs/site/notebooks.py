@@ -4,9 +4,14 @@
 import re
 
 
-def pages_of(root, out):
-    """Writes notebooks/<name>.md for each; the names, in order."""
-    notebooks = sorted((root / "notebooks_cpp").glob("*.ipynb"))
+def found_in(root):
+    """Of each notebook's file its page on the site."""
+    return {f"notebooks_cpp/{path.name}": f"notebooks/{path.stem}.md" for path in sorted((root / "notebooks_cpp").glob("*.ipynb"))}
+
+
+def write(root, out, pages):
+    """Writes the page of each; their names, in order."""
+    notebooks = [root / path for path in found_in(root)]
     if not notebooks:
         print("site: NO NOTEBOOKS: notebooks_cpp has none, and the site has no page of them")
         return []
@@ -22,13 +27,14 @@ def pages_of(root, out):
             target = folder / name
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
-        (folder / f"{path.stem}.md").write_text(cleaned(text, path), encoding="utf-8")
+        text = pages.with_links_of_site(f"notebooks_cpp/{path.name}", cleaned(text, path))
+        (folder / f"{path.stem}.md").write_text(text, encoding="utf-8")
     return [path.stem for path in notebooks]
 
 
 def cleaned(text, path):
     """One title, C++ as C++, and where to find the notebook itself."""
-    text = re.sub(r"^```(c\+\+\d*|c)$", "```cpp", text, flags=re.M)
+    text = re.sub(r"^```(c\+\+\d*|c)$", "```cpp", text, flags=re.M | re.I)
     if not text.lstrip().startswith("# "):
         text = f"# {path.stem.replace('_', ' ')}\n\n{text}"
     return text.rstrip() + f"\n\n*The notebook: `notebooks_cpp/{path.name}`.*\n"

@@ -32,10 +32,10 @@ class Tree:
 
     def page_of(self, path):
         """Where a page of the tree stands on the site."""
-        return "index.md" if path == "README.md" else path
+        return "index.md" if path == "README.md" else self.pages.get(path, path)
 
     def add_pages(self, paths):
-        self.pages = {path: self.page_of(path) for path in paths}
+        self.pages |= {path: self.page_of(path) for path in paths}
         for path in paths:
             self.write(self.pages[path], self.rewritten(path))
 
@@ -45,15 +45,19 @@ class Tree:
         target.write_text(text, encoding="utf-8")
 
     def rewritten(self, path):
+        return with_title(path, self.with_links_of_site(path, (self.root / path).read_text(encoding="utf-8")))
+
+    def with_links_of_site(self, path, text):
+        """`text`, which stands at `path` in the tree, as it has to be at the place of that page."""
         lines, fenced = [], False
-        for line in (self.root / path).read_text(encoding="utf-8").split("\n"):
+        for line in text.split("\n"):
             if FENCE.match(line):
                 line = line if fenced else self.fence(line)
                 fenced = not fenced
             elif not fenced:
                 line = LINK.sub(lambda match: match[1] + self.target(path, match[2]) + match[3], line)
             lines.append(line)
-        return with_title(path, "\n".join(lines))
+        return "\n".join(lines)
 
     @staticmethod
     def fence(line):
@@ -67,6 +71,8 @@ class Tree:
             return link
         name, mark, anchor = link.partition("#")
         path = os.path.normpath(os.path.join(os.path.dirname(page), name))
+        if not (self.root / path).exists():  # a picture that was made for the site
+            return link
         here = os.path.dirname(self.page_of(page))
         return os.path.relpath(self.place_of(path), here or ".") + mark + anchor
 

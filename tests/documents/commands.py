@@ -5,6 +5,7 @@ import functools
 import json
 import re
 import shlex
+import shutil
 import subprocess
 
 PROGRAMS = {"camopt", "build/release/apps/camopt"}
@@ -82,8 +83,8 @@ def faults_of_command(root, program, words):
         yield from faults_of_script(root, words)
     elif name in ("cmake", "ctest"):
         yield from faults_of_presets(root, words)
-    else:
-        yield f"nobody knows how to look up '{name}'"
+    elif not shutil.which(name) and name not in ("cd", "export", "source"):
+        yield f"there is no program '{name}'"
 
 
 def faults_of(root, program, text):

@@ -3,7 +3,7 @@
 docs/ is run, compiled, read or looked up. A block that nobody claims is a fault.
 
 toml    camopt check reads it           cpp, c   compiled against what is installed in PREFIX; with a main also run
-sh      run in a scratch copy           cmake    configured (with add_executable of the page's or README's program)
+sh      run in a scratch copy           cmake    configured with the last whole program above it; the first is built and run
 python  run                             usage   options looked up              text, gcode: what programs print; no commands
 Commands and code stand in fences: an indented block with one is a fault too.
 """
@@ -100,9 +100,7 @@ class Documents:
     def cpp(self, block):
         if "int main(" in block.text:
             self.whole_program = block
-            source = self.file_for(block, "main.cpp")
-            source.write_text(block.text, encoding="utf-8")
-            return "C++ programs, built with the block of CMake", None
+            return "C++ programs, built with the next block of CMake", None
         given = block.notes.get("with", "").splitlines()
         lines = block.text.splitlines()
         top = [line for line in given + lines if line.startswith(("#include", "using namespace"))]
@@ -113,28 +111,38 @@ class Documents:
 
     def c(self, block):
         text = block.text
-        if "int main(" not in text:
-            lines = block.notes.get("with", "").splitlines() + text.splitlines()
-            top = [line for line in lines if line.startswith("#include")]
-            text = "\n".join(top + ["void block(void) {"] + [line for line in lines if line not in top] + ["}\n"])
+        if "int main(" in text:
+            self.whole_program = block
+            return self.c_program(block)
+        lines = block.notes.get("with", "").splitlines() + text.splitlines()
+        top = [line for line in lines if line.startswith("#include")]
+        text = "\n".join(top + ["void block(void) {"] + [line for line in lines if line not in top] + ["}\n"])
         source = self.file_for(block, "part.c")
         source.write_text(text, encoding="utf-8")
-        return "blocks of C compiled", self.run(["cc", "-std=c99", "-fsyntax-only", *self.flags(), source])
+        return "parts of C compiled", self.run(["cc", "-std=c99", "-fsyntax-only", *self.flags(), source])
+
+    def c_program(self, block):
+        source = self.file_for(block, "program.c")
+        source.write_text(block.text, encoding="utf-8")
+        build = "cc -std=c99 program.c -o program $(pkg-config --define-prefix --cflags --libs camopt_c) && ./program"
+        self.surroundings["LD_LIBRARY_PATH"] = f"{self.options.prefix}/{self.options.libdir}"
+        return "C programs built and run", self.run(["bash", "-c", build], source.parent)
 
     def cmake(self, block):
-        """Configured; the first one that finds camopt is built with the whole program of README and run."""
+        """Configured with the last whole program above it; the first of C++ is built and run."""
         if not self.whole_program:
             return "", "no page before it has a whole C++ program"
+        language, name = ("C", "main.c") if self.whole_program.language == "c" else ("CXX", "main.cpp")
         project = self.file_for(block, "CMakeLists.txt")
-        project.write_text("cmake_minimum_required(VERSION 3.25)\nproject(documents LANGUAGES CXX)\n"
-                           "add_executable(program main.cpp)\n" + block.text, encoding="utf-8")
-        project.with_name("main.cpp").write_text(self.whole_program.text, encoding="utf-8")
+        project.write_text(f"cmake_minimum_required(VERSION 3.25)\nproject(documents LANGUAGES {language})\n"
+                           f"add_executable(program {name})\n" + block.text, encoding="utf-8")
+        project.with_name(name).write_text(self.whole_program.text, encoding="utf-8")
         if "add_subdirectory(camopt" in block.text and not project.with_name("camopt").exists():
             project.with_name("camopt").symlink_to(self.root)
         build = project.with_name("build")
         fault = self.run(["cmake", "-S", project.parent, "-B", build, f"-DCMAKE_PREFIX_PATH={self.options.prefix}",
                           f"-DCMAKE_CXX_COMPILER={self.options.compiler}", f"-DCMAKE_CXX_FLAGS={self.options.flags}"])
-        if fault or self.counts["C++ programs built and run"]:
+        if fault or language == "C" or self.counts["C++ programs built and run"]:
             return "blocks of CMake configured", fault
         fault = self.run(["cmake", "--build", build]) or self.run([build / "program"])
         self.counts["C++ programs built and run"] += 0 if fault else 1
