@@ -6,6 +6,7 @@
 
 #include "camopt/adjustments.hpp"
 #include "camopt/any_curve_limit.hpp"
+#include "camopt/cam_kinds.hpp"
 #include "camopt/cam_points.hpp"
 #include "camopt/cam_spec.hpp"
 #include "camopt/certificate.hpp"
@@ -26,6 +27,7 @@
 #include "camopt/motion_chain.hpp"
 #include "camopt/nc.hpp"
 #include "camopt/nlp.hpp"
+#include "camopt/own_rules.hpp"
 #include "camopt/papers.hpp"
 #include "camopt/pareto_front.hpp"
 #include "camopt/pictures.hpp"

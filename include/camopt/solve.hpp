@@ -7,4 +7,5 @@
 // another, all else runs side by side.
 #pragma once
 
+#include "scene/peak_units.hpp"
 #include "studies/solve/solve.hpp"
