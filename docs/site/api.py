@@ -200,7 +200,8 @@ class Reference:
 
     def index(self, rows, pages):
         names = sorted(self.names, key=lambda name: name[0].lower())
-        text = ["# C++ and C reference\n\nThe promised headers, and what they bring. `<camopt/camopt.hpp>` is all of them. What is promised and how to link: "
+        languages = "C++ and C" if any(header.suffix == ".h" for header in self.promised) else "C++"
+        text = [f"# {languages} reference\n\nThe promised headers, and what they bring. `<camopt/camopt.hpp>` is all of them. What is promised and how to link: "
                 "[Embedding](../docs/embedding.md).\n", "| header | for |", "|---|---|", *rows, "\n## Every name\n",
                 " · ".join(f'<a href="{page}.html#{key}"><code>{html.escape(name)}</code></a>' for name, key, page in names),
                 "\n```{toctree}\n:hidden:\n\n" + "\n".join(pages) + "\n```\n"]

@@ -32,7 +32,7 @@ html_last_updated_fmt = None
 # A page of the tree is the source of each page here; blocks of the program's output have no language.
 highlight_language = "text"
 pygments_style = "default"
-pygments_dark_style = "monokai"
+pygments_dark_style = "github-dark"
 smartquotes = False
 
 
