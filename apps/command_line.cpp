@@ -3,6 +3,8 @@
 
 #include "apps/command_words.hpp"
 #include "apps/commands.hpp"
+#include "apps/completion/completion.hpp"
+#include "apps/manual/manual.hpp"
 #include "apps/pareto_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
@@ -200,11 +202,14 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
-    CLI::App& command = *program.add_subcommand("list", "What this camopt knows: laws, followers or solvers");
-    command.add_option("WHAT", request.what, "laws, followers or solvers")
+    CLI::App& command =
+        *program.add_subcommand("list", "What this camopt knows: laws, followers, solvers, keys of a scene");
+    command
+        .add_option("WHAT", request.what,
+                    "The classical laws, the kinds of followers, the solvers, or every key of a scene file")
         ->type_name("")
         ->required()
-        ->check(one_of({"laws", "followers", "solvers"}));
+        ->check(one_of(list_topics()));
     command.add_flag("--json", request.json, "Print the list as JSON and nothing else");
     return command;
 }
@@ -400,6 +405,15 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
     CLI::App& sweep = add_sweep(program, parsed.sweep);
     const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
+    // Not commands of people. The shells ask what could stand where the cursor is; the build writes the
+    // manual.
+    const std::string_view first = count > 1 ? words[1] : "";
+    if (first == "__complete" || first == "__manual") {
+        print(first == "__manual"
+                  ? manual_page(program)
+                  : completion_text(program, std::span(words + 2, static_cast<std::size_t>(count - 2))));
+        return success;
+    }
     try {
         program.parse(count, words);
     } catch (const CLI::Success& asked_for_help) {

@@ -113,4 +113,11 @@ install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/Find
 
 if(TARGET camopt)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET camopt_manual)
+    install(FILES ${PROJECT_BINARY_DIR}/apps/camopt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  endif()
+  # Where each shell looks by itself.
+  install(FILES apps/completion/camopt.bash RENAME camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES apps/completion/_camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES apps/completion/camopt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
