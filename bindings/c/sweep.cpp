@@ -94,25 +94,23 @@ void solve_rows(const camopt_scene& given, const SweepPlan& plan, CallbackContro
     control.stop_requested = [asked = std::move(control.stop_requested), &callbacks] {
         return callbacks.stopped() || (asked && asked());
     };
+    int told = 0;
     const auto tell = [&](const SweepRow& row) {
         if (callbacks.stopped()) return;  // solved halfway
         const ShownRow shown(row, columns, plan.rows());
+        ++told;
         callbacks.call([&] {
             if (row_callback.call(&shown.shown(), row_callback.user) != 0) callbacks.stop();
         });
     };
     const Chunking chunks{plan.rows(), chunk_size_for(plan.rows())};
-    int told = 0;
     for (int chunk = 0; chunk < chunks.count() && !callbacks.stopped(); ++chunk)
-        (void)solve_chunk(scenes, chunks.range(chunk), control, [&](const SweepRow& row) {
-            tell(row);
-            told = row.number + 1;
-        });
+        (void)solve_chunk(scenes, chunks.range(chunk), control, tell);
     callbacks.finish();
-    if (callbacks.stopped())
-        throw Failure(CAMOPT_ERROR_CANCELLED, "the sweep was stopped by its caller in row " +
-                                                  std::to_string(std::max(told - 1, 0)) + " of " +
-                                                  std::to_string(plan.rows()));
+    if (told < plan.rows())
+        throw Failure(CAMOPT_ERROR_CANCELLED, "the sweep was stopped by its caller after " +
+                                                  std::to_string(told) + " of " +
+                                                  std::to_string(plan.rows()) + " rows");
 }
 
 }  // namespace
