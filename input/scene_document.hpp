@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A scene that is made key by key: the keys, units and messages of a scene file, without a file.
 //
-// Each setting is checked at once. What is wrong with its key or its value is an InputError "KEY: found …;
-// allowed: …" with the words of a scene file, and the document stays as it was. What is still missing, or
-// does not go together with other keys, is told when the scene is read. A document belongs to one thread
-// while it is written; const calls may come from several.
+// Each setting is checked at once. What the reader of a scene file would find wrong with its key or its value
+// is an InputError "KEY: found …; allowed: …" with the same words, and the document stays as it was. What is
+// still missing, or is wrong with other keys, is told when the scene is read. A document belongs to one
+// thread while it is written; const calls may come from several.
 #pragma once
 
 #include "input/scene_reader.hpp"

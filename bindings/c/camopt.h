@@ -88,7 +88,7 @@ CAMOPT_C_API void camopt_text_free(camopt_text* text);
 
 typedef struct camopt_scene camopt_scene;
 
-/// The defaults of a scene file: weights are to be set before it can be solved.
+/// The defaults of a scene file: the type of motion and weights are to be set before it can be solved.
 CAMOPT_C_API camopt_error camopt_scene_new(camopt_scene** scene);
 
 /// A scene from the text of a scene file. name: stands before line and column in errors; NULL: "scene".
@@ -103,10 +103,11 @@ CAMOPT_C_API void camopt_scene_free(camopt_scene* scene);
 
 /// Sets one key, in the unit that stands in it: camopt_set_number(scene, "limits.velocity_mm_s", 300). Keys
 /// are the dotted keys of scene files; an entry of an array that is there is "motion.segments[1].to". Other
-/// spellings of the same quantity (lift_in for lift_mm) are replaced. A wrong key or value is
-/// CAMOPT_ERROR_INPUT with the words of a scene file, and the scene stays as it was. What is still missing,
-/// or does not go together with other keys, is told by camopt_scene_check and by everything that uses the
-/// scene. A number without a fraction does for integers.
+/// spellings of the same quantity (lift_in for lift_mm) are replaced. What the reader of a scene file would
+/// find wrong with this key or value is CAMOPT_ERROR_INPUT with its words, and the scene stays as it was: a
+/// limit in mm/s wants motion.speed_rpm before it, a limit of the cam the cam. What is missing yet, or is
+/// wrong with other keys, is told by camopt_scene_check and by everything that uses the scene. A number
+/// without a fraction does for integers.
 CAMOPT_C_API camopt_error camopt_set_number(camopt_scene* scene, const char* key, double value);
 CAMOPT_C_API camopt_error camopt_set_text(camopt_scene* scene, const char* key, const char* value);
 /// value: 0 is false, everything else true.
