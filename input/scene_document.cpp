@@ -7,6 +7,8 @@
 #include "input/keys/key_check.hpp"
 #include "input/overrides.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,6 +43,7 @@ Node scalar_node(double value) {
 
 /// Makes a node of each kind of value.
 struct NodeOf {
+    std::string_view key;
     const Place& place;
 
     Node operator()(bool value) const {
@@ -49,6 +52,7 @@ struct NodeOf {
         node.boolean = value;
         return node;
     }
+    Node operator()(int value) const { return scalar_node(value); }
     Node operator()(double value) const { return scalar_node(value); }
     Node operator()(const std::string& value) const {
         Node node;
@@ -65,7 +69,13 @@ struct NodeOf {
         }
         return node;
     }
-    Node operator()(const TomlValue& value) const { return parse_override_value(value.text, place); }
+    Node operator()(const TomlValue& value) const {
+        try {
+            return parse_override_value(value.text, place);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", printable(key), error.what()));
+        }
+    }
 };
 
 /// Whether the key table has this key, or lets a backend have keys of its own there.
@@ -103,7 +113,7 @@ const std::string& SceneDocument::name() const {
 void SceneDocument::set(std::string_view key, const SceneValue& value) {
     State changed = *state_;
     const Place place = changed.next_place();
-    Setting setting{std::string(key), std::visit(NodeOf{place}, value)};
+    Setting setting{std::string(key), std::visit(NodeOf{key, place}, value)};
     setting.value.place = place;
     apply_setting(changed.source.root, setting);
     check_given_keys(changed.source);

@@ -24,7 +24,7 @@ struct TomlValue {
     std::string text;
 };
 /// An integer key takes a double without a fraction.
-using SceneValue = std::variant<bool, double, std::string, std::vector<double>, TomlValue>;
+using SceneValue = std::variant<bool, int, double, std::string, std::vector<double>, TomlValue>;
 
 class SceneDocument {
  public:

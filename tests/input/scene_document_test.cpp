@@ -48,6 +48,7 @@ TEST(SceneDocument, TakesEveryKindOfValue) {
     EXPECT_EQ(scene.title, "a \"title\"");
     ASSERT_EQ(scene.motion.via.size(), 1U);
     EXPECT_EQ(scene.motion.via[0].at, 0.25);
+    document.set("motion.symmetric", false);
     document.set("spline.breakpoints", std::vector<double>{0, 0.25, 0.5, 1});
     EXPECT_EQ(document.scene().spline.breakpoints, (std::vector<double>{0, 0.25, 0.5, 1}));
     document.set("motion.via[0].at", 0.3);
@@ -89,7 +90,8 @@ TEST(SceneDocument, RefusesWithTheWordsOfASceneFile) {
     EXPECT_NE(set("objective.reference", std::string("sine")).find("a law of the catalogue"),
               std::string::npos);
     EXPECT_NE(set("spline.end_jerk", std::string("zero")).find("spline.end_jerk: found"), std::string::npos);
-    EXPECT_NE(set("motion.rise_deg", TomlValue{"ninety]"}).find("found no TOML value"), std::string::npos);
+    EXPECT_NE(set("motion.rise_deg", TomlValue{"ninety]"}).find("motion.rise_deg: found no TOML value"),
+              std::string::npos);
     EXPECT_NE(set("a key", 1).find("found \"a key\", which is no dotted key"), std::string::npos);
     EXPECT_NE(set("", 1).find("no dotted key"), std::string::npos);
     EXPECT_NE(set("motion.via[0].at", 1).find("motion.via"), std::string::npos);
