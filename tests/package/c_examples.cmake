@@ -63,6 +63,18 @@ foreach(name IN LISTS c_compilers)
   endforeach()
 endforeach()
 
+# The page on the C library says nothing that does not compile.
+if(CAMOPT_gcc AND NOT CAMOPT_SANITIZE AND NOT CAMOPT_COVERAGE)
+  find_package(Python3 COMPONENTS Interpreter REQUIRED)
+  set(installed ${CMAKE_CURRENT_BINARY_DIR}/prefix_static)
+  add_test(NAME package.c_page COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/c_docs.py
+    ${PROJECT_SOURCE_DIR}/docs/embedding_c.md ${CMAKE_CURRENT_BINARY_DIR}/c_page ${CAMOPT_gcc} -std=c99 -Wall -Wextra
+    -pedantic -Werror -I${installed}/${CMAKE_INSTALL_INCLUDEDIR} -L${installed}/${CMAKE_INSTALL_LIBDIR} -lcamopt_c
+    -Wl,-rpath,${installed}/${CMAKE_INSTALL_LIBDIR})
+  set_tests_properties(package.c_page PROPERTIES FIXTURES_REQUIRED camopt_static_installed
+    PASS_REGULAR_EXPRESSION "optimal: objective 0\\.926.*3 blocks compiled, 1 run")
+endif()
+
 # A program that has both faces in it, and what the libraries show.
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 foreach(kind static shared)
