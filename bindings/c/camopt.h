@@ -4,7 +4,9 @@
 // Errors. Functions that can fail return a camopt_error, CAMOPT_OK = 0. What went wrong is then in
 // camopt_error_text(), a text of the calling thread. No C++ exception leaves the library, nothing is printed,
 // nothing aborts; a NULL where something must be given is CAMOPT_ERROR_NULL. Where a call fails, what it
-// would have written stays as it was (a new handle is NULL), unless its comment says otherwise.
+// would have written stays as it was (a new handle is NULL), unless its comment says otherwise. One
+// exception: memory that ends while TOML is read or JSON written ends the program, for the libraries that do
+// it are not prepared for that.
 //
 // Handles. camopt_scene and camopt_solution are made by functions with an argument `camopt_… **` and freed by
 // camopt_…_free. A solution keeps nothing of its scene: either may be freed first. A `const char *` that is
