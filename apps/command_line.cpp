@@ -6,6 +6,7 @@
 #include "apps/pareto_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/licenses.hpp"
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
@@ -375,9 +376,18 @@ ExitCode complain(std::string_view what, ExitCode code) {
     return code;
 }
 
+/// "camopt 0.2.0" and under what terms this binary may be passed on.
+std::string version_text() {
+    std::string with;
+    for (const LicensedPart& part : licensed_parts())
+        if (part.name != "camopt")
+            with += fmt::format("{}{} ({})", with.empty() ? "" : ", ", part.name, part.license);
+    return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
+}
+
 ExitCode parse_and_run(int count, const char* const* words) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
-    program.set_version_flag("--version", fmt::format("camopt {}", version()));
+    program.set_version_flag("--version", version_text());
     program.footer(examples);
     program.require_subcommand(1);
     Words parsed;

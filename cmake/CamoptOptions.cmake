@@ -15,6 +15,9 @@ option(CAMOPT_UNITY_BUILD "Compile sources of a folder together: half the time o
 set(CAMOPT_UNITY_BATCH 8 CACHE STRING "How many; 0: all, where two that do not go together are seen whatever their order")
 option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
+# Parts under the GPL are SuiteSparse's; whoever passes a binary on may not want them.
+option(CAMOPT_GPL "Use libraries under the GPL (SuiteSparseQR, CHOLMOD) where they are found" ON)
+
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.
 foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE)
   set(CAMOPT_WITH_${backend} AUTO CACHE STRING "Use ${backend}: AUTO, ON or OFF")

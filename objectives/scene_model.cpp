@@ -6,6 +6,7 @@
 #include "objectives/program_family.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
+#include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
 #include "scene/cost_table.hpp"
@@ -364,6 +365,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_peaks(model, scene, reference);
     add_cam(model, scene);
     add_mechanism(model, scene);
+    add_own_rules(model, scene);
     return model;
 }
 

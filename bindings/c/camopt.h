@@ -138,8 +138,12 @@ typedef struct camopt_solution camopt_solution;
 typedef struct camopt_progress {
     size_t size;  ///< of what the library has filled
     const char*
-        message;     ///< one short line: "round 2: objective 0.93951, 97 rows". Until the callback returns
-    double seconds;  ///< since the solve (the sweep) began
+        message;       ///< one short line: "round 2: objective 0.93951, 97 rows". Until the callback returns
+    double seconds;    ///< since the solve (the sweep) began
+    int round;         ///< of the exchange of cam angles, from 1; 0: not known
+    double incumbent;  ///< objective of the best motion so far
+    double bound;      ///< that no motion can pass, proved so far
+    double violation;  ///< of the incumbent, relative to each limit; <= 0: all are kept
 } camopt_progress;
 
 typedef void (*camopt_progress_callback)(const camopt_progress* progress, void* user);

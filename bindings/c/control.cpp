@@ -2,6 +2,7 @@
 #include "bindings/c/control.hpp"
 
 #include "bindings/c/failure.hpp"
+#include "bindings/c/structs.hpp"
 
 #include <string>
 
@@ -13,7 +14,7 @@ SolveControl CallbackControl::control() {
     if (options_.cancel != nullptr || options_.progress != nullptr)
         control.stop_requested = [this] { return asked_to_stop(); };
     if (options_.progress != nullptr)
-        control.progress = [this](std::string_view message) { report(message); };
+        control.progress = [this](const Progress& progress) { report(progress); };
     return control;
 }
 
@@ -24,11 +25,17 @@ bool CallbackControl::asked_to_stop() {
     return stopped();
 }
 
-void CallbackControl::report(std::string_view message) {
+void CallbackControl::report(const Progress& progress) {
     call([&] {
-        const std::string text(message);
-        const camopt_progress progress{sizeof(camopt_progress), text.c_str(), seconds()};
-        options_.progress(&progress, options_.user);
+        const std::string text(progress.message);
+        const camopt_progress shown{sizeof(camopt_progress),
+                                    text.c_str(),
+                                    seconds(),
+                                    progress.round.value_or(0),
+                                    number_or_absent(progress.incumbent),
+                                    number_or_absent(progress.bound),
+                                    number_or_absent(progress.violation)};
+        options_.progress(&shown, options_.user);
     });
 }
 

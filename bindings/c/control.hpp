@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <exception>
-#include <string_view>
 
 namespace camopt::c {
 
@@ -48,7 +47,7 @@ class CallbackControl {
     bool stopped_ = false;
 
     [[nodiscard]] bool asked_to_stop();
-    void report(std::string_view message);
+    void report(const Progress& progress);
 };
 
 }  // namespace camopt::c

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
 #include "bindings/c/texts.hpp"
-#include "input/scene_reader.hpp"
-#include "motions/laws/law_catalogue.hpp"
+#include "input/loading/load_scene.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
 
 #include <memory>
 #include <vector>
@@ -12,17 +10,9 @@
 namespace camopt::c {
 namespace {
 
-input::KnownNames names_of_scenes() {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
-    return known;
-}
-
 /// A scene that is right as a whole.
 std::unique_ptr<camopt_scene> scene_of(std::string_view toml, std::string_view name) {
-    auto made =
-        std::make_unique<camopt_scene>(camopt_scene{input::SceneDocument(toml, name, names_of_scenes())});
+    auto made = std::make_unique<camopt_scene>(camopt_scene{input::SceneDocument(toml, name, known_names())});
     (void)complete_scene(*made);
     return made;
 }
@@ -64,7 +54,7 @@ camopt_error camopt_scene_new(camopt_scene** scene) {
     return guarded([&] {
         require(scene, "scene");
         *scene = nullptr;
-        *scene = new camopt_scene{camopt::input::SceneDocument("", "scene", names_of_scenes())};
+        *scene = new camopt_scene{camopt::input::SceneDocument("", "scene", camopt::known_names())};
     });
 }
 

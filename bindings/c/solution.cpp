@@ -15,7 +15,7 @@ camopt_summary summary_of(const Solution& solution) {
     const MotionSpec& motion = solution.scene.motion;
     camopt_summary summary{};
     summary.verdict = verdict_of(certificate.verdict);
-    summary.reason = certificate.reason.c_str();
+    summary.reason = name_of(certificate.reason);
     summary.has_motion = solution.motion ? 1 : 0;
     summary.has_cam = solution.cam || solution.mechanism ? 1 : 0;
     summary.interrupted = solution.solver.termination == Termination::interrupted ? 1 : 0;

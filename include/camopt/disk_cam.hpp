@@ -4,4 +4,5 @@
 // stand in the header this one brings; m, rad, s' in m/rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/disk/disk_cam.hpp"

@@ -3,5 +3,6 @@
 // check_cam(solution) for a solved scene, forward_check(input) for points of any origin. m, rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/check/forward_check.hpp"

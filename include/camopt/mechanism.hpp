@@ -5,5 +5,6 @@
 // never a throw; calls are const and may come from several threads at once.
 #pragma once
 
+#include "core/language.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/mechanism_spec.hpp"

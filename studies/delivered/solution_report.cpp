@@ -8,6 +8,7 @@
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
 #include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/own_report.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace camopt {
 
 namespace {
 
-// A limit counts as active when the motion comes this close to it, relative.
-constexpr double active_limit = 1e-6;
 // Rows of a proof that carry less than this part of its weight do not explain anything.
 constexpr double telling_weight = 1e-3;
 // A derivative that jumps by less than this part of the motion's peak is continuous.
@@ -233,6 +232,9 @@ void report_delivered(Solution& solution, Delivered delivered) {
     }
     report_peak_limits(solution);
     report_cam(solution, std::move(delivered));
+    solution.own_terms = own_term_reports(solution.scene, *solution.motion);
+    const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
+    solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
 }
 
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {

@@ -27,6 +27,8 @@ MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
 MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
+# With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
+MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "solvers", "input", "profiles/factory"}
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface", "profiles/spatial"}

@@ -23,7 +23,9 @@ struct Watch {
     int asked = 0, cancel_at = -1;  ///< the number of the question that is answered with yes
     int reports = 0;
     double seconds = -1.0;
-    std::string first, last;
+    std::string first;
+    int rounds = 0;
+    double incumbent = 0.0;
     bool throws_a_number = false;
 };
 
@@ -38,7 +40,8 @@ void report(const camopt_progress* progress, void* user) {
     EXPECT_GE(progress->seconds, watch.seconds);
     watch.seconds = progress->seconds;
     if (watch.reports++ == 0) watch.first = progress->message;
-    watch.last = progress->message;
+    if (progress->round > watch.rounds) watch.rounds = progress->round;
+    if (std::isfinite(progress->incumbent)) watch.incumbent = progress->incumbent;
 }
 
 int throw_in_cancel(void* user) {
@@ -66,8 +69,12 @@ TEST(CCallbacks, HearOfProgress) {
     EXPECT_GT(watch.reports, 0);
     EXPECT_GT(watch.asked, 0);
     EXPECT_EQ(watch.first.substr(0, 8), "round 1:") << watch.first;
-    EXPECT_EQ(summary_of(c).verdict, CAMOPT_OPTIMAL);
-    EXPECT_EQ(summary_of(c).objective, summary_of(c_solved_file("cam_roller")).objective);
+    const camopt_summary summary = summary_of(c);
+    EXPECT_EQ(summary.verdict, CAMOPT_OPTIMAL);
+    EXPECT_GE(watch.rounds, 1);
+    EXPECT_GE(summary.exchange_rounds, 1);
+    EXPECT_NEAR(watch.incumbent, summary.objective, 0.1);
+    EXPECT_EQ(summary.objective, summary_of(c_solved_file("cam_roller")).objective);
 }
 
 TEST(CCallbacks, CancelBeforeAnythingWasFound) {

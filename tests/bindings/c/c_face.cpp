@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bindings/c/c_face.hpp"
 
-#include "input/scene_reader.hpp"
-#include "motions/laws/law_catalogue.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
-#include "solvers/registry.hpp"
+#include "input/loading/load_scene.hpp"
 #include "studies/solve/solve.hpp"
 
 namespace camopt::testing_support {
@@ -58,28 +55,12 @@ std::string toml_of(const CScene& scene) {
     return copy;
 }
 
-namespace {
-
-input::KnownNames all_names() {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
-    return known;
-}
-
-Solution completed_and_solved(Scene scene) {
-    complete_mechanism(scene);
-    return solve(scene);
-}
-
-}  // namespace
-
 Solution cpp_solved_file(const std::string& name) {
-    return completed_and_solved(input::read_scene_file(scene_path(name), all_names()));
+    return solve(load_scene(scene_path(name)));
 }
 
 Solution cpp_solved(const std::string& toml) {
-    return completed_and_solved(input::read_scene(toml, "test", all_names()));
+    return solve(scene_of_toml(toml));
 }
 
 }  // namespace camopt::testing_support

@@ -30,7 +30,7 @@ void expect_same(double c, double cpp) {
 
 void expect_same_summary(const camopt_summary& c, const Solution& cpp) {
     EXPECT_STREQ(camopt_verdict_name(c.verdict), name_of(cpp.certificate.verdict));
-    EXPECT_EQ(c.reason, cpp.certificate.reason);
+    EXPECT_STREQ(c.reason, name_of(cpp.certificate.reason));
     EXPECT_EQ(c.has_motion, cpp.motion ? 1 : 0);
     EXPECT_EQ(c.has_cam, cpp.cam || cpp.mechanism ? 1 : 0);
     EXPECT_EQ(c.interrupted, 0);
