@@ -6,6 +6,7 @@ option(CAMOPT_BUILD_APPS "Build the camopt command line" ${PROJECT_IS_TOP_LEVEL}
 option(CAMOPT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(CAMOPT_C "Build the C library (bindings/c)" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_INSTALL "Rules for cmake --install" ${PROJECT_IS_TOP_LEVEL})
 if(PROJECT_IS_TOP_LEVEL)
   option(BUILD_SHARED_LIBS "camopt::camopt, and what is installed, is one shared library" OFF)

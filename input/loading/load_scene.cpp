@@ -7,26 +7,21 @@
 
 namespace camopt {
 
-namespace {
-
-/// Every law and solver there is.
-input::KnownNames all_names() {
+input::KnownNames known_names() {
     input::KnownNames known;
     for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
     for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     return known;
 }
 
-}  // namespace
-
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings) {
-    Scene scene = input::read_scene_file(file, all_names(), settings);
+    Scene scene = input::read_scene_file(file, known_names(), settings);
     complete_mechanism(scene);
     return scene;
 }
 
 Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings, std::string_view name) {
-    Scene scene = input::read_scene(toml, name, all_names(), settings);
+    Scene scene = input::read_scene(toml, name, known_names(), settings);
     complete_mechanism(scene);
     return scene;
 }

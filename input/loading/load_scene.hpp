@@ -12,6 +12,9 @@
 
 namespace camopt {
 
+/// Every law and solver there is: what input::SceneDocument and input::read_scene ask for.
+[[nodiscard]] input::KnownNames known_names();
+
 /// `settings`: "KEY=VALUE" as `--set` takes them, on top of the file. Throws InputError
 /// "FILE:LINE:COLUMN: key: found …; allowed: …".
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings = {});

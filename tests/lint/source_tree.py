@@ -35,10 +35,10 @@ MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface",
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
-    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "notebooks_cpp", "tests")
+    user: EVERY_MODULE for user in ("include", "apps", "bindings", "benchmarks", "notebooks_cpp", "tests")
 }
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
-MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps"}
+MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}
 MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
 
 
@@ -49,7 +49,7 @@ def module_of(path):
     return leaf if len(parts) > 2 and leaf in MAY_INCLUDE else parts[0]
 
 
-CODE = {".cpp", ".hpp"}
+CODE = {".cpp", ".hpp", ".c", ".h"}
 LEFT_OUT = ("build", "out-", "node_modules", "__pycache__", ".")  # beginnings of names
 
 

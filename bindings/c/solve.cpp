@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve/solve.hpp"
+
+#include "bindings/c/control.hpp"
+#include "bindings/c/handles.hpp"
+#include "bindings/c/structs.hpp"
+#include "core/errors.hpp"
+#include "core/version.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/mechanism_report.hpp"
+#include "studies/inverse/solved_guide.hpp"
+#include "studies/spatial/solved_cam.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace camopt::c {
+namespace {
+
+ForwardCheckReport checked_formulas(const Solution& solution) {
+    if (has_spatial_cam(solution)) return check_spatial_cam(solution);
+    if (has_inverse_cam(solution)) return check_inverse_cam(solution);
+    return check_mechanism(solution);
+}
+
+void run_follower(Solution& solution) {
+    try {
+        if (solution.cam) solution.cam->forward_check = check_cam(solution);
+        if (solution.mechanism) solution.mechanism->forward_check = checked_formulas(solution);
+    } catch (const InputError& error) {
+        solution.notes.push_back(std::string("the forward check could not run: ") + error.what());
+    }
+}
+
+std::vector<std::string> station_names(const Solution& solution) {
+    if (solution.cam) return {""};
+    std::vector<std::string> names;
+    if (solution.mechanism) {
+        const CamMechanism& formulas = *solution.mechanism->mechanism.formulas;
+        for (int i = 0; i < formulas.stations(); ++i) names.push_back(formulas.station_name(i));
+    }
+    return names;
+}
+
+std::unique_ptr<camopt_solution> solved(const camopt_scene& given, const camopt_solve_options& options) {
+    const Scene scene = complete_scene(given);
+    CallbackControl callbacks(options);
+    auto result = std::make_unique<camopt_solution>();
+    result->solution = solve(scene, callbacks.control());
+    callbacks.finish();
+    if (options.forward_check != 0 && !callbacks.stopped()) run_follower(result->solution);
+    result->stations = station_names(result->solution);
+    result->origin = {given.document.name(), "", given.document.text()};
+    return result;
+}
+
+}  // namespace
+}  // namespace camopt::c
+
+using namespace camopt::c;
+
+extern "C" {
+
+int camopt_abi_version() {
+    return CAMOPT_ABI_VERSION;
+}
+
+const char* camopt_version() {
+    return camopt::version().data();
+}
+
+camopt_error camopt_solve(const camopt_scene* scene, const camopt_solve_options* options,
+                          camopt_solution** solution) {
+    return guarded([&] {
+        require(solution, "solution");
+        *solution = nullptr;
+        require(scene, "scene");
+        *solution = solved(*scene, read_options(options, "options")).release();
+    });
+}
+
+void camopt_solution_free(camopt_solution* solution) {
+    delete solution;
+}
+}
