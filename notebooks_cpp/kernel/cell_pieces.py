@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""A cell as the pieces that clang-repl gets one after another.
+
+Within one piece clang-repl initialises constants (`const auto x = f(scene);`) before everything else of the piece, the
+statements above them included. So a constant begins a piece, and what follows it another: then a cell runs from top to
+bottom. Each piece is the whole text with the rest blanked out, so that lines and columns in messages are the cell's.
+"""
+
+import re
+
+STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
+RAW_STRING = re.compile(r'R"([^()\\\s]{0,16})\(.*?\)\1"', re.DOTALL)
+# 'a' is a character, 1'000 a number.
+CHARACTER = re.compile(r"'(?:\\[^\n]{1,8}?|[^'\\\n])'")
+NUMBER = re.compile(r"\.?\d(?:[eEpP][+-]|'?[\w.])*")
+WORD = re.compile(r"[A-Za-z_]\w*")
+DIRECTIVE = re.compile(r"[ \t]*#(?:\\\n|[^\n])*")
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+# After these a closed brace does not end what it stands in: do {} while, if {} else, a class without a name …
+OPEN_ENDED = {"=", "struct", "class", "union", "enum", "return"}
+
+
+def statements(text):
+    """(begin, first word, end) of each statement, declaration and run of directives at the top level of a cell."""
+    found = []
+    begin, first, depth, place = None, "", 0, 0
+    after_brace = False  # a closing brace ended a body: unless ; or a name follows, so did the statement
+    while place < len(text):
+        at_line_start = text.rfind("\n", 0, place) + 1
+        skipped = COMMENT.match(text, place)
+        if skipped:
+            place = skipped.end()
+            continue
+        directive = DIRECTIVE.match(text, place) if not text[at_line_start:place].strip() else None
+        if directive and "#" in directive.group():
+            place = directive.end()
+            continue
+        character = text[place]
+        if character.isspace():
+            place += 1
+            continue
+        if begin is None:
+            word = WORD.match(text, place)
+            begin, first = place, word.group() if word else character
+        token = RAW_STRING.match(text, place) or STRING.match(text, place) or NUMBER.match(text, place) or \
+            CHARACTER.match(text, place) or WORD.match(text, place)
+        if token:
+            place = token.end()
+            after_brace = False
+            continue
+        place += 1
+        after_brace = False
+        if character in "([{":
+            depth += 1
+        elif character in ")]}":
+            depth = max(0, depth - 1)
+            after_brace = character == "}" and depth == 0
+        if depth == 0 and (character == ";" or (after_brace and ends_with_brace(text, begin, place))):
+            found.append((begin, first, place))
+            begin = None
+    if begin is not None:
+        found.append((begin, first, len(text)))
+    return found
+
+
+def ends_with_brace(text, begin, place):
+    """Whether the statement text[begin:place], whose last character is a brace, is complete."""
+    rest = text[place:].lstrip()
+    if rest.startswith((";", ",", ".", ")", "(", "[", "->", "=", "*", "+", "-", "/", "<", ">", "?", "|", "&")):
+        return False
+    following = WORD.match(rest)
+    if following and following.group() in ("else", "while", "catch"):
+        return False
+    head = set(re.findall(r"\w+|=", text[begin:place].split("{", 1)[0]))
+    return not head & OPEN_ENDED or not following
+
+
+def pieces(text):
+    """The texts to run one after another; at least one."""
+    cuts = []
+    for begin, first, end in statements(text):
+        if first == "const":
+            cuts += [begin, end]
+    edges = [0] + cuts + [len(text)]
+    spans = [(begin, end) for begin, end in zip(edges, edges[1:]) if text[begin:end].strip()]
+    blank = re.compile(r"[^\n]")
+    return [blank.sub(" ", text[:begin]) + text[begin:end] for begin, end in spans] or [text]
