@@ -8,11 +8,12 @@
 // Under xeus-cpp the same functions call xcpp::display. Text is UTF-8; nothing is checked and nothing throws.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
-#include <cstdio>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -107,11 +108,11 @@ inline void display_svg(std::string_view text) {
                                    "picture-" + std::to_string(++count))});
 }
 
-/// A number with so many decimals.
+/// A number with so many decimals, 0 to 80.
 inline std::string fixed(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
+    char text[400];  // the longest double has 309 digits before its point
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+    return end.ec == std::errc{} ? std::string(text, end.ptr) : "?";
 }
 
 /// Rows under heads; the first column is words, the others are numbers, to the right. Cells are text: & < >

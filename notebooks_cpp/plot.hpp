@@ -8,13 +8,8 @@
 // Values that are not finite break a line. Nothing throws.
 #pragma once
 
-#if __has_include(<camopt/detail/output/chart/plot_frame.hpp>)
-#include <camopt/detail/output/chart/plot_frame.hpp>
-#include <camopt/detail/output/chart/value_range.hpp>
-#else
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/value_range.hpp"
-#endif
 
 #include <cmath>
 #include <cstddef>

@@ -105,7 +105,7 @@ def text_of(source):
     """A text cell without what is no statement: code, formulas, targets of links, HTML."""
     for pattern in (r"```.*?```", r"`[^`]*`", r"\$\$.*?\$\$", r"\$[^$]*\$", r"\]\([^)]*\)", r"<[^>]*>"):
         source = re.sub(pattern, " ", source, flags=re.DOTALL)
-    return re.sub(r"(?m)^\s*\d+\. ", " ", source)  # of a numbered list
+    return re.sub(r"(?m)^\s*(#+\s*)?\d+\. ", " ", source)  # of a numbered list or heading
 
 
 def text_faults(notebook):

@@ -94,15 +94,14 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--html", action="store_true")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     paths = sorted(FOLDER.glob("*.ipynb"))
     if options.names:
-        wanted = {pathlib.Path(name).stem for name in options.names}
-        unknown = wanted - {path.stem for path in paths}
+        wanted = [pathlib.Path(name).stem for name in options.names]  # "3" is enough for 3_….ipynb
+        unknown = [name for name in wanted if not any(path.stem.startswith(name) for path in paths)]
         if unknown:
-            sys.exit(f"no such notebook: {', '.join(sorted(unknown))}; there are "
-                     f"{', '.join(path.stem for path in paths)}")
-        paths = [path for path in paths if path.stem in wanted]
+            sys.exit(f"no such notebook: {', '.join(unknown)}; there are {', '.join(path.stem for path in paths)}")
+        paths = [path for path in paths if path.stem.startswith(tuple(wanted))]
     if not paths:
         sys.exit(f"no notebooks in {FOLDER}")
     work = pathlib.Path(options.work)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""A cell as the pieces that clang-repl gets one after another.
+"""A cell as the pieces that clang-repl gets one after another. Two things of clang-repl 22 are put right here.
 
-Within one piece clang-repl initialises constants (`const auto x = f(scene);`) before everything else of the piece, the
-statements above them included. So a constant begins a piece, and what follows it another: then a cell runs from top to
-bottom. Each piece is the whole text with the rest blanked out, so that lines and columns in messages are the cell's.
+Within one piece it initialises constants (`const auto x = f(scene);`) before everything else of the piece, the statements
+above them included. So a constant begins a piece, and what follows it another: then a cell runs from top to bottom.
+
+It crashes while it compiles a lambda inside a statement at the top level, `sort(a, [](…) {…});`, where the lambda's type
+goes into a template (LLVM pull request 217041). So such a statement is put into a function, which is called at once.
+
+Lines and columns in messages stay those of the cell.
 """
 
 import re
@@ -75,13 +79,41 @@ def ends_with_brace(text, begin, place):
     return not head & OPEN_ENDED or not following
 
 
-def pieces(text):
-    """The texts to run one after another; at least one."""
-    cuts = []
+LAMBDA = re.compile(r"\[[^\[\]]*\]\s*[({]")
+CONTROL = {"for", "while", "do", "if", "switch", "try"}
+
+
+def is_statement(text, first):
+    """Whether this is no declaration, as far as its first words tell: one name, then what is done with it."""
+    if first in CONTROL:
+        return True
+    head = re.split(r"<<|[(=\[{+]", text, maxsplit=1)[0]
+    while re.search(r"<[^<>]*>", head):
+        head = re.sub(r"<[^<>]*>", "", head)
+    return re.fullmatch(r"\s*(::)?\w+((::|\.|->)\w+)*\s*", head) is not None
+
+
+def place_of(text, offset):
+    """What puts the compiler back to a place of the cell."""
+    line_start = text.rfind("\n", 0, offset) + 1
+    return f"\n#line {text.count(chr(10), 0, offset) + 1}\n" + " " * (offset - line_start)
+
+
+def pieces(text, name="camopt_statement"):
+    """The texts to run one after another; at least one. `name` begins the names of functions that are put in."""
+    parts, copied = [""], 0  # copied: so far
     for begin, first, end in statements(text):
-        if first == "const":
-            cuts += [begin, end]
-    edges = [0] + cuts + [len(text)]
-    spans = [(begin, end) for begin, end in zip(edges, edges[1:]) if text[begin:end].strip()]
-    blank = re.compile(r"[^\n]")
-    return [blank.sub(" ", text[:begin]) + text[begin:end] for begin, end in spans] or [text]
+        code = text[begin:end]
+        wrapped = code.endswith((";", "}")) and LAMBDA.search(code) and is_statement(code, first)
+        if first != "const" and not wrapped:
+            continue
+        parts[-1] += text[copied:begin]
+        copied = end
+        if wrapped:
+            function = f"{name}_{begin}"
+            parts[-1] += f"\nvoid {function}() {{{place_of(text, begin)}{code}\n}}\n{function}();{place_of(text, end)}"
+        else:
+            parts.append(place_of(text, begin) + code)
+            parts.append(place_of(text, end))
+    parts[-1] += text[copied:]
+    return [part for part in parts if re.sub(r"(?m)^#line \d+$", "", part).strip()] or [text]

@@ -148,7 +148,7 @@ class Session:
         self.count += 1
         number = self.count if number is None else number
         paths = []
-        for part, text in enumerate(cell_pieces.pieces(code)):
+        for part, text in enumerate(cell_pieces.pieces(code, f"camopt_cell_{self.count}")):
             path = pathlib.Path(self.folder.name) / f"cell-{self.count}-{part}"
             path.write_text(text + "\n", encoding="utf-8")
             paths.append(str(path))
