@@ -39,7 +39,8 @@ def same_number(stored, now):
         return old == new
     if abs(old) < 1e-9 and abs(new) < 1e-9:
         return True
-    return abs(old - new) <= max(1e-6 * abs(old), 1.000001 * unit_of_last_decimal(stored))
+    last = 1.000001 * unit_of_last_decimal(stored) if "." in stored else 0.0
+    return abs(old - new) <= max(1e-6 * abs(old), last)
 
 
 def difference(stored, now, same=same_number):

@@ -20,12 +20,13 @@ NUMBER = re.compile(r"\.?\d(?:[eEpP][+-]|'?[\w.])*")
 WORD = re.compile(r"[A-Za-z_]\w*")
 DIRECTIVE = re.compile(r"[ \t]*#(?:\\\n|[^\n])*")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-# After these a closed brace does not end what it stands in: do {} while, if {} else, a class without a name …
+CONTROL = {"for", "while", "do", "if", "switch", "try"}
+# After these a closed brace does not end what it stands in.
 OPEN_ENDED = {"=", "struct", "class", "union", "enum", "return"}
 
 
 def statements(text):
-    """(begin, first word, end) of each statement, declaration and run of directives at the top level of a cell."""
+    """(begin, first word, end) of each statement and declaration at the top level of a cell."""
     found = []
     begin, first, depth, place = None, "", 0, 0
     after_brace = False  # a closing brace ended a body: unless ; or a name follows, so did the statement
@@ -75,12 +76,11 @@ def ends_with_brace(text, begin, place):
     following = WORD.match(rest)
     if following and following.group() in ("else", "while", "catch"):
         return False
-    head = set(re.findall(r"\w+|=", text[begin:place].split("{", 1)[0]))
-    return not head & OPEN_ENDED or not following
+    head = re.findall(r"\w+|=", text[begin:place].split("{", 1)[0])
+    return bool(head and head[0] in CONTROL) or not set(head) & OPEN_ENDED or not following
 
 
 LAMBDA = re.compile(r"\[[^\[\]]*\]\s*[({]")
-CONTROL = {"for", "while", "do", "if", "switch", "try"}
 
 
 def is_statement(text, first):
