@@ -25,43 +25,59 @@ CONTROL = {"for", "while", "do", "if", "switch", "try"}
 OPEN_ENDED = {"=", "struct", "class", "union", "enum", "return"}
 
 
-def statements(text):
-    """(begin, first word, end) of each statement and declaration at the top level of a cell."""
-    found = []
-    begin, first, depth, place = None, "", 0, 0
-    after_brace = False  # a closing brace ended a body: unless ; or a name follows, so did the statement
+def tokens(text):
+    """(begin, end) of each token, comments, white space and preprocessor lines left out."""
+    place = 0
     while place < len(text):
-        at_line_start = text.rfind("\n", 0, place) + 1
+        line_start = text.rfind("\n", 0, place) + 1
         skipped = COMMENT.match(text, place)
+        if not skipped and not text[line_start:place].strip():
+            skipped = DIRECTIVE.match(text, place)
         if skipped:
             place = skipped.end()
             continue
-        directive = DIRECTIVE.match(text, place) if not text[at_line_start:place].strip() else None
-        if directive and "#" in directive.group():
-            place = directive.end()
-            continue
-        character = text[place]
-        if character.isspace():
+        if text[place].isspace():
             place += 1
             continue
-        if begin is None:
-            word = WORD.match(text, place)
-            begin, first = place, word.group() if word else character
         token = RAW_STRING.match(text, place) or STRING.match(text, place) or NUMBER.match(text, place) or \
             CHARACTER.match(text, place) or WORD.match(text, place)
-        if token:
-            place = token.end()
-            after_brace = False
-            continue
-        place += 1
-        after_brace = False
-        if character in "([{":
+        end = token.end() if token else place + 1
+        yield place, end
+        place = end
+
+
+def bracket_fault(text):
+    """(line, words) of a bracket without its partner, or None. At one that is never closed clang-repl waits for ever."""
+    partner = {")": "(", "]": "[", "}": "{"}
+    opened = []
+    for begin, end in tokens(text):
+        token = text[begin:end]
+        line = text.count("\n", 0, begin) + 1
+        if token in partner.values():
+            opened.append((token, line))
+        elif token in partner:
+            if not opened or opened[-1][0] != partner[token]:
+                return line, f"'{token}' closes nothing"
+            opened.pop()
+        elif token == '"':
+            return line, "a text that does not end"
+    return (opened[-1][1], f"'{opened[-1][0]}' is never closed") if opened else None
+
+
+def statements(text):
+    """(begin, first word, end) of each statement and declaration at the top level of a cell."""
+    found = []
+    begin, first, depth = None, "", 0
+    for place, end in tokens(text):
+        token = text[place:end]
+        if begin is None:
+            begin, first = place, token
+        if token in "([{":
             depth += 1
-        elif character in ")]}":
+        elif token in ")]}":
             depth = max(0, depth - 1)
-            after_brace = character == "}" and depth == 0
-        if depth == 0 and (character == ";" or (after_brace and ends_with_brace(text, begin, place))):
-            found.append((begin, first, place))
+        if depth == 0 and (token == ";" or (token == "}" and ends_with_brace(text, begin, end))):
+            found.append((begin, first, end))
             begin = None
     if begin is not None:
         found.append((begin, first, len(text)))

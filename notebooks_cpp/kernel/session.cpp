@@ -15,6 +15,7 @@
 // clang-repl itself lets exceptions end the process and has no call between its lines. It calls
 // clang::Interpreter::ParseAndExecute across a library boundary; this file puts a function of that name
 // before it.
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cxxabi.h>
@@ -23,7 +24,6 @@
 #include <fcntl.h>
 #include <iostream>
 #include <poll.h>
-#include <signal.h>
 #include <sstream>
 #include <string>
 #include <string_view>

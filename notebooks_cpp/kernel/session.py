@@ -147,6 +147,10 @@ class Session:
         """Runs a cell; tell(kind, …) hears its events. Throws CellError."""
         self.count += 1
         number = self.count if number is None else number
+        fault = cell_pieces.bracket_fault(code)
+        if fault:
+            words = f"cell {number}, line {fault[0]}: error: {fault[1]}"
+            raise CellError("CompileError", words, [words])
         paths = []
         for part, text in enumerate(cell_pieces.pieces(code, f"camopt_cell_{self.count}")):
             path = pathlib.Path(self.folder.name) / f"cell-{self.count}-{part}"

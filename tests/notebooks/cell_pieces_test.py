@@ -24,6 +24,16 @@ class CellPieces(unittest.TestCase):
             with self.subTest(text):
                 self.assertEqual(statements(f"{text}\nint next = 2;"), [text.split(" //")[0], "int next = 2;"])
 
+    def test_brackets(self):
+        for text in ("int a[3] = {f(1), 2};", "// (", "/* { */", 'g("(");', "char c = '{';", 'h(R"({[)");', "#define A {\nint b;"):
+            with self.subTest(text):
+                self.assertIsNone(cell_pieces.bracket_fault(text))
+        self.assertEqual(cell_pieces.bracket_fault("int a;\nvoid f() {\n"), (2, "'{' is never closed"))
+        self.assertEqual(cell_pieces.bracket_fault("int a;\n}"), (2, "'}' closes nothing"))
+        self.assertEqual(cell_pieces.bracket_fault("f(1];"), (1, "']' closes nothing"))
+        self.assertEqual(cell_pieces.bracket_fault('s = "abc'), (1, "a text that does not end"))
+        self.assertIsNotNone(cell_pieces.bracket_fault('s = R"(abc'))
+
     def test_directives_are_no_statements(self):
         self.assertEqual(statements("#include <map>\n#define A { \\\n  (\nint a;"), ["int a;"])
 

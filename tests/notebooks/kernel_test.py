@@ -102,6 +102,11 @@ class KernelTest(unittest.TestCase):
         self.assertIn("line 2, column 13: error: use of undeclared identifier 'nowhere'", answer.error["evalue"])
         self.assertNotIn("input_line", "".join(answer.error["traceback"]))
 
+    def test_bracket_that_is_never_closed(self):
+        """clang-repl alone would wait for its partner for ever."""
+        answer = self.fails("int a_1 = 1;\nvoid f_1() {\n    a_1 = 2;", "CompileError")
+        self.assertIn("line 2: error: '{' is never closed", answer.error["evalue"])
+
     def test_compile_error_takes_nothing_along(self):
         """Include guards, names and instantiated templates are as before."""
         self.works("#include <map>\n#include <string>\n#include <vector>\n#include <iostream>\n"
