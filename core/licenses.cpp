@@ -51,4 +51,11 @@ std::string terms_of_binary() {
     return text + ".";
 }
 
+std::string license_text() {
+    std::string text;
+    for (const LicensedPart& part : licensed_parts())
+        text += part.name + ": " + part.license + " (" + part.use + ")\n";
+    return text + terms_of_binary();
+}
+
 }  // namespace camopt

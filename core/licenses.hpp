@@ -20,4 +20,7 @@ struct LicensedPart {
 /// One or two sentences: under what terms a binary of this build may be passed on. No legal advice.
 [[nodiscard]] std::string terms_of_binary();
 
+/// Both, a line a part: "Ipopt: EPL-1.0 (solver)".
+[[nodiscard]] std::string license_text();
+
 }  // namespace camopt

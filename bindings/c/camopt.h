@@ -52,6 +52,10 @@ CAMOPT_C_API int camopt_abi_version(void);
 /// The version of camopt, "0.2.0". Static.
 CAMOPT_C_API const char* camopt_version(void);
 
+/// The libraries that this camopt was built with, a line each ("Ipopt: EPL-1.0 (solver)"), and in a last line
+/// under what terms a binary of it may be passed on. Static.
+CAMOPT_C_API const char* camopt_licenses(void);
+
 // Errors.
 
 typedef enum camopt_error {

@@ -5,6 +5,7 @@
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
 #include "core/errors.hpp"
+#include "core/licenses.hpp"
 #include "core/version.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/mechanism_report.hpp"
@@ -68,6 +69,11 @@ int camopt_abi_version() {
 
 const char* camopt_version() {
     return camopt::version().data();
+}
+
+const char* camopt_licenses() {
+    static const std::string text = camopt::license_text();
+    return text.c_str();
 }
 
 camopt_error camopt_solve(const camopt_scene* scene, const camopt_solve_options* options,

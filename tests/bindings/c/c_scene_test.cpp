@@ -165,6 +165,9 @@ TEST(CError, TextsBelongToTheirThread) {
 TEST(CError, NamesAndVersions) {
     EXPECT_EQ(camopt_abi_version(), CAMOPT_ABI_VERSION);
     EXPECT_EQ(std::string(camopt_version()).substr(0, 2), "0.");
+    const std::string licenses = camopt_licenses();
+    EXPECT_EQ(licenses.substr(0, 13), "camopt: MIT (");
+    EXPECT_NE(licenses.find("\nA binary of this build"), std::string::npos) << licenses;
     const char* const names[] = {"ok",       "null",      "argument", "input",  "unavailable", "absent",
                                  "capacity", "cancelled", "callback", "memory", "internal"};
     for (int code = 0; code < static_cast<int>(std::size(names)); ++code)
