@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""Scenes in Python: the keys, units and messages of a scene file."""
+
+from __future__ import annotations
+
+import os
+import re
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+from . import _camopt
+from ._names import dotted
+from ._toml import document_text, value_text
+
+_PART = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
+
+
+class Scene:
+    """What must move, with what cam, how good, found how.
+
+    A scene is always a valid one: what cannot stand raises InputError with the words of the scene file's reader, and the
+    scene stays as it was. Keys that only go together are set together, by update().
+
+        scene = Scene(lift_mm=10, rise_deg=120, weights=dict(v=.4, a=.4, j=.2))
+        scene["limits.velocity"] = 1.7
+
+    Keywords are keys of [motion], [spline] and [solver]; the tables are dicts: limits=dict(velocity_mm_s=300). weights is
+    [objective], in which v, a and j may stand for velocity, acceleration and jerk. The type of motion is "DRD" where
+    nothing else is said. docs/scene_file.md lists all keys.
+    """
+
+    __slots__ = ("_read",)
+    __hash__ = None  # it can change
+
+    def __init__(self, **keys: Any) -> None:
+        given = dict(dotted(keys))
+        given.setdefault("motion.type", "DRD")
+        self._read = _camopt.ReadScene("", "scene", _settings(given))
+
+    @classmethod
+    def from_toml(cls, text: str, source: str = "scene") -> Scene:
+        """The scene of a TOML text. Messages about it begin "SOURCE:LINE:COLUMN: "."""
+        return cls._of(_camopt.ReadScene(text, source, []))
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Scene:
+        """The scene of a file."""
+        return cls.from_toml(_camopt.read_text(os.fspath(path)), os.fspath(path))
+
+    @classmethod
+    def _of(cls, read: _camopt.ReadScene) -> Scene:
+        scene = cls.__new__(cls)
+        scene._read = read
+        return scene
+
+    def to_toml(self) -> str:
+        """One TOML text that reads back as the same scene, bit for bit: the text given, with its comments, where nothing
+        was set since."""
+        return self._read.toml()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys given, as nested dicts; defaults that nobody wrote do not stand in it."""
+        return tomllib.loads(self.to_toml())
+
+    def copy(self) -> Scene:
+        """Another scene with the same keys."""
+        return self._of(self._read)
+
+    def update(self, keys: Mapping[str, Any] | None = None, /, **more: Any) -> None:
+        """Sets several keys at once: dotted ones in a dict, keywords as Scene() takes them. None takes a key out.
+
+        A key replaces every other spelling of its quantity: lift_in the lift in mm.
+        """
+        given = dict(dotted({**(keys or {}), **more}))
+        dropped = [key for key, value in given.items() if value is None]
+        read = self._without(dropped) if dropped else self._read
+        settings = _settings({key: value for key, value in given.items() if value is not None})
+        self._read = _camopt.ReadScene(read.text, read.source, read.settings + settings) if settings else read
+
+    def _without(self, keys: list[str]) -> _camopt.ReadScene:
+        document = self.to_dict()
+        for key in keys:
+            table, last = _walk(document, key)
+            del table[last]
+        return _camopt.ReadScene(document_text(document), self._read.source, [])
+
+    def __getitem__(self, key: str) -> Any:
+        """A key as it was given, in its own unit; a table is a dict. Raises KeyError for a key that was not given."""
+        table, last = _walk(self.to_dict(), key)
+        return table[last]
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self.update({key: value})
+
+    def __delitem__(self, key: str) -> None:
+        self._read = self._without([key])
+
+    def __contains__(self, key: object) -> bool:
+        try:
+            self[str(key)]
+        except KeyError:
+            return False
+        return True
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self.to_dict() == other.to_dict()
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{table}.{key}" for table, value in self.to_dict().items() if isinstance(value, dict) for key in value)
+        return f"<camopt scene {self._read.source}: {given}>"
+
+    def __reduce__(self) -> Any:
+        return _unpickled, (self._read.text, self._read.source, self._read.settings)
+
+
+def _unpickled(text: str, source: str, settings: list[str]) -> Scene:
+    return Scene._of(_camopt.ReadScene(text, source, settings))
+
+
+def _settings(keys: Mapping[str, Any]) -> list[str]:
+    return [f"{key}={value_text(key, value)}" for key, value in keys.items()]
+
+
+def _walk(document: Any, key: str) -> tuple[Any, Any]:
+    """The table and the last step of a dotted key: "motion.segments[1].to" is (…["segments"][1], "to")."""
+    steps: list[Any] = []
+    for part in key.split("."):
+        match = _PART.fullmatch(part)
+        if not match:
+            raise KeyError(key)
+        steps += [match[1], *(int(number) for number in re.findall(r"\d+", match[2]))]
+    for step in steps[:-1]:
+        document = _step(document, step, key)
+    _step(document, steps[-1], key)
+    return document, steps[-1]
+
+
+def _step(document: Any, step: Any, key: str) -> Any:
+    try:
+        return document[step]
+    except (KeyError, IndexError, TypeError):
+        raise KeyError(f"{key} is not given in this scene") from None
