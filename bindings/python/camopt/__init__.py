@@ -7,9 +7,9 @@
     found.verdict, found.fun, found.bound      # 'optimal', 0.9395…, 0.9395…
     found.motion([0, 0.25, 0.5], order=1)      # y', y = displacement / lift, x = cam angle / rise angle
 
-Scenes have the keys, units and messages of scene files (docs/scene_file.md). Wrong input raises InputError, a ValueError;
-a numerical outcome is a verdict, never an exception. While a scene is solved other threads of Python run; Ctrl-C raises
-KeyboardInterrupt, and what was found until then is its attribute `solution` (`table`, `comparison`).
+Scenes have the keys, units and messages of scene files (docs/scene_file.md). Wrong input raises InputError, a
+ValueError; a numerical outcome is a verdict, never an exception. While a scene is solved other threads of Python run;
+Ctrl-C raises KeyboardInterrupt, and what was found until then is its attribute `solution` (`table`, `comparison`).
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _camopt
-from ._camopt import (Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Peak, Peaks, Relaxation,
-                      Solution, Spline, SweepTable, UnavailableError, __version__, law, laws)
+from ._camopt import (Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Peak, Peaks,
+                      Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__, law, laws)
 from ._scene import Scene
 from ._sweep import simplex_weights, structured, sweep
 
 __all__ = ["Comparison", "ComparisonRow", "Constraint", "InputError", "Law", "ModelError", "Motion", "Peak", "Peaks",
-           "Relaxation", "Scene", "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "compare", "law", "laws",
-           "simplex_weights", "solve", "structured", "sweep"]
+           "Relaxation", "Scene", "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "compare", "law",
+           "laws", "simplex_weights", "solve", "structured", "sweep"]
 
 Progress = Callable[[str], object]
 
@@ -38,8 +38,8 @@ def solve(scene: Scene | None = None, /, *, progress: Progress | None = None, **
 
         camopt.solve(lift_mm=10, rise_deg=120, segments=12, weights=dict(v=.4, a=.4, j=.2), limits=dict(velocity=1.7))
 
-    progress: called with a line of text now and then. An infeasible scene is a verdict; its `relaxation` says what would
-    help. Raises InputError for a wrong scene, UnavailableError for a backend that this build leaves out.
+    progress: called with a line of text now and then. An infeasible scene is a verdict; its `relaxation` says what
+    would help. Raises InputError for a wrong scene, UnavailableError for a backend that this build leaves out.
     """
     return _camopt.solve(_given(scene, keys)._read, progress)
 
@@ -57,8 +57,8 @@ class Solver:
             solver.update(lift_mm=lift)
             print(solver.solve().fun)
 
-    Verdict and objective are those of a cold solve, to the solver's tolerance; only the way there is shorter. An infeasible
-    scene is not explained: for its relaxation use camopt.solve(). One thread at a time.
+    Verdict and objective are those of a cold solve, to the solver's tolerance; only the way there is shorter. An
+    infeasible scene is not explained: for its relaxation use camopt.solve(). One thread at a time.
     """
 
     def __init__(self, scene: Scene | None = None, /, **keys: Any) -> None:
@@ -84,7 +84,7 @@ def _given(scene: Scene | None, keys: Mapping[str, Any]) -> Scene:
     if scene is None:
         return Scene(**keys)
     if not isinstance(scene, Scene):
-        raise InputError(f"scene: found a {type(scene).__name__}; allowed: a camopt.Scene, such as Scene.from_file(path)")
+        raise InputError(f"scene: found a {type(scene).__name__}; allowed: a camopt.Scene, as Scene.from_file() gives")
     if not keys:
         return scene
     changed = scene.copy()

@@ -19,14 +19,14 @@ _PART = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
 class Scene:
     """What must move, with what cam, how good, found how.
 
-    A scene is always a valid one: what cannot stand raises InputError with the words of the scene file's reader, and the
-    scene stays as it was. Keys that only go together are set together, by update().
+    A scene is always a valid one: what cannot stand raises InputError with the words of the scene file's reader, and
+    the scene stays as it was. Keys that only go together are set together, by update().
 
         scene = Scene(lift_mm=10, rise_deg=120, weights=dict(v=.4, a=.4, j=.2))
         scene["limits.velocity"] = 1.7
 
-    Keywords are keys of [motion], [spline] and [solver]; the tables are dicts: limits=dict(velocity_mm_s=300). weights is
-    [objective], in which v, a and j may stand for velocity, acceleration and jerk. The type of motion is "DRD" where
+    Keywords are keys of [motion], [spline] and [solver]; the tables are dicts: limits=dict(velocity_mm_s=300). weights
+    is [objective], in which v, a and j may stand for velocity, acceleration and jerk. The type of motion is "DRD" where
     nothing else is said. docs/scene_file.md lists all keys.
     """
 
@@ -55,8 +55,8 @@ class Scene:
         return scene
 
     def to_toml(self) -> str:
-        """One TOML text that reads back as the same scene, bit for bit: the text given, with its comments, where nothing
-        was set since."""
+        """One TOML text that reads back as the same scene, bit for bit: the text given, with its comments, where
+        nothing was set since."""
         return self._read.toml()
 
     def to_dict(self) -> dict[str, Any]:
@@ -107,7 +107,8 @@ class Scene:
         return isinstance(other, Scene) and self.to_dict() == other.to_dict()
 
     def __repr__(self) -> str:
-        given = ", ".join(f"{table}.{key}" for table, value in self.to_dict().items() if isinstance(value, dict) for key in value)
+        tables = {name: value for name, value in self.to_dict().items() if isinstance(value, dict)}
+        given = ", ".join(f"{name}.{key}" for name, table in tables.items() for key in table)
         return f"<camopt scene {self._read.source}: {given}>"
 
     def __reduce__(self) -> Any:

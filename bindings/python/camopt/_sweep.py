@@ -30,9 +30,9 @@ def sweep(scene: Scene, axes: Mapping[Keys, Any], *, workers: int | None = None,
     chunk: rows that are solved one from the other before a cold start; None: as the command line.
     progress: called in this thread with (rows done, all rows).
 
-    Every row is checked before the first is solved: InputError. A row whose solve fails has the verdict "failed" and its
-    reason. Ctrl-C raises KeyboardInterrupt, and what a callback raises comes through; the rows finished until then are the
-    exception's attribute `table`.
+    Every row is checked before the first is solved: InputError. A row whose solve fails has the verdict "failed" and
+    its reason. Ctrl-C raises KeyboardInterrupt, and what a callback raises comes through; the rows finished until then
+    are the exception's attribute `table`.
     """
     given = [_axis(keys, values) for keys, values in axes.items()]
     return _camopt.sweep(scene._read, given, chunk=chunk, workers=workers or os.cpu_count() or 1, progress=progress)

@@ -24,12 +24,13 @@ def value_text(key: str, value: Any) -> str:
         return "{" + ", ".join(f"{_key(name)} = {value_text(key, one)}" for name, one in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(value_text(key, one) for one in value) + "]"
-    raise InputError(f"{key}: found a {type(value).__name__}; allowed: numbers, texts, booleans, and lists and dicts of these")
+    raise InputError(f"{key}: found a {type(value).__name__}; allowed: numbers, texts, booleans, lists and dicts of these")
 
 
 def document_text(document: Mapping[str, Any]) -> str:
     """A whole document: the tables at the top as sections, one line a key."""
-    lines = [f"{_key(name)} = {value_text(name, value)}" for name, value in document.items() if not isinstance(value, Mapping)]
+    lines = [f"{_key(name)} = {value_text(name, value)}" for name, value in document.items()
+             if not isinstance(value, Mapping)]
     for name, table in document.items():
         if isinstance(table, Mapping):
             lines += ["", f"[{_key(name)}]"]

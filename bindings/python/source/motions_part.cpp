@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <camopt/errors.hpp>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -25,20 +26,40 @@ Side side_of(const std::string& side) {
     throw InputError(fmt::format("side: found \"{}\"; allowed: \"left\" or \"right\"", side));
 }
 
+/// One derivative of a motion, 0 … 3, seen from one side.
+class Derivative {
+ public:
+    Derivative(const Motion& motion, int order, Side side) : motion_(motion), order_(order), side_(side) {
+        if (order < 0 || order > 3)
+            throw InputError(
+                fmt::format("order: found {}; allowed: 0, 1, 2 or 3, the derivative of y", order));
+    }
+
+    [[nodiscard]] double at(double x) const {
+        const double begin = motion_.begin(), end = motion_.end();
+        if (!(x >= begin - rounding && x <= end + rounding))
+            throw InputError(fmt::format("x: found {}; allowed: {} to {}", x, begin, end));
+        return motion_.at(std::clamp(x, begin, end), side_).derivative[static_cast<std::size_t>(order_)];
+    }
+
+ private:
+    static constexpr double rounding = 1e-12;  // of an x that was computed
+
+    const Motion& motion_;
+    int order_;
+    Side side_;
+};
+
 py::object evaluate(const MotionValue& value, const Numbers& x, int order, const std::string& side) {
-    if (order < 0 || order > 3)
-        throw InputError(fmt::format("order: found {}; allowed: 0, 1, 2 or 3, the derivative of y", order));
-    const Side seen_from = side_of(side);
-    const auto derivative = static_cast<std::size_t>(order);
-    if (x.ndim() == 0) return py::float_(value.motion->at(*x.data(), seen_from).derivative[derivative]);
+    const Derivative derivative(*value.motion, order, side_of(side));
+    if (x.ndim() == 0) return py::float_(derivative.at(*x.data()));
     py::array_t<double> result(std::vector<py::ssize_t>(x.shape(), x.shape() + x.ndim()));
     const double* const from = x.data();
     double* const to = result.mutable_data();
     const py::ssize_t count = x.size();
     {
         const py::gil_scoped_release others_run;
-        for (py::ssize_t i = 0; i < count; ++i)
-            to[i] = value.motion->at(from[i], seen_from).derivative[derivative];
+        for (py::ssize_t i = 0; i < count; ++i) to[i] = derivative.at(from[i]);
     }
     return result;
 }
