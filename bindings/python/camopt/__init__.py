@@ -18,33 +18,36 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _camopt
-from ._camopt import (Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Peak, Peaks,
-                      Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__, law, laws)
+from ._camopt import (Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Number, OwnTermValue,
+                      Peak, Peaks, Progress, Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__,
+                      law, laws)
+from ._rules import DerivativeCheck, OwnLimit, OwnTerm, check_derivatives, limit, term
 from ._scene import Scene
 from ._sweep import simplex_weights, structured, sweep
 
-__all__ = ["Comparison", "ComparisonRow", "Constraint", "InputError", "Law", "ModelError", "Motion", "Peak", "Peaks",
-           "Relaxation", "Scene", "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "compare", "law",
-           "laws", "simplex_weights", "solve", "structured", "sweep"]
+__all__ = ["Comparison", "ComparisonRow", "Constraint", "DerivativeCheck", "InputError", "Law", "ModelError", "Motion",
+           "Number", "OwnLimit", "OwnTerm", "OwnTermValue", "Peak", "Peaks", "Progress", "Relaxation", "Scene",
+           "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "check_derivatives", "compare", "law",
+           "laws", "limit", "simplex_weights", "solve", "structured", "sweep", "term"]
 
-Progress = Callable[[str], object]
+Callback = Callable[[Progress], object]
 
 for _error in (InputError, UnavailableError, ModelError):
     _error.__module__ = __name__  # what a traceback shows
 
 
-def solve(scene: Scene | None = None, /, *, progress: Progress | None = None, **keys: Any) -> Solution:
+def solve(scene: Scene | None = None, /, *, progress: Callback | None = None, **keys: Any) -> Solution:
     """The best motion of a scene, and of keywords as Scene() takes them; both: the scene with these keys.
 
         camopt.solve(lift_mm=10, rise_deg=120, segments=12, weights=dict(v=.4, a=.4, j=.2), limits=dict(velocity=1.7))
 
-    progress: called with a line of text now and then. An infeasible scene is a verdict; its `relaxation` says what
+    progress: called with a Progress now and then. An infeasible scene is a verdict; its `relaxation` says what
     would help. Raises InputError for a wrong scene, UnavailableError for a backend that this build leaves out.
     """
     return _camopt.solve(_given(scene, keys)._read, progress)
 
 
-def compare(scene: Scene | None = None, /, *, progress: Progress | None = None, **keys: Any) -> Comparison:
+def compare(scene: Scene | None = None, /, *, progress: Callback | None = None, **keys: Any) -> Comparison:
     """Every classical law on a scene (or keywords), beside its optimum. Raises as solve() does."""
     return _camopt.compare(_given(scene, keys)._read, progress)
 
@@ -70,7 +73,7 @@ class Solver:
         """Changes the scene: Scene.update()."""
         self.scene.update(keys, **more)
 
-    def solve(self, progress: Progress | None = None) -> Solution:
+    def solve(self, progress: Callback | None = None) -> Solution:
         """Solves the scene as it is now; also kept in `solution`, where it was interrupted too."""
         try:
             self.solution = self._sequence.solve(self.scene._read, progress)

@@ -50,5 +50,5 @@ def _searched(name: str, value: Any) -> str:
         if name in scene_keys(table):
             return f"{table}.{name}" if table else name
     allowed = [key for table in _SEARCHED[1:] for key in scene_keys(table)]
-    raise InputError(f"{name}: found no key of this name; allowed: weights, limits, cam and the other tables of a scene "
-                     f"as dicts, {', '.join(allowed)}")
+    raise InputError(f"{name}: found no key of this name; allowed: weights, limits, cam and the other tables of a "
+                     f"scene as dicts, {', '.join(allowed)}")

@@ -11,6 +11,7 @@ from typing import Any
 
 from . import _camopt
 from ._names import dotted
+from ._rules import OwnLimit, OwnTerm
 from ._toml import document_text, value_text
 
 _PART = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
@@ -27,21 +28,31 @@ class Scene:
 
     Keywords are keys of [motion], [spline] and [solver]; the tables are dicts: limits=dict(velocity_mm_s=300). weights
     is [objective], in which v, a and j may stand for velocity, acceleration and jerk. The type of motion is "DRD" where
-    nothing else is said. docs/scene_file.md lists all keys.
+    nothing else is said. docs/scene_file.md lists all keys. terms and own_limits are lists of camopt.term() and
+    camopt.limit(): functions of Python, which stand beside the keys and in no file.
     """
 
-    __slots__ = ("_read",)
+    __slots__ = ("_read", "terms", "own_limits")
+    terms: tuple[OwnTerm, ...]  # replaced by update(terms=…)
+    own_limits: tuple[OwnLimit, ...]
     __hash__ = None  # it can change
 
     def __init__(self, **keys: Any) -> None:
+        terms, limits = tuple(keys.pop("terms", ())), tuple(keys.pop("own_limits", ()))
         given = dict(dotted(keys))
         given.setdefault("motion.type", "DRD")
-        self._read = _camopt.ReadScene("", "scene", _settings(given))
+        self._set("", "scene", _settings(given), terms, limits)
+
+    def _set(self, text: str, source: str, settings: list[str], terms: tuple[OwnTerm, ...],
+             limits: tuple[OwnLimit, ...]) -> None:
+        alone = bool(terms) and _weighs_nothing(_camopt.settled_text(text, source, settings))
+        self._read = _camopt.ReadScene(text, source, settings, list(terms), list(limits), alone)
+        self.terms, self.own_limits = terms, limits
 
     @classmethod
     def from_toml(cls, text: str, source: str = "scene") -> Scene:
         """The scene of a TOML text. Messages about it begin "SOURCE:LINE:COLUMN: "."""
-        return cls._of(_camopt.ReadScene(text, source, []))
+        return cls._of(text, source, [], (), ())
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Scene:
@@ -49,14 +60,14 @@ class Scene:
         return cls.from_toml(_camopt.read_text(os.fspath(path)), os.fspath(path))
 
     @classmethod
-    def _of(cls, read: _camopt.ReadScene) -> Scene:
+    def _of(cls, *parts: Any) -> Scene:
         scene = cls.__new__(cls)
-        scene._read = read
+        scene._set(*parts)
         return scene
 
     def to_toml(self) -> str:
-        """One TOML text that reads back as the same scene, bit for bit: the text given, with its comments, where
-        nothing was set since."""
+        """One TOML text that reads back as the same scene, bit for bit, but for terms and own_limits: the text given,
+        with its comments, where nothing was set since."""
         return self._read.toml()
 
     def to_dict(self) -> dict[str, Any]:
@@ -65,25 +76,32 @@ class Scene:
 
     def copy(self) -> Scene:
         """Another scene with the same keys."""
-        return self._of(self._read)
+        return self._of(*self._parts())
+
+    def _parts(self) -> tuple[Any, ...]:
+        return self._read.text, self._read.source, self._read.settings, self.terms, self.own_limits
 
     def update(self, keys: Mapping[str, Any] | None = None, /, **more: Any) -> None:
         """Sets several keys at once: dotted ones in a dict, keywords as Scene() takes them. None takes a key out.
 
         A key replaces every other spelling of its quantity: lift_in the lift in mm.
         """
-        given = dict(dotted({**(keys or {}), **more}))
+        every = {**(keys or {}), **more}
+        text, source, settings, terms, limits = self._parts()
+        terms, limits = tuple(every.pop("terms", terms)), tuple(every.pop("own_limits", limits))
+        given = dict(dotted(every))
         dropped = [key for key, value in given.items() if value is None]
-        read = self._without(dropped) if dropped else self._read
-        settings = _settings({key: value for key, value in given.items() if value is not None})
-        self._read = _camopt.ReadScene(read.text, read.source, read.settings + settings) if settings else read
+        if dropped:
+            text, settings = self._text_without(dropped), []
+        settings = settings + _settings({key: value for key, value in given.items() if value is not None})
+        self._set(text, source, settings, terms, limits)
 
-    def _without(self, keys: list[str]) -> _camopt.ReadScene:
+    def _text_without(self, keys: list[str]) -> str:
         document = self.to_dict()
         for key in keys:
             table, last = _walk(document, key)
             del table[last]
-        return _camopt.ReadScene(document_text(document), self._read.source, [])
+        return document_text(document)
 
     def __getitem__(self, key: str) -> Any:
         """A key as it was given, in its own unit; a table is a dict. Raises KeyError for a key that was not given."""
@@ -94,7 +112,7 @@ class Scene:
         self.update({key: value})
 
     def __delitem__(self, key: str) -> None:
-        self._read = self._without([key])
+        self.update({key: None})
 
     def __contains__(self, key: object) -> bool:
         try:
@@ -104,7 +122,8 @@ class Scene:
         return True
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scene) and self.to_dict() == other.to_dict()
+        return (isinstance(other, Scene) and self.to_dict() == other.to_dict() and self.terms == other.terms
+                and self.own_limits == other.own_limits)
 
     def __repr__(self) -> str:
         tables = {name: value for name, value in self.to_dict().items() if isinstance(value, dict)}
@@ -112,11 +131,17 @@ class Scene:
         return f"<camopt scene {self._read.source}: {given}>"
 
     def __reduce__(self) -> Any:
-        return _unpickled, (self._read.text, self._read.source, self._read.settings)
+        return _unpickled, self._parts()
 
 
-def _unpickled(text: str, source: str, settings: list[str]) -> Scene:
-    return Scene._of(_camopt.ReadScene(text, source, settings))
+def _unpickled(*parts: Any) -> Scene:
+    return Scene._of(*parts)
+
+
+def _weighs_nothing(toml: str) -> bool:
+    """No built-in term of the objective has a weight: only terms of one's own make one motion better than another."""
+    weights = tomllib.loads(toml).get("objective", {})
+    return not any(value != 0 for value in weights.values() if isinstance(value, (int, float)))
 
 
 def _settings(keys: Mapping[str, Any]) -> list[str]:

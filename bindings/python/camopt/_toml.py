@@ -24,7 +24,8 @@ def value_text(key: str, value: Any) -> str:
         return "{" + ", ".join(f"{_key(name)} = {value_text(key, one)}" for name, one in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(value_text(key, one) for one in value) + "]"
-    raise InputError(f"{key}: found a {type(value).__name__}; allowed: numbers, texts, booleans, lists and dicts of these")
+    raise InputError(f"{key}: found a {type(value).__name__}; allowed: numbers, texts, booleans, and "
+                     "lists and dicts of these")
 
 
 def document_text(document: Mapping[str, Any]) -> str:

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_camopt, module) {
     module.doc() = "The C++ library camopt. The package `camopt` is its face; see help(camopt).";
     module.attr("__version__") = std::string(camopt::version());
     camopt::python::add_errors(module);
+    camopt::python::add_own_rules(module);
     camopt::python::add_motions(module);
     camopt::python::add_scenes(module);
     camopt::python::add_solutions(module);

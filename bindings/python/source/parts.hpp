@@ -7,6 +7,7 @@
 namespace camopt::python {
 
 void add_errors(pybind11::module_& module);
+void add_own_rules(pybind11::module_& module);
 void add_motions(pybind11::module_& module);
 void add_scenes(pybind11::module_& module);
 void add_solutions(pybind11::module_& module);

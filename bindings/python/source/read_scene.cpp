@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/python/source/read_scene.hpp"
 
+#include <algorithm>
 #include <camopt/errors.hpp>
 #include <camopt/laws.hpp>
 #include <camopt/mechanism_factory.hpp>
@@ -28,10 +29,22 @@ std::string without_option(std::string_view message) {
     return std::string(message);
 }
 
-Scene read(const std::string& text, const std::string& source, std::span<const std::string> settings) {
+/// A weight for the reader, which has no own terms to look at, and taken back after it.
+constexpr const char* stand_in = "objective.velocity=1";
+
+Scene read(const std::string& text, const std::string& source, std::vector<std::string> settings,
+           const OwnRules& own) {
+    const bool weighed = std::ranges::any_of(
+        settings, [](const std::string& setting) { return setting.starts_with("objective.velocity="); });
+    const bool stands_in = own.alone && !weighed;
+    if (stands_in) settings.emplace_back(stand_in);
     try {
         Scene scene = input::read_scene(text, source, names_known(), settings);
         complete_mechanism(scene);
+        if (stands_in) scene.objective.velocity = 0.0;
+        scene.own_terms = own.terms;
+        scene.own_limits = own.limits;
+        validate(scene);
         return scene;
     } catch (const UnavailableError& error) {
         throw UnavailableError(without_option(error.what()));
@@ -42,16 +55,18 @@ Scene read(const std::string& text, const std::string& source, std::span<const s
 
 }  // namespace
 
-ReadScene::ReadScene(std::string toml, std::string source_name, std::vector<std::string> all_settings)
+ReadScene::ReadScene(std::string toml, std::string source_name, std::vector<std::string> all_settings,
+                     OwnRules own_rules)
     : text(std::move(toml)),
       source(std::move(source_name)),
       settings(std::move(all_settings)),
-      scene(read(text, source, settings)) {}
+      own(std::move(own_rules)),
+      scene(read(text, source, settings, own)) {}
 
 Scene ReadScene::with(std::span<const std::string> more) const {
     std::vector<std::string> all = settings;
     all.insert(all.end(), more.begin(), more.end());
-    return read(text, source, all);
+    return read(text, source, all, own);
 }
 
 std::string ReadScene::toml() const {
@@ -59,7 +74,8 @@ std::string ReadScene::toml() const {
 }
 
 RunOrigin ReadScene::origin() const {
-    return {source, "", toml()};
+    const bool complete = own.terms.empty() && own.limits.empty();
+    return {source, "", complete ? toml() : ""};
 }
 
 }  // namespace camopt::python

@@ -148,6 +148,16 @@ std::optional<double> objective(const SolvedScene& solved) {
 }
 
 void add_rows(py::module_& module) {
+    py::class_<OwnTermReport>(module, "OwnTermValue", "What a cost term of one's own came to.")
+        .def_readonly("name", &OwnTermReport::name, "Of the term.")
+        .def_readonly("weight", &OwnTermReport::weight, "As given.")
+        .def_readonly("reference", &OwnTermReport::reference, "As given.")
+        .def_readonly("value", &OwnTermReport::value,
+                      "Its largest along the motion, in its own unit; 0 where it is nowhere above.")
+        .def_readonly("at", &OwnTermReport::at, "x.")
+        .def("__repr__", [](const OwnTermReport& row) {
+            return fmt::format("OwnTermValue({}={:.6g} at {:.4g})", row.name, row.value, row.at);
+        });
     py::class_<ConstraintValue>(module, "Constraint", "A limit of the scene, as written and as kept.")
         .def_property_readonly(
             "name", [](const ConstraintValue& row) { return row.report.name; },
@@ -213,7 +223,7 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "message", [](const SolvedScene& s) { return verdict_sentence(of(s)); },
             "The verdict as a sentence.")
         .def_property_readonly(
-            "reason", [](const SolvedScene& s) { return of(s).certificate.reason; },
+            "reason", [](const SolvedScene& s) { return name_of(of(s).certificate.reason); },
             "Why the verdict is not better, one word; empty where nothing is to be said.")
         .def_property_readonly("fun", &objective, "The objective of the motion found; None without one.")
         .def_property_readonly(
@@ -269,6 +279,9 @@ void add_motion_of(py::class_<SolvedScene>& type) {
         .def("bspline", &bspline,
              "The motion as a scipy.interpolate.BSpline of y over x. Needs SciPy; raises InputError for a "
              "program.")
+        .def_property_readonly(
+            "own_terms", [](const SolvedScene& s) { return of(s).own_terms; },
+            "The terms of one's own, a list of OwnTermValue.")
         .def_property_readonly("constraints", &constraints, "Every limit of the scene, a list of Constraint.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "

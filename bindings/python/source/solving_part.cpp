@@ -9,6 +9,8 @@
 #include <camopt/solve.hpp>
 #include <functional>
 #include <mutex>
+#include <pybind11/stl.h>
+#include <string>
 #include <utility>
 
 namespace camopt::python {
@@ -50,6 +52,16 @@ class Sequence {
 }  // namespace
 
 void add_solving(py::module_& module) {
+    py::class_<ProgressValue>(module, "Progress", "How far a solve is. str() of it is its line.")
+        .def_readonly("message", &ProgressValue::message, "One short line.")
+        .def_readonly("round", &ProgressValue::round,
+                      "Of the exchange of cam angles, from 1; None where unknown.")
+        .def_readonly("incumbent", &ProgressValue::incumbent, "Objective of the best motion so far, or None.")
+        .def_readonly("bound", &ProgressValue::bound, "Proved so far: no motion can pass it; or None.")
+        .def_readonly("violation", &ProgressValue::violation,
+                      "Of the incumbent, relative to each limit; <= 0: all are kept.")
+        .def("__str__", [](const ProgressValue& now) { return now.message; })
+        .def("__repr__", [](const ProgressValue& now) { return "Progress(" + now.message + ")"; });
     module.def(
         "solve",
         [](const ReadScene& given, py::object progress) {
@@ -58,7 +70,7 @@ void add_solving(py::module_& module) {
             });
         },
         py::arg("scene"), py::arg("progress") = py::none(),
-        "Solves a scene that was read. progress: called with a line of text now and then. Other threads run "
+        "Solves a scene that was read. progress: called with a Progress now and then. Other threads run "
         "meanwhile.");
     py::class_<Sequence>(module, "Sequence",
                          "Neighbouring scenes one after another, each solved from what the last one found.")

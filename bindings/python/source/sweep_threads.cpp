@@ -39,20 +39,44 @@ class Crew {
     void work() {
         try {
             SweepScenes scenes(task_.plan,
-                               [this](std::span<const std::string> row) { return task_.given.with(row); });
+                               [this](std::span<const std::string> row) { return scene_of(row); });
             SolveControl control;
             control.stop_requested = [this] { return watch_.stopped() || failed_; };
             for (int chunk = next_++; chunk < chunking_.count() && !control.stopped(); chunk = next_++)
                 (void)solve_chunk(scenes, chunking_.range(chunk), control,
                                   [&](const SweepRow& row) { add(row); });
         } catch (...) {
-            const std::lock_guard lock(mutex_);
-            failure_ = std::current_exception();
-            failed_ = true;
+            fail();
         }
         const std::lock_guard lock(mutex_);
         --working_;
         news_.notify_one();
+    }
+
+    /// A row that throws is a failed row; what a function of the user's throws is to be seen by him.
+    Scene scene_of(std::span<const std::string> row) {
+        Scene scene = task_.given.with(row);
+        for (OwnTerm& term : scene.own_terms) term.formula = told(std::move(term.formula));
+        for (OwnLimit& limit : scene.own_limits) limit.formula = told(std::move(limit.formula));
+        return scene;
+    }
+
+    MotionFormula told(MotionFormula formula) {
+        return [this, own = std::move(formula)](const MotionPoint& point) {
+            try {
+                return own(point);
+            } catch (...) {
+                fail();
+                throw;
+            }
+        };
+    }
+
+    /// In a handler: ends the sweep with the exception at hand, the first of them.
+    void fail() {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        failed_ = true;
     }
 
     /// A row during which the sweep was stopped is perhaps stopped halfway.

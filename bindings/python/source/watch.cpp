@@ -21,7 +21,10 @@ SolveControl Watch::control() {
         looked_ = now;
         return look_for_signals();
     };
-    if (wants_progress()) control.progress = [this](std::string_view message) { tell(std::string(message)); };
+    if (wants_progress())
+        control.progress = [this](const Progress& now) {
+            tell(ProgressValue{std::string(now.message), now.round, now.incumbent, now.bound, now.violation});
+        };
     return control;
 }
 

@@ -5,12 +5,21 @@
 #include <atomic>
 #include <camopt/solver.hpp>
 #include <chrono>
+#include <optional>
 #include <pybind11/pybind11.h>
-#include <string_view>
+#include <string>
+#include <utility>
 
 namespace camopt::python {
 
 namespace py = pybind11;
+
+/// What a callback is told: a camopt::Progress that outlives the call.
+struct ProgressValue {
+    std::string message;
+    std::optional<int> round;
+    std::optional<double> incumbent, bound, violation;
+};
 
 /// Made and destroyed with the interpreter's lock held; the solve runs in between without it. What a callback
 /// or a signal handler raises stops the solve and is kept until raise_what_came().

@@ -110,9 +110,9 @@ class Interrupts(unittest.TestCase):
     def test_what_a_callback_raises_comes_through(self):
         told = []
 
-        def stop(line):
-            told.append(line)
-            raise LookupError(line)
+        def stop(now):
+            told.append(now)
+            raise LookupError(now.message)
 
         with self.assertRaises(LookupError) as caught:
             camopt.solve(camopt.Scene.from_file(LONG), progress=stop)
@@ -128,7 +128,8 @@ class Interrupts(unittest.TestCase):
         scene = camopt.Scene.from_file(program.scene_path("cam_forces.toml"))
         camopt.solve(scene, progress=told.append)
         self.assertTrue(told)
-        self.assertTrue(all(isinstance(line, str) and line and "\n" not in line for line in told))
+        self.assertTrue(all(isinstance(now, camopt.Progress) and str(now) and "\n" not in now.message for now in told))
+        self.assertTrue([now for now in told if now.round])
 
 
 def resident_bytes():

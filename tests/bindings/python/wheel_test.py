@@ -13,7 +13,8 @@ import unittest
 import program
 
 FOLDER = program.ROOT / "bindings" / "python"
-MISSING = [f"python3-{name}" for name in ("pip", "setuptools", "wheel", "venv") if importlib.util.find_spec(name) is None]
+NEEDED = ("pip", "setuptools", "wheel", "venv")
+MISSING = [f"python3-{name}" for name in NEEDED if importlib.util.find_spec(name) is None]
 OURS = {"PYTHONPATH": "", "PATH": os.environ["PATH"], "HOME": tempfile.gettempdir(),
         "CAMOPT_BUILD_FOLDER": os.environ["CAMOPT_BUILD_FOLDER"]}
 
