@@ -3,23 +3,13 @@
 
 #include <algorithm>
 #include <camopt/errors.hpp>
-#include <camopt/laws.hpp>
-#include <camopt/mechanism_factory.hpp>
 #include <camopt/scene_file.hpp>
-#include <camopt/solver_registry.hpp>
 #include <string_view>
 #include <utility>
 
 namespace camopt::python {
 
 namespace {
-
-input::KnownNames names_known() {
-    input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
-    for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
-    return known;
-}
 
 /// Messages about a setting begin with the option of the command line that it would have come from; here
 /// there is none.
@@ -39,8 +29,7 @@ Scene read(const std::string& text, const std::string& source, std::vector<std::
     const bool stands_in = own.alone && !weighed;
     if (stands_in) settings.emplace_back(stand_in);
     try {
-        Scene scene = input::read_scene(text, source, names_known(), settings);
-        complete_mechanism(scene);
+        Scene scene = scene_of_toml(text, settings, source);
         if (stands_in) scene.objective.velocity = 0.0;
         scene.own_terms = own.terms;
         scene.own_limits = own.limits;

@@ -142,12 +142,15 @@ class Memory(unittest.TestCase):
         scene.update(cam={"type": "disk", "follower": "translating_roller", "base_radius_mm": 60,
                           "roller_radius_mm": 10})
         solver = camopt.Solver(camopt.Scene(weights={"v": .4, "a": .4, "j": .2}))
+        speed = camopt.term("speed", lambda x, y, v, a, j: v, weight=0.3, shape="linear", highest_order=1)
 
         def once(number):
             solution = camopt.solve(scene, objective__jerk=0.1 + number % 10 / 10, progress=lambda line: None)
             solution.profile(50), solution.to_json(), solution.motion(np.linspace(0, 1, 100))
             solver.update(objective__jerk=number % 7 / 7)
             solver.solve()
+            if number % 20 == 0:
+                camopt.solve(weights={"j": 1}, segments=4, terms=[speed])
             try:
                 scene["spline.segments"] = -number
             except camopt.InputError:

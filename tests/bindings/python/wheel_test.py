@@ -43,6 +43,16 @@ class Wheel(unittest.TestCase):
         self.assertFalse((FOLDER / "build").exists())
         self.assertFalse(list(FOLDER.glob("*.egg-info")))
 
+    def test_cmake_installs_the_same_package(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            run("cmake", "--install", os.environ["CAMOPT_BUILD_FOLDER"], "--prefix", prefix, "--component", "camopt_python")
+            package = next(pathlib.Path(prefix).rglob("camopt/__init__.py")).parent
+            self.assertEqual({path.name.split(".")[0] for path in package.iterdir()},
+                             {"__init__", "_camopt", "_names", "_rules", "_scene", "_sweep", "_toml", "py"})
+            printed = run(sys.executable, "-B", "-c", "import camopt; print(camopt.__file__)", cwd=prefix,
+                          env={"PYTHONPATH": str(package.parent)})
+            self.assertTrue(printed.startswith(prefix), printed)
+
     def assert_only_libraries_of_the_system(self, package):
         extension = next(package.glob("_camopt*.so"))
         lines = run("ldd", extension).splitlines()
