@@ -128,7 +128,8 @@ std::string image(const std::string& svg) {
 
 std::string html(const SolvedScene& solved) {
     const py::object escape = py::module_::import("html").attr("escape");
-    std::string text = fmt::format("<pre>{}</pre>", escape(summary_text(of(solved), {})).cast<std::string>());
+    std::string text = fmt::format("<pre style=\"white-space:pre-wrap\">{}</pre>",
+                                   escape(summary_text(of(solved), {})).cast<std::string>());
     if (of(solved).motion) text += image(motion_svg(of(solved)));
     if (has_plane_cam(solved)) text += image(cam_picture(solved));
     return text;
