@@ -25,6 +25,9 @@ foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE)
   set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
 
+set(CAMOPT_PYTHON AUTO CACHE STRING "Build the Python package: AUTO (where camopt is the project and it can be), ON or OFF")
+set_property(CACHE CAMOPT_PYTHON PROPERTY STRINGS AUTO ON OFF)
+
 set(CAMOPT_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
 option(CAMOPT_COVERAGE "Instrument every target for coverage" OFF)
 

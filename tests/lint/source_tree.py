@@ -35,7 +35,7 @@ MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface",
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
-    user: EVERY_MODULE for user in ("include", "apps", "bindings", "benchmarks", "notebooks_cpp", "tests")
+    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "notebooks_cpp", "tests")
 }
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
 MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}
