@@ -24,6 +24,10 @@ import commands
 PRINTED = {"text", "gcode"}
 
 
+# The first line of a function that begins at the margin: "void limit(camopt::Scene& scene) {".
+FUNCTION = re.compile(r"^(?!if|for|while|switch)[A-Za-z_:]+ [a-z_]+\(.*\) \{$")
+
+
 class Documents:
     def __init__(self, options):
         self.options = options
@@ -105,8 +109,10 @@ class Documents:
         lines = block.text.splitlines()
         top = [line for line in given + lines if line.startswith(("#include", "using namespace"))]
         rest = [line for line in given + [f'#line {block.line + 1} "{block.page}"'] + lines if line not in top]
+        # Statements stand in a function, whole functions by themselves.
+        around = ([], []) if any(FUNCTION.match(line) for line in lines) else (["void block() {"], ["}"])
         source = self.file_for(block, "part.cpp")
-        source.write_text("\n".join(top + ["void block() {"] + rest + ["}"]) + "\n", encoding="utf-8")
+        source.write_text("\n".join(top + around[0] + rest + around[1]) + "\n", encoding="utf-8")
         return "parts of C++ compiled", self.run([self.options.compiler, "-std=c++20", "-fsyntax-only", *self.flags(), source])
 
     def c(self, block):
