@@ -8,6 +8,7 @@
 #include "objectives/rules/cam_reach.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
@@ -138,8 +139,16 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
 }
 
 double dimension_unit(const Scene& scene) {
-    const double lift = scene.motion.lift;
-    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
+    const MechanismSpec cam = cam_of(scene).value();
+    return cam.formulas->swings() ? scene.motion.lift * cam.formulas->length(cam.middle())
+                                  : scene.motion.lift;
+}
+
+double dimension_weight(const Scene& scene, const std::string& name) {
+    for (int d = 0; d < dimension_count; ++d)
+        if (name == name_of(static_cast<DimensionIndex>(d)))
+            return scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
+    return 0.0;
 }
 
 MotionFamily scene_family(const Scene& scene, DesignKind kind) {
@@ -292,7 +301,7 @@ void add_cam(CamModel& model, const Scene& scene) {
     for (int d = 0; d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);
         const Dimension& dimension = (*scene.cam)[which];
-        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
+        const double weight = dimension_weight(scene, name_of(which));
         const bool signless = dimension.low >= 0.0;
         if (!dimension.is_variable()) {
             model.cost_constant += weight * std::abs(dimension.low);
@@ -326,7 +335,7 @@ void add_mechanism(CamModel& model, const Scene& scene) {
     mechanism->scale = {scene.motion.lift, scene.motion.unit_angle()};
     for (std::size_t d = 0; d < spec.dimensions.size(); ++d) {
         const Dimension& dimension = spec.dimensions[d].value;
-        const double weight = mechanism_weight(scene, spec.dimensions[d].name);
+        const double weight = dimension_weight(scene, spec.dimensions[d].name);
         if (!dimension.is_variable()) {
             model.cost_constant += weight * std::abs(dimension.low);
             continue;
@@ -345,16 +354,6 @@ void add_mechanism(CamModel& model, const Scene& scene) {
 }
 
 }  // namespace
-
-double mechanism_weight(const Scene& scene, const std::string& name) {
-    const MechanismSpec& spec = *scene.mechanism;
-    const double lift = scene.motion.lift;
-    for (int d = 0; d < dimension_count; ++d)
-        if (name == name_of(static_cast<DimensionIndex>(d)))
-            return scene.objective.dimensions[static_cast<std::size_t>(d)] /
-                   (spec.formulas->swings() ? lift * spec.formulas->length(spec.middle()) : lift);
-    return 0.0;
-}
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                      std::span<const DisplacementBox> boxes) {

@@ -7,3 +7,4 @@
 
 #include "scene/cam_mechanism.hpp"
 #include "scene/mechanism_spec.hpp"
+#include "studies/delivered/driven_mechanism.hpp"

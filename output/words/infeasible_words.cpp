@@ -252,7 +252,7 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
 }
 
 bool is_told_in_words(const Scene& scene) {
-    return scene.cam.has_value() || scene.mechanism.has_value() || scene.motion.type == MotionType::program;
+    return has_cam(scene) || scene.motion.type == MotionType::program;
 }
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/relaxation.hpp"
 
+#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/feasibility_question.hpp"
@@ -154,7 +155,7 @@ class Explainer {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
-        if (scene_.cam || scene_.mechanism || in_time) others = adjustments(scene_);
+        if (has_cam(scene_) || in_time) others = adjustments(scene_);
         const std::size_t count = caps.size() + others.size();
         std::size_t done = 0;
         const auto share = [&] { return shares_of_one / static_cast<double>(count - done++); };

@@ -5,6 +5,7 @@
 #include "motions/bounds/any_curve_limit.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/counting_solver.hpp"
@@ -95,8 +96,7 @@ std::string general_solver() {
 }
 
 bool is_general(const Scene& scene, SceneModels& models) {
-    return (scene.cam || scene.mechanism || scene.objective.torque > 0.0) &&
-           needs_starts(models.with_states());
+    return (has_cam(scene) || scene.objective.torque > 0.0) && needs_starts(models.with_states());
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,

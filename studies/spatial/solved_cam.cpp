@@ -11,6 +11,12 @@
 
 namespace camopt {
 
+namespace {
+
+constexpr int section_points = 2000;
+
+}  // namespace
+
 FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
     FollowerMotion result;
     result.state = [&motion, scale](double theta) {
@@ -27,18 +33,19 @@ bool has_spatial_cam(const Solution& solution) {
 }
 
 SpatialCam solved_spatial_cam(const Solution& solution) {
-    if (!has_spatial_cam(solution) || !solution.mechanism)
+    if (!has_spatial_cam(solution) || !solution.cam)
         throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
     const MechanismSpec& spec = *solution.scene.mechanism;
-    return spatial_cam(spatial_follower(spec), spec.rotation, solution.mechanism->mechanism.dimensions);
+    return spatial_cam(spatial_follower(spec), spec.rotation, solution.cam->cam.dimensions);
 }
 
-ForwardCheckReport check_spatial_cam(const Solution& solution, int points) {
+ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points) {
     const SpatialCam cam = solved_spatial_cam(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const MotionChain motion = whole_turn(solution);
     const FollowerMotion turn = follower_motion(motion, scale);
-    const FlankGrid grid = flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points});
+    const FlankGrid grid =
+        flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points.value_or(section_points)});
     SpatialForwardCheckInput input;
     input.sections = sections_of(grid);
     input.breaks = grid.breaks;
