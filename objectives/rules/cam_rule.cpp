@@ -3,30 +3,14 @@
 
 #include "profiles/disk/quantity_algebra.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
-bool CamVariables::is_variable(DimensionIndex dimension) const {
-    return std::ranges::any_of(
-        variables, [dimension](const Variable& variable) { return variable.dimension == dimension; });
-}
-
-DiskCam CamVariables::cam_at(const Eigen::VectorXd& parameters) const {
-    DiskCam own = cam;
-    for (const Variable& variable : variables) {
-        own.dimensions[static_cast<std::size_t>(variable.dimension)] =
-            variable.reference * parameters[variable.parameter];
-    }
-    return own;
-}
-
-CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
+CamRule::CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula)
     : cam_(std::move(cam)), formula_(std::move(formula)) {
     const MotionScale& scale = cam_->scale;
     const double slope = scale.lift / scale.unit_angle;
     slots_ = {{0, 0, scale.lift}, {1, 1, slope}, {2, 2, slope / scale.unit_angle}};
-    for (const CamVariables::Variable& variable : cam_->variables) {
+    for (const DiskVariables::Variable& variable : cam_->variables) {
         slots_.push_back({column_of(variable.dimension), static_cast<Eigen::Index>(slots_.size()) + 1,
                           variable.reference});
         parameters_.push_back(variable.parameter);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A limit of the cam at one cam angle: a formula of (s, s', s'', dimensions) in SI, brought to the normalised
-// (y, y', y'', y'''; q) of the optimizer by the chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each
-// variable dimension = reference · q.
+// A limit of a disk cam at one cam angle: a formula of (s, s', s'', dimensions) in SI, brought to the
+// normalised (y, y', y'', y'''; q) of the optimizer by the chain rule: s^{(r)} = lift / unit_angle^r ·
+// y^{(r)}, each variable dimension = reference · q.
 #pragma once
 
+#include "objectives/rules/cam_variables.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "profiles/disk/quantity_along.hpp"
-#include "profiles/sampling.hpp"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,25 +15,6 @@
 #include <vector>
 
 namespace camopt {
-
-/// Which dimensions the optimizer moves, and the cam with the others at their numbers.
-struct CamVariables {
-    struct Variable {
-        DimensionIndex dimension = DimensionIndex::base_radius;
-        int parameter = 0;       ///< index among the problem's parameters
-        double reference = 1.0;  ///< m in one unit of the parameter
-    };
-    DiskCam cam;
-    MotionScale scale;
-    std::vector<Variable> variables;
-    /// How many points of a profile were evaluated: shared by all rules of a problem; threads may count at
-    /// once.
-    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
-
-    [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
-    /// The cam for all parameters of a problem.
-    [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& parameters) const;
-};
 
 struct CamFormula {
     std::string name;    ///< the key of the limit, as the user wrote it
@@ -63,7 +43,7 @@ template <class Formula>
 
 class CamRule final : public PointRule {
  public:
-    CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
+    CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula);
 
     [[nodiscard]] std::string name() const override { return formula_.name; }
     [[nodiscard]] RowOrigin origin() const override;
@@ -80,7 +60,7 @@ class CamRule final : public PointRule {
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    std::shared_ptr<const CamVariables> cam_;
+    std::shared_ptr<const DiskVariables> cam_;
     CamFormula formula_;
     std::vector<int> parameters_;
     /// The cam for the rule's own parameters.

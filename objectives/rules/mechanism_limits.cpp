@@ -9,7 +9,7 @@ namespace camopt {
 namespace {
 
 using MechanismRules = std::vector<std::shared_ptr<const MechanismRule>>;
-using SharedMechanism = std::shared_ptr<const MechanismVariables>;
+using SharedMechanism = std::shared_ptr<const CamVariables>;
 
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 constexpr double least_scale = 1e-3;
@@ -28,18 +28,17 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
 
 void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::pressure_angle);
-    if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
-    const double length = mechanism->formulas->length(mechanism->dimensions);
+    if (!limit || !mechanism->cam.formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
+    const double length = mechanism->cam.formulas->length(mechanism->cam.dimensions);
     std::vector<int> active;
-    for (const MechanismVariables::Variable& variable : mechanism->variables)
-        active.push_back(variable.dimension);
+    for (const CamVariables::Variable& variable : mechanism->variables) active.push_back(variable.dimension);
     for (const int sign : {1, -1}) {
         const auto value = [sign, length, angle = limit->value](const MechanismCall& call) {
             const MechanismValue excess = call.pressure_excess(angle, sign);
             return combined(1.0 / length, excess, 0.0, excess);
         };
         MechanismFormula formula{limit->key, station, value, 1, limit->value};
-        formula.shape = mechanism->formulas->pressure_shape(active);
+        formula.shape = mechanism->cam.formulas->pressure_shape(active);
         rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
 }
@@ -57,8 +56,8 @@ void add_radius(MechanismRules& rules, const SharedMechanism& mechanism, const M
 }
 
 void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
-    const int index = mechanism->formulas->roller_radius();
-    const double roller = mechanism->dimensions[static_cast<std::size_t>(index)];
+    const int index = mechanism->cam.formulas->roller_radius();
+    const double roller = mechanism->cam.dimensions[static_cast<std::size_t>(index)];
     const bool moves = std::ranges::any_of(mechanism->variables,
                                            [&](const auto& variable) { return variable.dimension == index; });
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
@@ -76,7 +75,7 @@ void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism&
 
 void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::regularity);
-    if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
+    if (!limit || !mechanism->cam.formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
         const MechanismValue regularity = call(MechanismQuantity::regularity);
         return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
@@ -89,9 +88,9 @@ void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism
 
 MechanismRules mechanism_limits(const Scene& scene, const SharedMechanism& mechanism) {
     MechanismRules rules;
-    for (int station = 0; station < mechanism->formulas->stations(); ++station) {
+    for (int station = 0; station < mechanism->cam.formulas->stations(); ++station) {
         add_pressure(rules, scene, mechanism, station);
-        if (mechanism->formulas->planar()) add_radii(rules, scene, mechanism, station);
+        if (mechanism->cam.formulas->planar()) add_radii(rules, scene, mechanism, station);
         add_margin(rules, scene, mechanism, station);
     }
     return rules;

@@ -4,36 +4,16 @@
 // cam_rule.hpp does for the disk cams. Knows the mechanism by its interface alone.
 #pragma once
 
+#include "objectives/rules/cam_variables.hpp"
 #include "objectives/rules/point_rule.hpp"
-#include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace camopt {
-
-/// Which dimensions the optimizer moves, and the mechanism with the others at their numbers.
-struct MechanismVariables {
-    struct Variable {
-        int dimension = 0;
-        int parameter = 0;       ///< index among the problem's parameters
-        double reference = 1.0;  ///< m or rad in one unit of the parameter
-    };
-    std::shared_ptr<const CamMechanism> formulas;
-    std::vector<double> dimensions;
-    MotionScale scale;
-    std::vector<Variable> variables;
-    /// How many points were evaluated: shared by all rules of a problem; threads may count at once.
-    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
-
-    /// The dimensions for all parameters of a problem.
-    [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
-};
 
 /// What a formula is given: partials are by (s, s', s'', the variables in their order).
 struct MechanismCall {
@@ -64,7 +44,7 @@ struct MechanismFormula {
 
 class MechanismRule final : public PointRule {
  public:
-    MechanismRule(std::shared_ptr<const MechanismVariables> mechanism, MechanismFormula formula);
+    MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula);
 
     [[nodiscard]] std::string name() const override { return formula_.name; }
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
@@ -76,7 +56,7 @@ class MechanismRule final : public PointRule {
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    std::shared_ptr<const MechanismVariables> mechanism_;
+    std::shared_ptr<const CamVariables> mechanism_;
     MechanismFormula formula_;
     std::vector<int> parameters_, active_;
     Eigen::VectorXd units_;  ///< of (s, s', s'', variables) in the rule's own
@@ -88,6 +68,6 @@ class MechanismRule final : public PointRule {
 ///   concave radius   −(ρ_c − r) κ − 1           planar
 ///   undercut margin  margin − regularity
 [[nodiscard]] std::vector<std::shared_ptr<const MechanismRule>> mechanism_limits(
-    const Scene& scene, const std::shared_ptr<const MechanismVariables>& mechanism);
+    const Scene& scene, const std::shared_ptr<const CamVariables>& mechanism);
 
 }  // namespace camopt

@@ -80,16 +80,8 @@ ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed,
     return arc_chain(curve, of_cam ? outline.knots(station) : outline.breakpoints(), closed, options);
 }
 
-}  // namespace
-
-ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
-    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
-        throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
-    const DrivenMechanism& mechanism = solution.cam->cam;
-    const MotionChain motion = cam_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
-    if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
-        return profile_dxf(*shape, tolerance);
+ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale,
+                       double tolerance) {
     const Outline outline(mechanism, motion, scale);
     const bool guide = mechanism.formulas->has_guide();
     const char* const cam = guide ? "WALLS" : "CAM";
@@ -118,6 +110,17 @@ ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
     result.text = drawing.finish();
     return result;
+}
+
+}  // namespace
+
+ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
+    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
+        throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
+    const MotionChain motion = cam_motion(solution);
+    if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
+        return profile_dxf(*shape, tolerance);
+    return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);
 }
 
 }  // namespace camopt

@@ -117,6 +117,7 @@ std::string cam_line(const Scene& scene) {
     std::string text = fmt::format("Cam: {}", cam_text(cam));
     for (const MechanismDimension& dimension : cam.dimensions) {
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
+        // Of a disk cam as written, of others in the units of their figures.
         const ShownIn in = scene.cam            ? written_unit(dimension.value)
                            : dimension.is_angle ? ShownIn{degree, "deg"}
                                                 : ShownIn{millimetre, "mm"};

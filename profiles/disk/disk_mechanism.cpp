@@ -14,14 +14,6 @@
 namespace camopt {
 namespace {
 
-std::vector<DimensionIndex> dimensions_of(FollowerType follower) {
-    std::vector<DimensionIndex> all;
-    for (int d = 0; d < dimension_count; ++d)
-        if (has_dimension(follower, static_cast<DimensionIndex>(d)))
-            all.push_back(static_cast<DimensionIndex>(d));
-    return all;
-}
-
 Quantity quantity_of(MechanismQuantity which) {
     switch (which) {
         case MechanismQuantity::pressure_numerator:
@@ -120,6 +112,14 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
 }
 
 }  // namespace
+
+std::vector<DimensionIndex> dimensions_of(FollowerType follower) {
+    std::vector<DimensionIndex> all;
+    for (int d = 0; d < dimension_count; ++d)
+        if (has_dimension(follower, static_cast<DimensionIndex>(d)))
+            all.push_back(static_cast<DimensionIndex>(d));
+    return all;
+}
 
 MechanismPoint mechanism_point(const ProfilePoint& found) {
     MechanismPoint point;

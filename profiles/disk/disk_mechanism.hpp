@@ -10,8 +10,12 @@
 #include "scene/mechanism_spec.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace camopt {
+
+/// The dimensions a follower has, in the order in which they stand here.
+[[nodiscard]] std::vector<DimensionIndex> dimensions_of(FollowerType follower);
 
 /// The cam of a scene: type "disk", its follower as the choice "follower", a key for every dimension, and the
 /// formulas.

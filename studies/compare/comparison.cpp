@@ -32,14 +32,10 @@ struct Bench {
 };
 
 double dimension_of(const Bench& bench, int parameter) {
-    if (bench.model.cam)
-        for (const CamVariables::Variable& variable : bench.model.cam->variables)
-            if (variable.parameter == parameter)
-                return (*bench.disk)[variable.dimension] / variable.reference;
-    if (bench.model.mechanism)
-        for (const MechanismVariables::Variable& variable : bench.model.mechanism->variables)
-            if (variable.parameter == parameter)
-                return (*bench.dimensions)[static_cast<std::size_t>(variable.dimension)] / variable.reference;
+    for (const CamVariables::Variable& variable : bench.model.cam->variables) {
+        if (variable.parameter == parameter)
+            return (*bench.dimensions)[static_cast<std::size_t>(variable.dimension)] / variable.reference;
+    }
     return 0.0;
 }
 
@@ -145,7 +141,7 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
         bench.disk = comparison.cam = disk_cam({cam->formulas, *bench.dimensions});
     }
-    bench.limits_disk = bench.model.cam && !cam_limits(scene, bench.model.cam).empty();
+    bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));

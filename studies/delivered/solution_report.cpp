@@ -2,7 +2,6 @@
 #include "studies/delivered/solution_report.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
@@ -140,8 +139,7 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
     Delivered delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
-    if (model.cam) delivered.dimensions = disk_mechanism(model.cam->cam_at(parameters)).dimensions;
-    if (model.mechanism) delivered.dimensions = model.mechanism->dimensions_at(parameters);
+    if (model.cam) delivered.dimensions = model.cam->dimensions_at(parameters);
     report_delivered(solution, std::move(delivered));
     const MotionFamily& design = model.design;
     const Eigen::VectorXd values = problem.design_values(x);

@@ -208,8 +208,6 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     solution.solver.proof_source = result.proof_source;
     solution.evaluations = solver.counts();
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
-    if (problem.model().mechanism)
-        solution.evaluations.profile_points = *problem.model().mechanism->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = watch.seconds();
