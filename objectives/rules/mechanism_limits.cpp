@@ -37,8 +37,10 @@ void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechani
             const MechanismValue excess = call.pressure_excess(angle, sign);
             return combined(1.0 / length, excess, 0.0, excess);
         };
-        MechanismFormula formula{limit->key, station, value, 1, limit->value};
-        formula.shape = mechanism->cam.formulas->pressure_shape(active);
+        MechanismFormula formula{{limit->key, {}, 1, limit->value},
+                                 station,
+                                 value,
+                                 mechanism->cam.formulas->pressure_shape(active)};
         rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
 }
@@ -63,14 +65,14 @@ void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism&
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
-        add_radius(rules, mechanism, {limit->key, station, {}, 2, scale}, least);
+        add_radius(rules, mechanism, {{limit->key, {}, 2, scale}, station}, least);
     }
     // The roller itself fits into any hollow larger than it.
     const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
     if (!concave || !(moves || concave->value > roller)) return;
     const double least = concave->value;
     const double scale = std::clamp(least / std::max(least - roller, least_scale * least), 1.0, 1e3);
-    add_radius(rules, mechanism, {concave->key, station, {}, 2, scale}, -least);
+    add_radius(rules, mechanism, {{concave->key, {}, 2, scale}, station}, -least);
 }
 
 void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
@@ -81,7 +83,7 @@ void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism
         return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
     };
     rules.push_back(
-        std::make_shared<MechanismRule>(mechanism, MechanismFormula{limit->key, station, value, 2, 1.0}));
+        std::make_shared<MechanismRule>(mechanism, MechanismFormula{{limit->key}, station, value}));
 }
 
 }  // namespace

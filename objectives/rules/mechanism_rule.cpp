@@ -15,15 +15,10 @@ MechanismValue MechanismCall::dimension(int index) const {
 }
 
 MechanismRule::MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula)
-    : mechanism_(std::move(mechanism)), formula_(std::move(formula)) {
-    const MotionScale& scale = mechanism_->scale;
-    const double slope = scale.lift / scale.unit_angle;
-    units_.resize(3 + static_cast<Eigen::Index>(mechanism_->variables.size()));
-    units_.head(3) << scale.lift, slope, slope / scale.unit_angle;
+    : LimitRule(formula, mechanism->scale), mechanism_(std::move(mechanism)), formula_(std::move(formula)) {
     for (const CamVariables::Variable& variable : mechanism_->variables) {
-        units_[3 + static_cast<Eigen::Index>(active_.size())] = variable.reference;
+        add_variable(3 + static_cast<int>(active_.size()), variable.parameter, variable.reference);
         active_.push_back(variable.dimension);
-        parameters_.push_back(variable.parameter);
     }
 }
 
@@ -39,15 +34,7 @@ RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorX
                              formula_.station,
                              active_};
     const MechanismValue physical = formula_.value(call);
-    const auto variables = static_cast<Eigen::Index>(active_.size()), size = 4 + variables;
-    RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    // y''' stands between y'' and the parameters, and no quantity depends on it.
-    const auto to = [](Eigen::Index k) { return k < 3 ? k : k + 1; };
-    for (Eigen::Index a = 0; a < 3 + variables; ++a) {
-        rule.gradient[to(a)] = units_[a] * physical.gradient[a];
-        for (Eigen::Index b = 0; b < 3 + variables; ++b)
-            rule.hessian(to(a), to(b)) = units_[a] * units_[b] * physical.hessian(a, b);
-    }
+    RuleValue rule = normalised(physical);
     rule.by_place = mechanism_->scale.unit_angle * physical.by_angle;
     return rule;
 }
