@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
 

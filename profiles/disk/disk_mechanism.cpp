@@ -71,7 +71,7 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int) const override {
         return mechanism_point(profile_point(cam(state.dimensions), theta, state.output));
     }
-    /// The follower is drawn by output/drawing/follower_drawing.hpp.
+    /// A follower is drawn from its pose, not from links.
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
     [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
         return std::nullopt;
