@@ -2,6 +2,7 @@
 #include "studies/spatial/solved_cam.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/scene_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
@@ -28,14 +29,14 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
 }
 
 bool has_spatial_cam(const Solution& solution) {
-    const auto& mechanism = solution.scene.mechanism;
-    return mechanism && is_spatial(*mechanism);
+    const std::optional<MechanismSpec> cam = cam_of(solution.scene);
+    return cam && is_spatial(*cam);
 }
 
 SpatialCam solved_spatial_cam(const Solution& solution) {
     if (!has_spatial_cam(solution) || !solution.cam)
         throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
-    const MechanismSpec& spec = *solution.scene.mechanism;
+    const MechanismSpec spec = cam_of(solution.scene).value();
     return spatial_cam(spatial_follower(spec), spec.rotation, solution.cam->cam.dimensions);
 }
 
