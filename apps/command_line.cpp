@@ -3,9 +3,12 @@
 
 #include "apps/command_words.hpp"
 #include "apps/commands.hpp"
+#include "apps/completion/completion.hpp"
+#include "apps/manual/manual.hpp"
 #include "apps/pareto_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/licenses.hpp"
 #include "core/version.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
@@ -199,11 +202,14 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
-    CLI::App& command = *program.add_subcommand("list", "What this camopt knows: laws, followers or solvers");
-    command.add_option("WHAT", request.what, "laws, followers or solvers")
+    CLI::App& command =
+        *program.add_subcommand("list", "What this camopt knows: laws, followers, solvers, keys of a scene");
+    command
+        .add_option("WHAT", request.what,
+                    "The classical laws, the kinds of followers, the solvers, or every key of a scene file")
         ->type_name("")
         ->required()
-        ->check(one_of({"laws", "followers", "solvers"}));
+        ->check(one_of(list_topics()));
     command.add_flag("--json", request.json, "Print the list as JSON and nothing else");
     return command;
 }
@@ -375,9 +381,18 @@ ExitCode complain(std::string_view what, ExitCode code) {
     return code;
 }
 
+/// "camopt 0.2.0" and under what terms this binary may be passed on.
+std::string version_text() {
+    std::string with;
+    for (const LicensedPart& part : licensed_parts())
+        if (part.name != "camopt")
+            with += fmt::format("{}{} ({})", with.empty() ? "" : ", ", part.name, part.license);
+    return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
+}
+
 ExitCode parse_and_run(int count, const char* const* words) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
-    program.set_version_flag("--version", fmt::format("camopt {}", version()));
+    program.set_version_flag("--version", version_text());
     program.footer(examples);
     program.require_subcommand(1);
     Words parsed;
@@ -390,6 +405,15 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
     CLI::App& sweep = add_sweep(program, parsed.sweep);
     const CLI::App& sweep_merge = add_sweep_merge(sweep, parsed.sweep_merge);
+    // Not commands of people. The shells ask what could stand where the cursor is; the build writes the
+    // manual.
+    const std::string_view first = count > 1 ? words[1] : "";
+    if (first == "__complete" || first == "__manual") {
+        print(first == "__manual"
+                  ? manual_page(program)
+                  : completion_text(program, std::span(words + 2, static_cast<std::size_t>(count - 2))));
+        return success;
+    }
     try {
         program.parse(count, words);
     } catch (const CLI::Success& asked_for_help) {

@@ -58,10 +58,12 @@ struct CheckRequest {
 [[nodiscard]] ExitCode check_command(const CheckRequest& request);
 
 struct ListRequest {
-    std::string what;  ///< "laws", "followers" or "solvers"
+    std::string what;  ///< one of list_topics()
     bool json = false;
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
+/// "laws", "followers", "solvers", "keys".
+[[nodiscard]] std::vector<std::string> list_topics();
 
 /// A front instead of a sweep.
 struct ParetoWords {

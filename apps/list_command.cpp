@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// camopt list: the laws, followers and solvers that this camopt knows.
+// camopt list: the laws, followers, solvers and keys of a scene that this camopt knows.
 #include "apps/commands.hpp"
+#include "apps/list_keys.hpp"
 #include "apps/terminal.hpp"
 #include "core/peak_figures.hpp"
 #include "input/follower_kinds.hpp"
@@ -148,17 +149,28 @@ Json solvers_json() {
     return list;
 }
 
+struct Topic {
+    const char* name;
+    std::string (*text)();
+    Json (*json)();
+};
+
+constexpr Topic topics[] = {{"laws", laws_text, laws_json},
+                            {"followers", followers_text, followers_json},
+                            {"solvers", solvers_text, solvers_json},
+                            {"keys", keys_text, keys_json}};
+
 }  // namespace
 
+std::vector<std::string> list_topics() {
+    std::vector<std::string> names;
+    for (const Topic& topic : topics) names.emplace_back(topic.name);
+    return names;
+}
+
 ExitCode list_command(const ListRequest& request) {
-    std::string text;
-    if (request.what == "laws")
-        text = request.json ? json_text(laws_json()) : laws_text();
-    else if (request.what == "solvers")
-        text = request.json ? json_text(solvers_json()) : solvers_text();
-    else
-        text = request.json ? json_text(followers_json()) : followers_text();
-    print(text);
+    for (const Topic& topic : topics)
+        if (request.what == topic.name) print(request.json ? json_text(topic.json()) : topic.text());
     return success;
 }
 

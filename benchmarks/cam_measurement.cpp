@@ -31,7 +31,7 @@ void take_outcome(CamMeasurement& row, const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     row.termination = name_of(solution.solver.termination);
     row.verdict = name_of(certificate.verdict);
-    row.reason = certificate.reason;
+    row.reason = name_of(certificate.reason);
     row.convex = solution.solver.convex;
     row.proved_gap = certificate.gap;
     if (std::isfinite(certificate.objective)) row.objective = certificate.objective;

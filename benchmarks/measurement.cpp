@@ -76,7 +76,7 @@ Measurement measure(const Combination& combination, const TimingPlan& plan) {
     const Certificate& certificate = solution.certificate;
     row.status = name_of(solution.solver.termination);
     row.verdict = name_of(certificate.verdict);
-    row.reason = certificate.reason;
+    row.reason = name_of(certificate.reason);
     row.proved_gap = certificate.gap;
     if (std::isfinite(certificate.objective)) row.objective = certificate.objective;
     row.iterations = solution.solver.iterations;

@@ -95,10 +95,11 @@ foreach(kind static shared)
   set(kind_dir ${PROJECT_BINARY_DIR}/package/${kind})
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/camopt${kind}Config.cmake.in
     ${kind_dir}/camoptConfig.cmake INSTALL_DESTINATION ${camopt_package_dir}
-    PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+    PATH_VARS CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR)
   camopt_pkg_config(${kind} ${kind_dir}/camopt.pc)
   set(here COMPONENT camopt_${kind} ${camopt_only_${kind}})
   install(FILES ${kind_dir}/camoptConfig.cmake ${PROJECT_BINARY_DIR}/camoptConfigVersion.cmake
+    ${PROJECT_BINARY_DIR}/package/camoptCComponent.cmake
     DESTINATION ${camopt_package_dir} ${here})
   install(FILES ${kind_dir}/camopt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${here})
   install(DIRECTORY include/camopt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${here} FILES_MATCHING PATTERN "*.hpp")
@@ -107,10 +108,31 @@ foreach(kind static shared)
   install(SCRIPT cmake/CamoptInstalledIncludes.cmake ${here})
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} ${here})
 endforeach()
+# The C library is the component c of either package: one target by hand, for it brings nothing but itself.
+get_property(camopt_c_soversion GLOBAL PROPERTY CAMOPT_C_SOVERSION)
+configure_file(cmake/camoptCComponent.cmake.in package/camoptCComponent.cmake @ONLY)
+if(CAMOPT_C)
+  foreach(kind static shared)
+    set(here COMPONENT camopt_${kind} ${camopt_only_${kind}})
+    install(TARGETS camopt_c_${kind}
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT camopt_${kind} NAMELINK_COMPONENT camopt_${kind}
+      ${camopt_only_${kind}})
+    install(FILES bindings/c/camopt.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${here})
+    install(FILES ${PROJECT_BINARY_DIR}/package/camopt_c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${here})
+  endforeach()
+  configure_file(cmake/camopt_c.pc.in package/camopt_c.pc @ONLY)
+endif()
 install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
   cmake/FindCamoptSuiteSparse.cmake cmake/FindCamoptOpenCascade.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET camopt_manual)
+    install(FILES ${PROJECT_BINARY_DIR}/apps/camopt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  endif()
+  # Where each shell looks by itself.
+  install(FILES apps/completion/camopt.bash RENAME camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES apps/completion/_camopt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES apps/completion/camopt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()

@@ -5,7 +5,9 @@ include(CMakeDependentOption)
 option(CAMOPT_BUILD_APPS "Build the camopt command line" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(CAMOPT_BUILD_NOTEBOOKS "Build what the notebooks' kernel needs; it loads the shared library" OFF)
 option(CAMOPT_BUILD_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(CAMOPT_C "Build the C library (bindings/c)" ${PROJECT_IS_TOP_LEVEL})
 option(CAMOPT_INSTALL "Rules for cmake --install" ${PROJECT_IS_TOP_LEVEL})
 if(PROJECT_IS_TOP_LEVEL)
   option(BUILD_SHARED_LIBS "camopt::camopt, and what is installed, is one shared library" OFF)
@@ -14,11 +16,17 @@ option(CAMOPT_UNITY_BUILD "Compile sources of a folder together: half the time o
 set(CAMOPT_UNITY_BATCH 8 CACHE STRING "How many; 0: all, where two that do not go together are seen whatever their order")
 option(CAMOPT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 
+# Parts under the GPL are SuiteSparse's; whoever passes a binary on may not want them.
+option(CAMOPT_GPL "Use libraries under the GPL (SuiteSparseQR, CHOLMOD) where they are found" ON)
+
 # AUTO takes a library where it is found, ON insists, OFF leaves it out.
 foreach(backend IPOPT NLOPT SPQR SUITESPARSE OPENCASCADE)
   set(CAMOPT_WITH_${backend} AUTO CACHE STRING "Use ${backend}: AUTO, ON or OFF")
   set_property(CACHE CAMOPT_WITH_${backend} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
+
+set(CAMOPT_PYTHON AUTO CACHE STRING "Build the Python package: AUTO (where camopt is the project and it can be), ON or OFF")
+set_property(CACHE CAMOPT_PYTHON PROPERTY STRINGS AUTO ON OFF)
 
 set(CAMOPT_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
 option(CAMOPT_COVERAGE "Instrument every target for coverage" OFF)

@@ -35,6 +35,9 @@ class Deadline {
     [[nodiscard]] double seconds_left() const;
     /// This, or so many seconds from now where that is earlier.
     [[nodiscard]] Deadline sooner(double seconds) const;
+    /// So many seconds do not count, for this one, its copies and its parts: they went by while another solve
+    /// had its turn.
+    void leave_out(double seconds) const;
     /// Whether this one, a copy or a part of it has told anybody to stop.
     [[nodiscard]] bool was_felt() const;
 

@@ -63,10 +63,8 @@ std::string foreign_follower(const CamKind& own, const std::string& word) {
 std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_view name) {
     const auto given = source.find("limits", name);
     if (!given) return std::nullopt;
-    return WrittenLimit{.value = given->number(),
-                        .key = joined_key("limits", given->member->name),
-                        .unit_value = given->spelling->factor,
-                        .unit = std::string(given->spelling->unit)};
+    return WrittenLimit(given->number(), joined_key("limits", given->member->name), given->spelling->factor,
+                        std::string(given->spelling->unit));
 }
 
 }  // namespace

@@ -71,10 +71,11 @@ std::string Node::shown() const {
 }
 
 std::string error_prefix(std::string_view source_name, const Place& place, std::string_view key) {
-    const std::string where =
-        place.override_text.empty()
-            ? fmt::format("{}:{}:{}: ", printable(source_name), place.line, place.column)
-            : fmt::format("--set {}: ", printable_lines(place.override_text));
+    std::string where;
+    if (!place.override_text.empty())
+        where = fmt::format("--set {}: ", printable_lines(place.override_text));
+    else if (place.setting == 0)
+        where = fmt::format("{}:{}:{}: ", printable(source_name), place.line, place.column);
     return key.empty() ? where : fmt::format("{}{}: ", where, printable(key));
 }
 

@@ -3,6 +3,8 @@
 // Errors: InputError "FILE:LINE:COLUMN: …" for text that is no TOML. Internal to input/.
 #pragma once
 
+#include "core/errors.hpp"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,11 +12,23 @@
 
 namespace camopt::input {
 
-/// Where something was written: a line and column of the file, or an override ("--set KEY=VALUE").
+/// Where something was written: a line and column of the file, an override ("--set KEY=VALUE"), or a program
+/// (input/scene_document.hpp).
 struct Place {
     int line = 1;
     int column = 1;
-    std::string override_text;  ///< empty: the file
+    std::string override_text;  ///< empty: not by an override
+    int setting = 0;            ///< 0: not by a program; else which of its settings, < 0: implied by one
+};
+
+/// Something wrong at a place, with the prefix that says where.
+class PlacedError : public InputError {
+ public:
+    PlacedError(const Place& where, const std::string& message) : InputError(message), place_(where) {}
+    [[nodiscard]] const Place& place() const { return place_; }
+
+ private:
+    Place place_;
 };
 
 enum class NodeKind { boolean, integer, number, text, array, table, date_or_time };
@@ -54,7 +68,8 @@ struct Member {
 /// override.
 [[nodiscard]] Node parse_override_value(std::string_view value, const Place& place);
 
-/// "scene.toml:7:12: spline.degree: " or "--set spline.degree=4: spline.degree: ". An empty key is left out.
+/// "scene.toml:7:12: spline.degree: ", "--set spline.degree=4: spline.degree: ", or of what a program set
+/// "spline.degree: ". An empty key is left out.
 [[nodiscard]] std::string error_prefix(std::string_view source_name, const Place& place,
                                        std::string_view key);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/overrides.hpp"
 
-#include "core/errors.hpp"
+#include "core/text/printable.hpp"
 #include "input/scene_source.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view example = "KEY=VALUE, for example motion.rise_deg=90 or motion.segments[1].to=0.5";
 
 [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) {
-    throw InputError(error_prefix("", place, key) + std::string(what));
+    throw PlacedError(place, error_prefix("", place, key) + std::string(what));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -56,6 +56,7 @@ std::optional<KeyPart> key_part(std::string_view text) {
 std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
     // No scene has deeper keys, and every part is a level of recursion later.
     constexpr std::size_t most_parts = 8;
+    const std::string_view whole = key;
     std::vector<KeyPart> parts;
     while (parts.size() <= most_parts) {
         const std::size_t dot = key.find('.');
@@ -65,6 +66,11 @@ std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
         if (dot == std::string_view::npos && parts.size() <= most_parts) return parts;
         key.remove_prefix(dot + 1);
     }
+    if (place.setting != 0)
+        fail(place, "",
+             fmt::format("found \"{}\", which is no dotted key; allowed: for example motion.rise_deg or "
+                         "motion.segments[1].to",
+                         printable(whole)));
     fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
 }
 
@@ -106,8 +112,10 @@ Node& entry(Node& table, const KeyPart& part, const std::string& path, const Pla
 /// The table that a part of the key leads to; made where it is absent.
 Node& inner_table(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
     if (!part.index && !table.find(part.name)) {
-        table.members.push_back({part.name, place, {}});
-        table.members.back().value.place = place;
+        Place implied = place;
+        if (place.setting > 0) implied.setting = -place.setting;
+        table.members.push_back({part.name, implied, {}});
+        table.members.back().value.place = implied;
     }
     Node& inner = part.index ? entry(table, part, path, place) : table.find(part.name)->value;
     if (inner.kind == NodeKind::table) return inner;
@@ -120,34 +128,74 @@ Node& inner_table(Node& table, const KeyPart& part, const std::string& path, con
                             : ""));
 }
 
-void apply_override(Node& root, const std::string& text) {
-    const Place place{.line = 1, .column = 1, .override_text = text};
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) fail(place, "", fmt::format("found no '='; allowed: {}", example));
-    const std::vector<KeyPart> parts = key_parts(trimmed(std::string_view(text).substr(0, equals)), place);
-    Node value = parse_override_value(trimmed(std::string_view(text).substr(equals + 1)), place);
-    Node* table = &root;
-    std::string path;        // in the key table, without indices
-    std::string shown_path;  // as the user writes it
+/// Where a key leads: the table that holds its last part, and both as the key table and as the user say them.
+struct Destination {
+    Node* table = nullptr;
+    KeyPart last;
+    std::string table_path;  ///< in the key table, without indices
+    std::string shown_path;  ///< as the user writes it, without the index of the last part
+};
+
+Destination destination(Node& root, std::string_view key, const Place& place) {
+    const std::vector<KeyPart> parts = key_parts(key, place);
+    Destination found{&root, parts.back(), "", ""};
     for (const KeyPart& part : parts) {
-        const std::string table_path = path;
-        path = joined_key(path, part.name);
-        shown_path = joined_key(shown_path, part.name);
-        const std::string array_path = shown_path;
-        if (part.index) shown_path += fmt::format("[{}]", *part.index);
-        if (&part != &parts.back())
-            table = &inner_table(*table, part, part.index ? array_path : shown_path, place);
-        else if (part.index)
-            entry(*table, part, array_path, place) = std::move(value);
-        else
-            set(*table, table_path, part.name, std::move(value));
+        found.shown_path = joined_key(found.shown_path, part.name);
+        if (&part == &parts.back()) break;
+        const std::string array_path = found.shown_path;
+        if (part.index) found.shown_path += fmt::format("[{}]", *part.index);
+        found.table = &inner_table(*found.table, part, part.index ? array_path : found.shown_path, place);
+        found.table_path = joined_key(found.table_path, part.name);
     }
+    return found;
 }
 
 }  // namespace
 
+Setting parsed_setting(std::string_view text, const Place& place) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) fail(place, "", fmt::format("found no '='; allowed: {}", example));
+    const std::string_view key = trimmed(text.substr(0, equals));
+    (void)key_parts(key, place);  // a wrong key is told before a wrong value
+    return {std::string(key), parse_override_value(trimmed(text.substr(equals + 1)), place)};
+}
+
+void apply_setting(Node& root, const Setting& setting) {
+    const Destination to = destination(root, setting.key, setting.value.place);
+    if (to.last.index)
+        entry(*to.table, to.last, to.shown_path, setting.value.place) = setting.value;
+    else
+        set(*to.table, to.table_path, to.last.name, setting.value);
+}
+
+bool remove_setting(Node& root, std::string_view key, const Place& place) {
+    Node* table = &root;
+    std::string table_path;
+    const std::vector<KeyPart> parts = key_parts(key, place);
+    for (const KeyPart& part : parts) {
+        const bool last = &part == &parts.back();
+        if (last && !part.index)
+            return std::erase_if(table->members, [&](const Member& member) {
+                       return says_the_same(table_path, part.name, member.name);
+                   }) > 0;
+        Member* const member = table->find(part.name);
+        if (!member) return false;
+        table_path = joined_key(table_path, part.name);
+        Node& value = part.index ? entry(*table, part, table_path, place) : member->value;
+        if (last) {
+            std::vector<Node>& items = member->value.items;
+            items.erase(items.begin() + static_cast<std::ptrdiff_t>(*part.index));
+            return true;
+        }
+        if (value.kind != NodeKind::table) return false;
+        table = &value;
+    }
+    return false;
+}
+
 void apply_overrides(Node& root, std::span<const std::string> overrides) {
-    for (const std::string& text : overrides) apply_override(root, text);
+    for (const std::string& text : overrides)
+        apply_setting(root, parsed_setting(text, {.line = 1, .column = 1, .override_text = text}));
 }
 
 }  // namespace camopt::input

@@ -15,10 +15,9 @@ std::optional<PeakLimit> read_limit(const SceneSource& source, const MotionSpec&
                                     std::string_view name, int order) {
     const std::optional<Given> given = source.find("limits", name);
     if (!given) return std::nullopt;
-    PeakLimit limit{.normalised = given->value().as_number(),
-                    .key = joined_key("limits", given->member->name),
-                    .given = given->value().as_number(),
-                    .unit = std::string(given->spelling->unit)};
+    const double number = given->value().as_number();
+    PeakLimit limit(number, joined_key("limits", given->member->name), number,
+                    std::string(given->spelling->unit));
     if (limit.unit.empty()) return limit;
     if (is_angle_unit(limit.unit) != motion.lift_is_angle)
         source.fail(given->member->place, limit.key,

@@ -5,6 +5,7 @@
 #include "core/text/file_bytes.hpp"
 #include "core/text/printable.hpp"
 #include "input/cam_reader.hpp"
+#include "input/document_reader.hpp"
 #include "input/document_text.hpp"
 #include "input/keys/key_check.hpp"
 #include "input/mechanism_reader.hpp"
@@ -140,12 +141,16 @@ class SceneReader {
 
 }  // namespace
 
+Scene read_document(const SceneSource& source, const KnownNames& known) {
+    check_keys(source);
+    return SceneReader(source, known).read();
+}
+
 Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                  std::span<const std::string> overrides) {
     SceneSource source{.name = std::string(source_name), .root = parse_document(toml, source_name)};
     apply_overrides(source.root, overrides);
-    check_keys(source);
-    return SceneReader(source, known).read();
+    return read_document(source, known);
 }
 
 std::string scene_with_overrides(std::string_view toml, std::string_view source_name,

@@ -60,7 +60,7 @@ void SceneSource::read_number(std::string_view table_path, std::string_view quan
 }
 
 void SceneSource::fail(const Place& place, std::string_view key, std::string_view what) const {
-    throw InputError(error_prefix(name, place, key) + std::string(what));
+    throw PlacedError(place, error_prefix(name, place, key) + std::string(what));
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
 #include "objectives/rules/mechanism_rule.hpp"
+#include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
 #include "profiles/scene_cam.hpp"
@@ -345,6 +346,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
     add_cam(model, scene);
+    add_own_rules(model, scene);
     return model;
 }
 

@@ -8,6 +8,7 @@
 #include "scene/mechanism_spec.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,8 @@ struct CamKind {
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
     std::vector<KeyRow> rows;    ///< keys that no earlier kind has
+    /// Makes the formulas of a spec of this kind; none: profiles/factory knows them.
+    std::function<std::shared_ptr<const CamMechanism>(const MechanismSpec& spec)> formulas = {};
 
     /// It stands behind CamMechanism: a scene holds it as a MechanismSpec.
     [[nodiscard]] bool is_mechanism() const { return variants.front().spec != nullptr; }

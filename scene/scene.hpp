@@ -6,11 +6,13 @@
 #include "core/text/choices.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/mechanism_spec.hpp"
+#include "scene/own_rule.hpp"
 
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -82,12 +84,23 @@ struct ObjectiveSpec {
     TieBreak tie_break = TieBreak::rms_jerk;
 };
 
-/// A hard limit on a peak, as the user wrote it. From C++ `normalised` will do (scene/written_limits.hpp).
+/// A hard limit on a peak, as the user wrote it. From C++ a number will do, which is normalised
+/// (limits.velocity = 1.6), or one in a unit (limits.velocity = millimetres_per_second(300),
+/// scene/peak_units.hpp): solve() fills in the rest.
 struct PeakLimit {
     double normalised = 0.0;  ///< on the normalised peak, > 0
-    std::string key = {};     ///< as written, e.g. "limits.velocity_mm_s"
+    std::string key;          ///< as written, e.g. "limits.velocity_mm_s"
     double given = 0.0;       ///< in the unit of the key
-    std::string unit = {};    ///< "", "mm/s", "deg/s^2", …
+    std::string unit;         ///< "", "mm/s", "deg/s^2", …
+
+    PeakLimit() = default;
+    PeakLimit(double normalised_peak, std::string written_key = {}, double written_number = 0.0,
+              std::string written_unit = {})  // NOLINT(google-explicit-constructor)
+        : normalised(normalised_peak),
+          key(std::move(written_key)),
+          given(written_number),
+          unit(std::move(written_unit)) {}
+
     /// given / normalised: what one unit of the normalised peak is in the unit of the key.
     [[nodiscard]] double unit_per_normalised() const { return given / normalised; }
     /// In time: it holds for the motion itself. A normalised one holds for each segment of a program by its
@@ -99,12 +112,19 @@ struct PeakLimit {
 /// not 29.999999999999996.
 [[nodiscard]] double as_written(double value);
 
-/// Any other hard limit, as the user wrote it. From C++ `value` will do (scene/written_limits.hpp).
+/// Any other hard limit, as the user wrote it. From C++ its number will do
+/// (limits.pressure_angle = 30 * units::degree): solve() fills in the rest.
 struct WrittenLimit {
     double value = 0.0;       ///< SI, rad
-    std::string key = {};     ///< as written, e.g. "limits.pressure_angle_deg"
+    std::string key;          ///< as written, e.g. "limits.pressure_angle_deg"
     double unit_value = 1.0;  ///< SI value of one unit of the key
-    std::string unit = {};    ///< "deg", "mm", "N", …; empty: dimensionless
+    std::string unit;         ///< "deg", "mm", "N", …; empty: dimensionless
+
+    WrittenLimit() = default;
+    WrittenLimit(double number, std::string written_key = {}, double one_unit = 1.0,
+                 std::string written_unit = {})  // NOLINT(google-explicit-constructor)
+        : value(number), key(std::move(written_key)), unit_value(one_unit), unit(std::move(written_unit)) {}
+
     [[nodiscard]] double given() const { return as_written(value / unit_value); }
 };
 
@@ -143,6 +163,8 @@ struct Scene {
     std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
     std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
+    std::vector<OwnTerm> own_terms;    ///< beside those of `objective`
+    std::vector<OwnLimit> own_limits;  ///< beside `limits`
     SolverSpec solver;
 };
 

@@ -117,9 +117,9 @@ Fault objective_fault(const Scene& scene) {
     const Reference& reference = objective.reference;
     bool weighs_dimension = false;
     if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
-    if (!weighs_dimension && std::ranges::none_of(cost_terms(), [&](const CostTerm& term) {
-            return term.weight_in(objective) > 0.0;
-        }))
+    if (!weighs_dimension && scene.own_terms.empty() &&
+        std::ranges::none_of(cost_terms(),
+                             [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }))
         return SceneFault{"objective", "no weight > 0",
                           fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
                                       fmt::join(cost_term_names(), ", "))};
@@ -144,6 +144,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = mechanism_fault(scene)) return fault;
     if (Fault fault = objective_fault(scene)) return fault;
     if (Fault fault = force_fault(scene)) return fault;
+    if (Fault fault = own_rules_fault(scene)) return fault;
     return limit_fault(scene);
 }
 

@@ -21,5 +21,6 @@ inline constexpr double same_place = 1e-12;
 [[nodiscard]] Fault mechanism_fault(const Scene& scene);      ///< the same of any other kind of cam
 [[nodiscard]] Fault force_fault(const Scene& scene);
 [[nodiscard]] Fault limit_fault(const Scene& scene);
+[[nodiscard]] Fault own_rules_fault(const Scene& scene);  ///< terms and limits of the program
 
 }  // namespace camopt

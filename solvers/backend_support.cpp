@@ -203,8 +203,9 @@ void SolveGuard::report(int iteration, double cost, double violation) noexcept {
     if (!control_.progress || since_report_.seconds() < interval) return;
     since_report_ = {};
     (void)call([&] {
-        control_.progress(
-            fmt::format("iteration {}: cost {:.9g}, largest violation {:.2g}", iteration, cost, violation));
+        const std::string line =
+            fmt::format("iteration {}: cost {:.9g}, largest violation {:.2g}", iteration, cost, violation);
+        control_.progress(line);
     });
 }
 

@@ -2,6 +2,7 @@
 #include "solvers/registry.hpp"
 
 #include "core/errors.hpp"
+#include "core/open_registry.hpp"
 #include "core/text/spelling_hint.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"
@@ -37,10 +38,22 @@ constexpr std::array<Backend, 10> backends = {{
     {nlopt_entry<NloptMethod::auglag_neldermead>, make_nlopt_solver<NloptMethod::auglag_neldermead>},
 }};
 
-std::size_t index_of(std::string_view name) {
-    const std::span<const SolverEntry> entries = solver_entries();
-    const auto found = std::find_if(entries.begin(), entries.end(),
-                                    [&](const SolverEntry& entry) { return entry.name == name; });
+using Solvers = OpenRegistry<SolverEntry, SolverMaker>;
+
+Solvers& solvers() {
+    static Solvers all([] {
+        Solvers::Lists built_in;
+        for (const Backend& backend : backends) {
+            built_in.descriptions.push_back(backend.entry());
+            built_in.makers.emplace_back(backend.make);
+        }
+        return built_in;
+    }());
+    return all;
+}
+
+std::size_t index_of(std::span<const SolverEntry> entries, std::string_view name) {
+    const auto found = std::ranges::find(entries, name, &SolverEntry::name);
     if (found != entries.end()) return static_cast<std::size_t>(found - entries.begin());
     std::vector<std::string> names;
     for (const SolverEntry& entry : entries) names.push_back(entry.name);
@@ -51,20 +64,35 @@ std::size_t index_of(std::string_view name) {
 }  // namespace
 
 std::span<const SolverEntry> solver_entries() {
-    static const std::vector<SolverEntry> entries = [] {
-        std::vector<SolverEntry> all;
-        for (const Backend& backend : backends) all.push_back(backend.entry());
-        return all;
-    }();
-    return entries;
+    return solvers().descriptions();
+}
+
+void add_solver(SolverEntry entry, const SolverMaker& make) {
+    const std::unique_ptr<Solver> solver = make ? make() : nullptr;
+    if (!solver)
+        throw InputError("add_solver: found nothing that makes a solver; allowed: a function that gives one");
+    if (entry.name.empty() || entry.name == "auto" || solver->name() != entry.name)
+        throw InputError(
+            fmt::format("add_solver: found the name \"{}\" for a solver that calls itself \"{}\"; "
+                        "allowed: its own name, not \"auto\"",
+                        entry.name, solver->name()));
+    entry.available = true;
+    const std::string name = entry.name;
+    solvers().add(std::move(entry), make, [&](const Solvers::Lists& known) {
+        if (std::ranges::find(known.descriptions, name, &SolverEntry::name) != known.descriptions.end())
+            throw InputError(fmt::format(
+                "add_solver: found the name \"{}\", which another solver has; allowed: a new one", name));
+    });
 }
 
 std::unique_ptr<Solver> make_solver(std::string_view name) {
-    return backends[index_of(name)].make();
+    const Solvers::Lists& known = solvers().lists();
+    return known.makers[index_of(known.descriptions, name)]();
 }
 
 void check_native_options(std::string_view solver, const std::map<std::string, OptionValue>& options) {
-    check_native_options(solver_entries()[index_of(solver)], options);
+    const std::span<const SolverEntry> entries = solver_entries();
+    check_native_options(entries[index_of(entries, solver)], options);
 }
 
 }  // namespace camopt

@@ -4,6 +4,7 @@
 
 #include "solvers/solver.hpp"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -38,8 +39,17 @@ struct SolverEntry {
     std::vector<NativeOption> options;
 };
 
-/// Every backend camopt knows, built in or not, in the order of the documentation.
+/// Every backend camopt knows, built in or not, in the order of the documentation, then those added. What was
+/// returned stays as it was when another is added.
 [[nodiscard]] std::span<const SolverEntry> solver_entries();
+
+/// Makes a solver; called from several threads at once.
+using SolverMaker = std::function<std::unique_ptr<Solver>()>;
+
+/// Adds a solver of the program, for good: scenes name it (solver.name), it is listed and judged as every
+/// other, by the certificate alone. Throws InputError for a name that is taken, "auto", or not what the
+/// solver calls itself.
+void add_solver(SolverEntry entry, const SolverMaker& make);
 
 /// Throws InputError with the list of names for an unknown one, UnavailableError with the remedy for one that
 /// this build leaves out.

@@ -34,10 +34,25 @@ enum class Termination {
 };
 [[nodiscard]] const char* name_of(Termination value);
 
+/// How far a solve is, told from time to time. Numbers are there where they are known.
+struct Progress {
+    std::string_view message;              ///< one short line, for a terminal
+    std::optional<int> round = {};         ///< of the exchange of cam angles, from 1
+    std::optional<double> incumbent = {};  ///< objective of the best motion so far
+    std::optional<double> bound = {};      ///< that no motion can pass, proved so far
+    std::optional<double> violation = {};  ///< of the incumbent, relative to each limit; <= 0: all are kept
+
+    Progress() = default;
+    Progress(std::string_view line) : message(line) {}     // NOLINT(google-explicit-constructor)
+    Progress(const std::string& line) : message(line) {}   // NOLINT(google-explicit-constructor)
+    operator std::string_view() const { return message; }  // NOLINT(google-explicit-constructor)
+};
+
 /// The outside world during a solve. Every part may be empty.
 struct SolveControl {
-    std::function<bool()> stop_requested;                    ///< polled between iterations; true: stop soon
-    std::function<void(std::string_view message)> progress;  ///< one short line, for a terminal
+    std::function<bool()> stop_requested;  ///< polled between iterations; true: stop soon
+    /// Called by the solving thread; what it throws comes through solve().
+    std::function<void(const Progress& progress)> progress;
     Deadline deadline = {};  ///< of all that is done under this control, whatever its parts may take each
     /// Earlier: of searches that have found nothing within the limits. What is left then is for saying why.
     Deadline in_vain = {};

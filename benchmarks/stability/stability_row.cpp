@@ -65,12 +65,12 @@ void judge_motion(StabilityRow& row, const Solution& solution) {
 
 void judge_verdict(StabilityRow& row, const Certificate& certificate) {
     row.verdict = name_of(certificate.verdict);
-    row.reason = certificate.reason;
+    row.reason = name_of(certificate.reason);
     row.gap = certificate.gap;
     if (std::ranges::find(row.expected.verdicts, certificate.verdict) != row.expected.verdicts.end()) return;
     const bool weaker = certificate.verdict == Verdict::local || certificate.verdict == Verdict::feasible ||
                         certificate.verdict == Verdict::failed;
-    if (!weaker || certificate.reason.empty())
+    if (!weaker || certificate.reason == Reason::none)
         return fail(row, fmt::format("verdict {} {}", row.verdict, row.reason));
     row.judgement = Judgement::unsolved;
     row.why = row.reason;

@@ -124,7 +124,7 @@ Expectation proved_optimum(Scene scene, std::string source) {
     constexpr double worst_gap = 1e-8;
     if (certificate.verdict != Verdict::optimal || !(*certificate.gap <= worst_gap))
         throw ModelError(fmt::format("{}: no reference, {} {}, gap {}", source, name_of(certificate.verdict),
-                                     certificate.reason, certificate.gap.value_or(infinity)));
+                                     name_of(certificate.reason), certificate.gap.value_or(infinity)));
     Expectation expected;
     expected.least = *certificate.lower_bound;
     expected.most = certificate.objective;

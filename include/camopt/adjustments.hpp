@@ -3,5 +3,6 @@
 // least change of each (explain(solution, control); solve() does it already where it finds nothing).
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/relaxation.hpp"

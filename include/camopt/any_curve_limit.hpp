@@ -4,4 +4,5 @@
 // negative or all zero.
 #pragma once
 
+#include "core/language.hpp"
 #include "motions/bounds/any_curve_limit.hpp"

@@ -3,4 +3,5 @@
 // x. Points are placed closer where the cam bends. m, rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/sampling.hpp"

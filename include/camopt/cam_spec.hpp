@@ -3,4 +3,5 @@
 // N.
 #pragma once
 
+#include "core/language.hpp"
 #include "scene/cam_spec.hpp"

@@ -7,4 +7,5 @@
 // are without units. Nothing throws.
 #pragma once
 
+#include "core/language.hpp"
 #include "solvers/certificate/certificate.hpp"

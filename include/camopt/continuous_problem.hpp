@@ -5,4 +5,5 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
+#include "core/language.hpp"
 #include "solvers/exchange/continuous_solve.hpp"

@@ -4,3 +4,4 @@
 #pragma once
 
 #include "core/deadline.hpp"
+#include "core/language.hpp"

@@ -5,5 +5,6 @@
 // delivered.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_mechanism.hpp"

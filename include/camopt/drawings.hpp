@@ -3,6 +3,7 @@
 // tolerance that is not positive and a cam that is not finite.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/drawing/cam_dxf.hpp"
 #include "output/drawing/profile_dxf.hpp"
 #include "output/report/cam_files.hpp"

@@ -6,3 +6,4 @@
 #pragma once
 
 #include "core/errors.hpp"
+#include "core/language.hpp"

@@ -3,4 +3,5 @@
 // sides, every stationary point inside. No sampling. No units.
 #pragma once
 
+#include "core/language.hpp"
 #include "splines/extrema.hpp"

@@ -4,6 +4,7 @@
 // origin. m, rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/check/forward_check.hpp"
 #include "studies/checked/checked_cam.hpp"

@@ -3,6 +3,8 @@
 // finished guide. m, rad, s.
 #pragma once
 
+#include "core/language.hpp"
+#include "profiles/inverse/guide_points.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/inverse/inverse_guide.hpp"
 #include "studies/inverse/solved_guide.hpp"

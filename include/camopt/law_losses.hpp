@@ -5,4 +5,5 @@
 //   loss(w) = f_law(w) / f_optimum(w) − 1.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/compare/law_losses.hpp"

@@ -7,6 +7,7 @@
 // Infinite peaks are impulses. Errors: InputError for an unknown key or a parameter out of range.
 #pragma once
 
+#include "core/language.hpp"
 #include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"

@@ -6,6 +6,7 @@
 // several threads at once.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/mechanism_spec.hpp"

@@ -3,4 +3,5 @@
 // read from a file is solved. Throws InputError for a kind or a choice that does not exist.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/factory/mechanism_factory.hpp"

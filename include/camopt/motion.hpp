@@ -9,5 +9,6 @@
 #pragma once
 
 #include "core/extremum.hpp"
+#include "core/language.hpp"
 #include "core/motion.hpp"
 #include "core/peaks.hpp"

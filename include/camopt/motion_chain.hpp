@@ -4,4 +4,5 @@
 //   y(x) = y0 + y_scale · shape((x − x0) / x_scale) on each part.
 #pragma once
 
+#include "core/language.hpp"
 #include "splines/motion_chain.hpp"

@@ -5,6 +5,7 @@
 // one.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/nc/checked_program.hpp"
 #include "output/nc/machine.hpp"

@@ -10,4 +10,5 @@
 #pragma once
 
 #include "core/derivative_check.hpp"
+#include "core/language.hpp"
 #include "core/nlp.hpp"

@@ -3,5 +3,6 @@
 // cap. Also the front over the rows of a sweep.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/pareto/pareto_front.hpp"
 #include "studies/pareto/sweep_front.hpp"

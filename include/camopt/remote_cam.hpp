@@ -3,4 +3,5 @@
 // closed forms, dyad by dyad, from the output back to the cam. m, rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/remote/remote_cam.hpp"

@@ -4,6 +4,7 @@
 // InputError naming the folder or file, and what does not fit.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/report/report.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/result_folder_reader.hpp"

@@ -4,6 +4,7 @@
 // InputError for a file that is not a certificate.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/result_json.hpp"

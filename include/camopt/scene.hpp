@@ -7,5 +7,6 @@
 // are shared by the copies and constant.
 #pragma once
 
+#include "core/language.hpp"
 #include "scene/scene.hpp"
 #include "scene/spellings.hpp"

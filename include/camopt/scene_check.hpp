@@ -3,4 +3,5 @@
 // can come, and whether its derivatives agree with differences. Throws InputError for a wrong scene.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/check/scene_check.hpp"

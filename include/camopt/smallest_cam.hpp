@@ -6,4 +6,5 @@
 // m, rad. Errors: InputError for numbers out of range.
 #pragma once
 
+#include "core/language.hpp"
 #include "motions/bounds/smallest_cam.hpp"

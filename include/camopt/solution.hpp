@@ -4,4 +4,5 @@
 // is a value: copies share their motions, which are constant.
 #pragma once
 
+#include "core/language.hpp"
 #include "studies/delivered/solution.hpp"

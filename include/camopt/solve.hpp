@@ -7,4 +7,6 @@
 // another, all else runs side by side.
 #pragma once
 
+#include "core/language.hpp"
+#include "scene/peak_units.hpp"
 #include "studies/solve/solve.hpp"

@@ -4,4 +4,5 @@
 // request, which may be set by another thread. A Solver belongs to one thread at a time.
 #pragma once
 
+#include "core/language.hpp"
 #include "solvers/solver.hpp"

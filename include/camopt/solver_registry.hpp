@@ -4,4 +4,5 @@
 // registry is constant.
 #pragma once
 
+#include "core/language.hpp"
 #include "solvers/registry.hpp"

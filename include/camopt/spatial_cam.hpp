@@ -3,6 +3,7 @@
 // angle, undercut, and the flanks as grids of points. m, rad.
 #pragma once
 
+#include "core/language.hpp"
 #include "profiles/spatial/contact.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_cam.hpp"

@@ -4,4 +4,5 @@
 // out its clamped B-spline form. No units. Outside the breakpoints: InputError.
 #pragma once
 
+#include "core/language.hpp"
 #include "splines/curve.hpp"

@@ -3,6 +3,7 @@
 // inside, mm in files. Errors: UnavailableError for STEP in a build without it.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/surface/mesh_files.hpp"
 #include "output/surface/step/step_file.hpp"

@@ -3,5 +3,6 @@
 // locale.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/profile_csv.hpp"

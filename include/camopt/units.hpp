@@ -3,4 +3,5 @@
 // Everything behind these headers is in m, rad, s, kg, N unless its comment says otherwise.
 #pragma once
 
+#include "core/language.hpp"
 #include "core/units.hpp"

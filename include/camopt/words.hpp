@@ -3,5 +3,6 @@
 // units. Nothing throws.
 #pragma once
 
+#include "core/language.hpp"
 #include "output/words/comparison_text.hpp"
 #include "output/words/solution_text.hpp"

@@ -21,12 +21,13 @@ std::string joined(const std::vector<std::string>& words) {
 
 class KeyCheck {
  public:
-    explicit KeyCheck(const SceneSource& source) : source_(source) {}
+    KeyCheck(const SceneSource& source, bool complete) : source_(source), complete_(complete) {}
 
     void run() const { check_table(source_.root, "", ""); }
 
  private:
     const SceneSource& source_;
+    bool complete_;  ///< what is missing is a fault
 
     /// `table`: the name in the key table; `path`: as the user would write it, with indices.
     void check_table(const Node& node, std::string_view table, const std::string& path) const {
@@ -39,6 +40,7 @@ class KeyCheck {
             refuse_other_cam(given, key);
             check_value(given, key);
         }
+        if (!complete_) return;
         for (const KeyRow& row : scene_keys())
             if (row.table == table && row.required() && is_of_this_cam(row) &&
                 !SceneSource::find_in(node, table, row.name))
@@ -245,7 +247,11 @@ void check_name(const SceneSource& source, const Given& given, const std::string
 }
 
 void check_keys(const SceneSource& source) {
-    KeyCheck(source).run();
+    KeyCheck(source, true).run();
+}
+
+void check_given_keys(const SceneSource& source) {
+    KeyCheck(source, false).run();
 }
 
 }  // namespace camopt::input

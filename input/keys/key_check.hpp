@@ -10,6 +10,9 @@ namespace camopt::input {
 
 void check_keys(const SceneSource& source);
 
+/// The same of what is given, without asking for what is missing: of a scene that is still being made.
+void check_given_keys(const SceneSource& source);
+
 /// Names, and the words around their list in an error message.
 struct AllowedNames {
     const std::vector<std::string>& names;

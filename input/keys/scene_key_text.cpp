@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 namespace camopt::input {
-namespace {
 
-std::string_view type_name(const KeyRow& row) {
-    switch (row.type) {
+std::string_view type_words(KeyType type) {
+    switch (type) {
         case KeyType::text:
             return "text";
         case KeyType::boolean:
@@ -32,6 +31,8 @@ std::string_view type_name(const KeyRow& row) {
     }
     return "table of options";
 }
+
+namespace {
 
 std::string unit_text(const KeyRow& row) {
     std::string joined;
@@ -67,7 +68,7 @@ std::string markdown_row(const KeyRow& row) {
     if (!row.instead_of.empty()) later = fmt::format(" Instead of `{}`.", row.instead_of);
     if (!row.cam_types.empty() && row.table == "cam")
         later += fmt::format(" *Type {} only.*", row.cam_types_text('`'));
-    return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_name(row), unit_text(row),
+    return fmt::format("| {} | {} | {} | {} | {} | {}{}{} |\n", keys, type_words(row.type), unit_text(row),
                        range_text(row), row.default_text, row.meaning, later, remark(row));
 }
 

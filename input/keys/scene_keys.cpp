@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <string>
 
 namespace camopt::input {
@@ -198,16 +200,27 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
 
 }  // namespace
 
+namespace {
+
+Rows all_rows() {
+    Rows all;
+    for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
+                             reference(), cam_rows(), rows_of_kinds(), force_rows(), limits(), solver()})
+        all.insert(all.end(), part.begin(), part.end());
+    for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
+    return all;
+}
+
+}  // namespace
+
 const std::vector<KeyRow>& scene_keys() {
-    static const std::vector<KeyRow> rows = [] {
-        Rows all;
-        for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
-                                 reference(), cam_rows(), rows_of_kinds(), force_rows(), limits(), solver()})
-            all.insert(all.end(), part.begin(), part.end());
-        for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
-        return all;
-    }();
-    return rows;
+    // A program may add kinds: a table for each number of them, so that rows handed out stay.
+    static std::mutex mutex;
+    static std::map<std::size_t, Rows> tables;
+    const std::lock_guard lock(mutex);
+    const auto [table, fresh] = tables.try_emplace(cam_kinds().size());
+    if (fresh) table->second = all_rows();
+    return table->second;
 }
 
 }  // namespace camopt::input

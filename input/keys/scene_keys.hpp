@@ -31,6 +31,9 @@ struct KeyMatch {
 /// The row and spelling of a written key; row == nullptr where the table has no such key.
 [[nodiscard]] KeyMatch match_key(std::string_view table, std::string_view key);
 
+/// "number or range": the type as the manual and the lists name it.
+[[nodiscard]] std::string_view type_words(KeyType type);
+
 /// Every key of a table as it may be written, in order.
 [[nodiscard]] std::vector<std::string> written_keys(std::string_view table);
 

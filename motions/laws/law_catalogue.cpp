@@ -2,13 +2,16 @@
 #include "motions/laws/law_catalogue.hpp"
 
 #include "core/errors.hpp"
+#include "core/open_registry.hpp"
 #include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/one_dwell_laws.hpp"
+#include "motions/laws/own_law_check.hpp"
 #include "motions/laws/polynomial_law.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -200,26 +203,43 @@ constexpr std::array kMakers{&parabolic,
                              &make_one_dwell_polynomial_345,
                              &make_one_dwell_polynomial_3456};
 
-std::vector<LawInfo> collect() {
-    std::vector<LawInfo> infos;
-    infos.reserve(kMakers.size());
-    for (const auto maker : kMakers) infos.push_back(maker()->info());
-    return infos;
+using Laws = OpenRegistry<LawInfo, LawMaker>;
+
+Laws& laws() {
+    static Laws all([] {
+        Laws::Lists classical;
+        for (const auto maker : kMakers) {
+            classical.descriptions.push_back(maker()->info());
+            classical.makers.emplace_back(maker);
+        }
+        return classical;
+    }());
+    return all;
 }
 
 }  // namespace
 
 std::span<const LawInfo> law_catalogue() {
-    static const std::vector<LawInfo> catalogue = collect();
-    return catalogue;
+    return laws().descriptions();
+}
+
+void add_law(const LawMaker& make) {
+    const std::unique_ptr<Law> law = make ? make() : nullptr;
+    if (!law) throw InputError("add_law: found nothing that makes a law; allowed: a function that gives one");
+    check_own_law(*law);
+    laws().add(law->info(), make, [&](const Laws::Lists& known) {
+        if (std::ranges::find(known.descriptions, law->key(), &LawInfo::key) != known.descriptions.end())
+            throw InputError(fmt::format(
+                "add_law: found the key \"{}\", which another law has; allowed: a new one", law->key()));
+    });
 }
 
 std::unique_ptr<Law> make_law(std::string_view key) {
-    const std::span<const LawInfo> catalogue = law_catalogue();
+    const Laws::Lists& known = laws().lists();
     std::string allowed;
-    for (std::size_t i = 0; i < catalogue.size(); ++i) {
-        if (catalogue[i].key == key) return kMakers[i]();
-        allowed += (i == 0 ? "" : ", ") + catalogue[i].key;
+    for (std::size_t i = 0; i < known.descriptions.size(); ++i) {
+        if (known.descriptions[i].key == key) return known.makers[i]();
+        allowed += (i == 0 ? "" : ", ") + known.descriptions[i].key;
     }
     throw InputError(fmt::format("motion law: \"{}\" found, allowed {}", key, allowed));
 }

@@ -10,6 +10,7 @@
 
 #include "motions/laws/law.hpp"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -23,8 +24,18 @@ inline constexpr double kNarrowestPiece = 1e-9;
 /// make_asymmetric.
 inline constexpr double kCatalogueSplit = 0.4;
 
-/// Every law that make_law knows, with the parameters it gives them.
+/// Every law that make_law knows, with the parameters it gives them: the classical ones, then those added.
+/// What was returned stays as it was when another law is added.
 [[nodiscard]] std::span<const LawInfo> law_catalogue();
+
+/// Makes a law; called from several threads at once.
+using LawMaker = std::function<std::unique_ptr<Law>()>;
+
+/// Adds a law of the program to the catalogue, for good: scenes name it by its key, tables and comparisons
+/// list it. Its formula is checked first: the ends of a rise, and each derivative against the integral of the
+/// next between its breakpoints. Throws InputError where it is none, and for a key that is taken or no plain
+/// name (lower case letters, digits, _).
+void add_law(const LawMaker& make);
 
 /// The law with its customary parameters.
 [[nodiscard]] std::unique_ptr<Law> make_law(std::string_view key);

@@ -50,6 +50,7 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const;
     void complete_parameters(Eigen::VectorXd& x) const;
     void complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const;
+    void complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x) const;
     void complete_program_peaks(const MotionChain& chain, Eigen::VectorXd& x) const;
     [[nodiscard]] Eigen::VectorXd smoothest(const Eigen::VectorXd& load) const;
     [[nodiscard]] std::array<double, 2> displacement_range(double incumbent) const;

@@ -10,6 +10,15 @@
 
 namespace camopt {
 
+namespace {
+
+bool has_own_terms(const CamModel& model) {
+    return std::ranges::any_of(
+        model.parameters, [](const Parameter& parameter) { return parameter.kind == Parameter::Kind::own; });
+}
+
+}  // namespace
+
 /// The peaks of DRD and RR, whose normalised motion is the spline itself.
 void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {
     const Peaks peaks = peaks_of(curve);
@@ -38,19 +47,33 @@ void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorX
     }
     for (const PlacedRule& rule : model_->rules) {
         if (rule->limit() || rule->parameters().empty()) continue;
+        const auto first = static_cast<std::size_t>(rule->parameters().front());
+        if (model_->parameters[first].kind == Parameter::Kind::own) continue;
         double& peak = x[size + rule->parameters().front()];
         peak = std::max(peak,
                         largest_of(rule_maxima(rule, model_->design, chain, Eigen::VectorXd::Zero(1))).value);
     }
 }
 
+/// The peaks of the terms that the program brought.
+void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x) const {
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        if (parameter.kind != Parameter::Kind::own) continue;
+        const PlacedRule rule(parameter.defined_by);
+        const Extremum largest =
+            largest_of(rule_maxima(rule, model_->design, chain, Eigen::VectorXd::Zero(1)));
+        x[model_->design.size() + static_cast<Eigen::Index>(p)] = std::max(0.0, largest.value);
+    }
+}
+
 /// Peaks and root mean squares become those of the motion behind x; dimensions keep their range.
 void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
-    if (model_->stretch_scales.empty()) {
+    if (model_->stretch_scales.empty())
         complete_peaks(curve(x), x);
-    } else {
+    else
         complete_program_peaks(motion(x), x);
-    }
+    if (has_own_terms(*model_)) complete_own_peaks(motion(x), x);
     const Eigen::Index size = model_->design.size();
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];

@@ -29,12 +29,6 @@ struct Stretch {
     double begin = 0.0, end = 0.0;
 };
 
-struct ValueAndSlope {
-    double value = 0.0, slope = 0.0;
-};
-/// Along x, as the rule changes with the motion.
-[[nodiscard]] ValueAndSlope value_and_slope(const Subject& subject, double x, Side side);
-
 /// Where the slope falls through zero between `left` (> 0) and `right` (< 0).
 [[nodiscard]] double root_of_slope(const std::function<double(double x)>& slope, const Stretch& between,
                                    const std::array<double, 2>& slopes);

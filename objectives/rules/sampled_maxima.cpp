@@ -20,6 +20,29 @@ constexpr double close = 1e-3;
 constexpr double mistrust = 8.0;
 constexpr int most_halvings = 8;
 
+struct ValueAndSlope {
+    double value = 0.0, slope = 0.0;
+};
+
+/// Of a motion, which has three: by a difference inside the piece, exact where the third is quadratic there.
+double fourth_derivative(const Motion& motion, const Stretch& piece, double x) {
+    constexpr double step = 1e-4;  // of the piece
+    const double reach = step * (piece.end - piece.begin);
+    const double begin = std::max(piece.begin, x - reach), end = std::min(piece.end, x + reach);
+    return (motion.at(end, Side::left).derivative[3] - motion.at(begin, Side::right).derivative[3]) /
+           (end - begin);
+}
+
+/// Along x, as the rule changes with the motion.
+ValueAndSlope value_and_slope(const Subject& subject, const Stretch& piece, double x) {
+    const MotionPoint point = subject.motion.at(x, x == piece.end ? Side::left : Side::right);
+    const RuleValue value = subject.rule.evaluate(point, subject.q);
+    double slope = value.by_place;
+    for (int order = 0; order < 3; ++order) slope += value.gradient[order] * point.derivative[order + 1];
+    if (value.gradient[3] != 0.0) slope += value.gradient[3] * fourth_derivative(subject.motion, piece, x);
+    return {value.value, slope};
+}
+
 struct Sample {
     double x = 0.0;
     ValueAndSlope at;
@@ -32,9 +55,7 @@ class Sampler {
         matters_ = std::min(0.0, std::max(begin.value, end.value));
     }
 
-    [[nodiscard]] Sample at(double x) const {
-        return {x, value_and_slope(subject_, x, x == piece_.end ? Side::left : Side::right)};
-    }
+    [[nodiscard]] Sample at(double x) const { return {x, value_and_slope(subject_, piece_, x)}; }
     /// Samples after `left` up to and with `right`, as dense as the rule is narrow.
     void refine(const Sample& left, const Sample& right, int halvings, std::vector<Sample>& samples) const {
         const double width = right.x - left.x;
@@ -63,14 +84,6 @@ class Sampler {
 };
 
 }  // namespace
-
-ValueAndSlope value_and_slope(const Subject& subject, double x, Side side) {
-    const MotionPoint point = subject.motion.at(x, side);
-    const RuleValue value = subject.rule.evaluate(point, subject.q);
-    double slope = value.by_place;
-    for (int order = 0; order < 3; ++order) slope += value.gradient[order] * point.derivative[order + 1];
-    return {value.value, slope};
-}
 
 /// Regula falsi with halved ends (Illinois), bisection where it stalls.
 double root_of_slope(const std::function<double(double x)>& slope, const Stretch& between,
@@ -106,9 +119,11 @@ std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int 
         sampler.refine(Sample(samples.back()), sampler.at(x), 0, samples);
     }
     std::vector<Extremum> found = {{samples.front().at.value, piece.begin, Side::right}};
-    const auto slope = [&](double x) { return value_and_slope(subject, x, Side::right).slope; };
+    const auto slope = [&](double x) { return value_and_slope(subject, piece, x).slope; };
     for (std::size_t k = 1; k < samples.size(); ++k) {
         const Sample &left = samples[k - 1], &right = samples[k];
+        // A sample that meets the top itself: of a motion that is its own mirror image the middle does.
+        if (left.at.slope == 0.0 && k > 1) found.push_back({left.at.value, left.x, Side::right});
         if (left.at.slope > 0.0 && right.at.slope < 0.0) {
             const double x = root_of_slope(slope, {left.x, right.x}, {left.at.slope, right.at.slope});
             found.push_back({subject.value(x, Side::right), x, Side::right});

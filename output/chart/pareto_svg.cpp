@@ -270,9 +270,9 @@ std::string pareto_text(const ParetoPicture& picture) {
     std::string text = fmt::format("  {}\n  {}\n", count_sentence(front), end_sentence(front));
     for (const FrontPoint* point : tabulated_points(front)) {
         if (!point->is_feasible()) {
-            text +=
-                fmt::format("  solve {}: {} {}\n", point->number,
-                            name_of(point->solution.certificate.verdict), point->solution.certificate.reason);
+            text += fmt::format("  solve {}: {} {}\n", point->number,
+                                name_of(point->solution.certificate.verdict),
+                                name_of(point->solution.certificate.reason));
             continue;
         }
         text += fmt::format(

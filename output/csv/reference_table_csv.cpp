@@ -22,7 +22,7 @@ void add_figures(CsvLine& line, const std::optional<PeakFigures>& figures) {
 
 void add_proof(CsvLine& line, const Certificate& certificate) {
     line.number(certificate.lower_bound).number(certificate.gap);
-    line.words(name_of(certificate.verdict)).words(certificate.reason);
+    line.words(name_of(certificate.verdict)).words(name_of(certificate.reason));
 }
 
 std::string figure_columns(const std::string& prefix) {

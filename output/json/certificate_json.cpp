@@ -93,7 +93,7 @@ std::string certificate_json(const Certificate& certificate) {
     Json json;
     json["camopt"] = version();
     json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = certificate.reason.empty() ? Json(nullptr) : Json(certificate.reason);
+    json["reason"] = certificate.reason == Reason::none ? Json(nullptr) : Json(name_of(certificate.reason));
     json["objective"] = number_json(certificate.objective);
     json["lower_bound"] = number_json(certificate.lower_bound);
     json["gap"] = number_json(certificate.gap);

@@ -127,7 +127,7 @@ Certificate certificate_of(const Json& json) {
     using enum Verdict;
     Certificate certificate;
     certificate.verdict = choice_of(json.at("verdict"), {optimal, local, feasible, infeasible, failed});
-    if (!json.at("reason").is_null()) certificate.reason = json.at("reason").get<std::string>();
+    if (!json.at("reason").is_null()) certificate.reason = reason_named(json.at("reason").get<std::string>());
     certificate.objective = number_or(json.at("objective"), infinity);
     certificate.lower_bound = optional_number(json.at("lower_bound"));
     certificate.gap = optional_number(json.at("gap"));

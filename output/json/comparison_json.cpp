@@ -75,7 +75,7 @@ std::string comparison_json(const Comparison& comparison, const RunOrigin& origi
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
     json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(certificate.reason);
+    json["reason"] = words_json(name_of(certificate.reason));
     json["objective"] = number_json(certificate.objective);
     json["bound"] = {{"lower", number_json(certificate.lower_bound)},
                      {"gap", number_json(certificate.gap)},

@@ -29,7 +29,7 @@ Json solution_json(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     Json json;
     json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(certificate.reason);
+    json["reason"] = words_json(name_of(certificate.reason));
     json["objective"] = number_json(certificate.objective);
     json["bound"] = {{"lower", number_json(certificate.lower_bound)},
                      {"gap", number_json(certificate.gap)},

@@ -68,6 +68,19 @@ Json constraints_json(const Solution& solution) {
     return list;
 }
 
+/// Terms that the program brought; scene files have none.
+Json own_terms_json(const Solution& solution) {
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json list = Json::array();
+    for (const OwnTermReport& term : solution.own_terms)
+        list.push_back({{"name", term.name},
+                        {"weight", number_json(term.weight)},
+                        {"reference", number_json(term.reference)},
+                        {"value", number_json(term.value)},
+                        {"at_deg", number_json(term.at * degrees_per_x)}});
+    return list;
+}
+
 Json design_json(const Solution& solution) {
     if (!solution.motion) return nullptr;
     return {{"kind", name_of(solution.design.kind)},
@@ -134,7 +147,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
     json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(certificate.reason);
+    json["reason"] = words_json(name_of(certificate.reason));
     json["objective"] = number_json(certificate.objective);
     json["bound"] = bound_json(solution);
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
@@ -142,6 +155,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["reference"] = reference_json(solution);
     json["worst_violation"] = number_json(certificate.worst_violation);
     json["stationarity"] = number_json(certificate.stationarity);
+    if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     json["constraints"] = constraints_json(solution);
     if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
         json["relaxation"] = relaxation_json(solution.relaxation);

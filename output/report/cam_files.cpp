@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/cam_files.hpp"
 
+#include "core/errors.hpp"
 #include "output/drawing/cam_dxf.hpp"
 #include "output/report/cam_texts.hpp"
 
@@ -69,6 +70,15 @@ std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& o
     if (options.drawing)
         files.push_back({drawing, drawing_name, "", cam_dxf(solution, options.dxf_tolerance).text});
     return files;
+}
+
+std::string cam_view(const Solution& solution, CamView view, CamFileOptions options) {
+    options.drawing = view == drawing;
+    const std::vector<CamFile> files = cam_files(solution, options);
+    const auto found = std::ranges::find(files, view, &CamFile::view);
+    if (found == files.end())
+        throw InputError("a plane profile needs a plane mechanism, and this solution has none");
+    return found->text;
 }
 
 std::vector<std::string> cam_file_names() {

@@ -44,6 +44,9 @@ struct CamFileOptions {
 /// no plane curve, and of a solution without a cam.
 [[nodiscard]] std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& options = {});
 
+/// The text of the one that shows this. Throws InputError where the solution has no plane cam.
+[[nodiscard]] std::string cam_view(const Solution& solution, CamView view, CamFileOptions options = {});
+
 /// The same without their texts, and without the drawing.
 [[nodiscard]] std::vector<CamFile> cam_file_list(const Solution& solution);
 

@@ -85,6 +85,14 @@ std::string peak_table(const Solution& solution) {
            any_curve_note(solution);
 }
 
+std::string own_terms_section(const Solution& solution) {
+    if (solution.own_terms.empty()) return {};
+    std::string text = "\n## Terms of the program\n\n";
+    for (const OwnTermReport& term : solution.own_terms)
+        text += fmt::format("- {}\n", own_term_sentence(term));
+    return text;
+}
+
 std::string limits_section(const Solution& solution) {
     if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
@@ -162,6 +170,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     if (solution.motion)
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
+    text += own_terms_section(solution);
     text += limits_section(solution);
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     text += cam_section(solution);

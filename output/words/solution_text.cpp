@@ -24,7 +24,8 @@ constexpr int solution_line_width = 110;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
-    return certificate.reason.empty() ? std::string{} : fmt::format(" ({})", words_of(certificate.reason));
+    return certificate.reason == Reason::none ? std::string{}
+                                              : fmt::format(" ({})", words_of(name_of(certificate.reason)));
 }
 
 std::string indented(const std::string& lines) {
@@ -75,7 +76,7 @@ std::string starts_text(int starts) {
 
 /// The user stopped it, and that is why it is no better.
 bool was_interrupted(const Certificate& certificate) {
-    return certificate.reason == name_of(Termination::interrupted);
+    return certificate.reason == Reason::interrupted;
 }
 
 std::string interrupted_sentence(const Solution& solution) {
@@ -174,7 +175,7 @@ std::string verdict_sentence(const Certificate& certificate) {
             return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.",
                                because(certificate));
         case Verdict::infeasible:
-            if (certificate.reason == "conditions_contradict") {
+            if (certificate.reason == Reason::conditions_contradict) {
                 return "Infeasible: no curve of this spline space meets all the conditions, see the notes.";
             }
             return "Infeasible, and proved so: no curve of this spline space keeps all the limits.";
@@ -212,6 +213,13 @@ std::string constraint_sentence(const ConstraintReport& row) {
                        short_text(row.worst, figures), unit, row.active ? "active" : "not active");
 }
 
+std::string own_term_sentence(const OwnTermReport& term) {
+    return fmt::format("{} reaches {}, {} in the objective (weight {}, reference {})", term.name,
+                       short_text(term.value, figures),
+                       short_text(term.weight * term.value / term.reference, figures),
+                       short_text(term.weight), short_text(term.reference));
+}
+
 std::string relaxation_sentence(const Relaxation& row) {
     if (!row.needed)
         return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
@@ -230,6 +238,8 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";
     if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
+    for (const OwnTermReport& term : solution.own_terms)
+        text += fmt::format("  term: {}\n", own_term_sentence(term));
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));

@@ -21,6 +21,8 @@ namespace camopt {
 [[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");
 
 /// "limits.velocity = 1.8 is kept: at most 1.79 …"
+/// "speed reaches 1.7, 0.4 in the objective (weight …)"
+[[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
 [[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
 
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.

@@ -38,6 +38,11 @@ const std::map<std::string, Maker>& makers() {
 void complete_mechanism(Scene& scene) {
     if (!scene.mechanism) return;
     MechanismSpec& spec = *scene.mechanism;
+    if (const CamKind* const kind = cam_kind(spec.type); kind != nullptr && kind->formulas) {
+        spec.formulas = kind->formulas(spec);
+        validate(scene);
+        return;
+    }
     const auto found = makers().find(spec.type);
     if (found == makers().end())
         throw InputError(

@@ -1,20 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/kinds/cam_kinds.hpp"
 
+#include "core/errors.hpp"
+#include "core/open_registry.hpp"
 #include "profiles/disk/disk_kind.hpp"
 #include "profiles/inverse/inverse_kind.hpp"
 #include "profiles/remote/remote_kind.hpp"
 #include "profiles/spatial/spatial_kind.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
+#include <string>
 
 namespace camopt {
 
+namespace {
+
+struct NoMaker {};
+using Kinds = OpenRegistry<CamKind, NoMaker>;
+
+Kinds& kinds() {
+    static Kinds all({{disk_kind(), remote_kind(), barrel_kind(), cylindrical_kind(), inverse_kind()}, {}});
+    return all;
+}
+
+[[noreturn]] void refuse_kind(const CamKind& kind, const std::string& found, const std::string& allowed) {
+    throw InputError(fmt::format("add_cam_kind: \"{}\": found {}; allowed: {}", kind.type, found, allowed));
+}
+
+}  // namespace
+
 std::span<const CamKind> cam_kinds() {
-    static const std::array kinds = {disk_kind(), remote_kind(), barrel_kind(), cylindrical_kind(),
-                                     inverse_kind()};
-    return kinds;
+    return kinds().descriptions();
+}
+
+void add_cam_kind(CamKind kind) {
+    if (kind.variants.empty()) refuse_kind(kind, "no variant", "at least one");
+    for (const CamVariant& variant : kind.variants)
+        if (!variant.spec)
+            refuse_kind(kind, fmt::format("the variant \"{}\" without a spec", variant.word), "one for each");
+    if (!kind.formulas) refuse_kind(kind, "no formulas", "a function that makes a CamMechanism of a spec");
+    const std::string type = kind.type;
+    kinds().add(std::move(kind), {}, [&](const Kinds::Lists& known) {
+        if (type.empty() ||
+            std::ranges::find(known.descriptions, type, &CamKind::type) != known.descriptions.end())
+            throw InputError(
+                fmt::format("add_cam_kind: found the type \"{}\"; allowed: one that no other "
+                            "kind has: not {}",
+                            type, quoted_choices(cam_types())));
+    });
 }
 
 const CamKind* cam_kind(std::string_view type) {

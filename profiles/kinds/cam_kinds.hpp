@@ -12,6 +12,11 @@ namespace camopt {
 
 /// In the order of the manual; a [cam] without a type is taken for the first.
 [[nodiscard]] std::span<const CamKind> cam_kinds();
+/// Adds a kind of the program, for good: scene files name it by cam.type and are read with its keys, solve()
+/// and reports know it by its CamMechanism. `formulas` and every variant's `spec` are needed; the texts
+/// behind the string views of its rows must stay. Add it before the first scene is read. Throws InputError
+/// for a type that is taken.
+void add_cam_kind(CamKind kind);
 /// Null where there is no such kind.
 [[nodiscard]] const CamKind* cam_kind(std::string_view type);
 /// What cam.type may be.

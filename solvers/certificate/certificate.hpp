@@ -11,6 +11,7 @@
 #include "core/continuous_problem.hpp"
 #include "core/extremum.hpp"
 #include "core/row_origin.hpp"
+#include "solvers/certificate/reason.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -74,12 +75,9 @@ struct CaseProof {
 /// the problem that the bound is of, by using the tolerance of its limits.
 [[nodiscard]] bool bound_passes(double objective, double bound, double tolerance);
 
-/// Reason of a point whose limits lie within rounding of infeasible, and of which nothing is proved.
-inline constexpr const char* limits_within_rounding = "limits_within_rounding_of_infeasible";
-
 struct Certificate {
     Verdict verdict = Verdict::failed;
-    std::string reason;                 ///< why it is not better: "no_feasible_point", "time_limit", …
+    Reason reason = Reason::none;       ///< why it is not better
     double objective = infinity;        ///< true objective of the delivered curve
     std::optional<double> lower_bound;  ///< proved
     std::optional<double> gap;          ///< (objective − lower_bound) / max(1, |objective|)

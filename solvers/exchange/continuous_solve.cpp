@@ -82,7 +82,7 @@ FirstPoint first_point(ContinuousProblem& problem, const ExchangeOptions& exchan
 void report_infeasible(ContinuousResult& result, FirstPoint first) {
     Certificate& certificate = result.certificate;
     certificate.verdict = Verdict::infeasible;
-    certificate.reason = "limits_contradict";
+    certificate.reason = Reason::limits_contradict;
     certificate.worst_violation = first.inside.violation;
     certificate.proof = std::move(first.infeasible);
     certificate.proof_kind = ProofKind::duality;
@@ -122,18 +122,17 @@ void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& prob
 void settle_verdict(Certificate& certificate, Termination termination, const JudgeOptions& options) {
     if (!(certificate.worst_violation <= options.tolerance)) {
         certificate.verdict = Verdict::failed;
-        certificate.reason = was_stopped(termination) ? name_of(termination) : "no_feasible_point";
+        certificate.reason = was_stopped(termination) ? reason_of(termination) : Reason::no_feasible_point;
         certificate.gap.reset();  // it would be that of a point nobody is given
     } else if (certificate.gap && *certificate.gap <= options.gap) {
         certificate.verdict = Verdict::optimal;
-        certificate.reason.clear();
+        certificate.reason = Reason::none;
     } else if (certificate.stationarity && *certificate.stationarity <= options.stationarity) {
         certificate.verdict = Verdict::local;
-        certificate.reason =
-            was_stopped(termination) ? name_of(termination) : "stationary, not proved optimal";
+        certificate.reason = was_stopped(termination) ? reason_of(termination) : Reason::stationary;
     } else {
         certificate.verdict = Verdict::feasible;
-        certificate.reason = name_of(termination);
+        certificate.reason = reason_of(termination);
     }
 }
 
@@ -179,7 +178,7 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
     if (no_room && result.certificate.verdict == Verdict::local)
         result.certificate.verdict = Verdict::feasible;
     if (no_room && result.certificate.verdict == Verdict::feasible)
-        result.certificate.reason = limits_within_rounding;
+        result.certificate.reason = Reason::limits_within_rounding;
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
     return result;
 }

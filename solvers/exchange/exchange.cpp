@@ -64,8 +64,15 @@ ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& so
         const Candidate& found = result.latest = judged(problem, x);
         if (is_better(found, result.best, options.tolerance)) result.best = found;
         if (control.progress) {
-            control.progress(fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,
-                                         result.best.objective, problem.grid().shape().constraints()));
+            const std::string line = fmt::format("round {}: objective {:.9g}, {} rows", result.rounds,
+                                                 result.best.objective, problem.grid().shape().constraints());
+            Progress progress(line);
+            progress.round = result.rounds;
+            if (result.best.x.size() > 0) {
+                progress.incumbent = result.best.objective;
+                progress.violation = result.best.violation;
+            }
+            control.progress(progress);
         }
         if (was_stopped(result.termination) || result.termination == Termination::infeasible ||
             result.termination == Termination::unsupported) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/ipopt/ipopt_solver.hpp"
 
+#include "core/deadline.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/chained_columns.hpp"
 #include "solvers/ipopt/ipopt_adapter.hpp"
@@ -11,6 +12,7 @@
 #include <IpIpoptApplication.hpp>
 #include <IpoptConfig.h>
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <optional>
 
@@ -73,9 +75,24 @@ Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
 }
 
 /// Recursive, because an evaluation may itself solve something with Ipopt.
-std::recursive_mutex& ipopt_mutex() {
-    static std::recursive_mutex mutex;
+std::recursive_timed_mutex& ipopt_mutex() {
+    static std::recursive_timed_mutex mutex;
     return mutex;
+}
+
+/// Ipopt's turn for this thread; none where it was told to stop before its turn came. The wait is not part of
+/// the time that the solve has.
+std::optional<std::unique_lock<std::recursive_timed_mutex>> turn_of_ipopt(const SolveControl& control) {
+    constexpr std::chrono::milliseconds between_questions(5);
+    const Stopwatch waiting;
+    std::unique_lock lock(ipopt_mutex(), std::defer_lock);
+    bool waited = false;
+    while (!lock.try_lock_for(between_questions)) {
+        waited = true;
+        if (control.stopped()) return std::nullopt;
+    }
+    if (waited) control.deadline.leave_out(waiting.seconds());
+    return lock;
 }
 
 class IpoptSolver final : public Solver {
@@ -87,8 +104,14 @@ class IpoptSolver final : public Solver {
                                          const SolveControl& control) const override {
         check_backend_input(entry_, problem, start, options);
         if (auto result = result_of_crossed_bounds(problem)) return *std::move(result);
+        const auto turn = turn_of_ipopt(control);
+        if (!turn) {
+            BackendResult stopped;
+            stopped.termination = Termination::interrupted;
+            stopped.native_status = "stopped before its turn";
+            return stopped;
+        }
         SolveGuard guard(options, control);
-        const std::lock_guard lock(ipopt_mutex());
         const std::vector<int> columns = columns_to_chain(problem.shape(), options);
         if (columns.empty()) return solve(problem, start, options, guard);
         return solve_chained(problem, columns, start, options, guard);

@@ -14,8 +14,7 @@ namespace camopt {
 /// lift and unit angle of the scene: what the points of a cam are made with.
 [[nodiscard]] MotionScale motion_scale(const Scene& scene);
 
-/// The delivered motion over the whole turn: what it leaves of the turn rests where it ends. Throws
-/// InputError where the solution has no motion.
+/// Solution::whole_turn.
 [[nodiscard]] MotionChain whole_turn(const Solution& solution);
 
 /// The motion of the whole cam: an RR motion that leaves a part of the turn rests there, which closes the

@@ -4,12 +4,14 @@
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "objectives/rules/own_point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
 #include "studies/delivered/cam_report.hpp"
+#include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
@@ -39,8 +41,13 @@ double dimension_of(const Bench& bench, int parameter) {
     return 0.0;
 }
 
+double own_peak(const Scene& scene, const std::string& name, const Motion& motion) {
+    const auto term = std::ranges::find(scene.own_terms, name, &OwnTerm::name);
+    return largest_of_own(*term, motion).value;
+}
+
 /// A parameter of the optimizer as a given motion sets it.
-double parameter_value(const Bench& bench, const Peaks& peaks, int index) {
+double parameter_value(const Bench& bench, const Motion& motion, const Peaks& peaks, int index) {
     const Parameter& parameter = bench.model.parameters[static_cast<std::size_t>(index)];
     switch (parameter.kind) {
         case Parameter::Kind::peak:
@@ -52,16 +59,18 @@ double parameter_value(const Bench& bench, const Peaks& peaks, int index) {
         case Parameter::Kind::dimension:
             return dimension_of(bench, index);
         case Parameter::Kind::magnitude:
-            return std::abs(parameter_value(bench, peaks, parameter.order));
+            return std::abs(parameter_value(bench, motion, peaks, parameter.order));
+        case Parameter::Kind::own:
+            return own_peak(bench.scene, parameter.name, motion) / parameter.reference;
     }
     return 0.0;
 }
 
-double objective_of(const Bench& bench, const Peaks& peaks) {
+double objective_of(const Bench& bench, const Motion& motion, const Peaks& peaks) {
     double objective = bench.model.cost_constant;
     for (int i = 0; i < static_cast<int>(bench.model.parameters.size()); ++i) {
         const double weight = bench.model.parameters[static_cast<std::size_t>(i)].weight;
-        if (weight > 0.0) objective += weight * parameter_value(bench, peaks, i);
+        if (weight > 0.0) objective += weight * parameter_value(bench, motion, peaks, i);
     }
     return objective;
 }
@@ -83,6 +92,8 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
         for (const ConstraintReport& reached : cam_constraints(bench.scene, report))
             row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     }
+    for (const ConstraintReport& reached : own_constraints(bench.scene, *row.motion))
+        row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
     if (!bench.limits_disk) return;
     std::string broken = broken_without_cam(row, of_motion);
@@ -120,7 +131,7 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     }
     row.motion = std::move(placed.motion);
     row.peaks = placed.peaks;
-    row.objective = objective_of(bench, row.peaks);
+    row.objective = objective_of(bench, *row.motion, row.peaks);
     if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
         row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
     judge_limits(row, bench, placed.motion_peaks);
@@ -148,7 +159,10 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
-        if (control.progress) control.progress("compares with " + info.title);
+        if (control.progress) {
+            const std::string line = "compares with " + info.title;
+            control.progress(line);
+        }
         comparison.rows.push_back(law_row(bench, info, optimum));
     }
     std::ranges::stable_sort(comparison.rows, [](const ComparisonRow& one, const ComparisonRow& other) {

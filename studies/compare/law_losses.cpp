@@ -146,7 +146,10 @@ LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<
         if (row.is_optimum() || !row.misfit.empty()) continue;
         const PeakTriple peaks = triple(row.peaks);
         if (!std::ranges::all_of(peaks, usable)) continue;
-        if (control.progress) control.progress("how far from the best: " + row.title);
+        if (control.progress) {
+            const std::string line = "how far from the best: " + row.title;
+            control.progress(line);
+        }
         LawLoss loss{row.key, row.title, peaks, row.feasible, row.loss_percent, finder.closest(peaks), {}};
         for (std::size_t i = 0; i < 3; ++i) loss.least[i] = finder.least(peaks, i);
         losses.laws.push_back(std::move(loss));

@@ -8,9 +8,6 @@
 
 namespace camopt {
 
-/// How close to a limit the motion comes where it counts as active, relative.
-inline constexpr double active_limit = 1e-6;
-
 /// The scene's cam with these dimensions (in the order of cam_of(scene), profiles/scene_cam.hpp), driven by
 /// the motion: its figures, and the smallest any motion would allow where that is known. Throws InputError
 /// where its formulas are missing.

@@ -21,7 +21,7 @@ namespace camopt {
 namespace {
 
 struct Fault {
-    const char* reason;
+    Reason reason;
     std::string note;
 };
 
@@ -41,7 +41,7 @@ std::optional<Fault> joint_fault(const Solution& solution) {
     }
     if (worst.relative <= largest_joint_jump) return {};
     return Fault{
-        "breakpoints_too_close",
+        Reason::breakpoints_too_close,
         fmt::format("the breakpoints lie too close for double precision: derivative {} of the motion "
                     "jumps by {:.2g} of its largest value at x = {:.10g}",
                     worst.order, worst.relative, worst.at)};
@@ -84,7 +84,7 @@ std::optional<Fault> coefficient_fault(const SplineCurve& curve, const Peaks& pe
             if (found <= largest_coefficient_miss * size[static_cast<std::size_t>(order)]) continue;
             const Eigen::VectorXd met = basis.cwiseAbs() * own.cwiseAbs().cwiseMax(1.0);
             if (found <= rounding * most_of_derivative(met, order, space.width(i))) continue;
-            return Fault{"coefficients_too_coarse",
+            return Fault{Reason::coefficients_too_coarse,
                          fmt::format("the coefficients do not give back derivative {} of the curve between "
                                      "x = {:.10g} and {:.10g}: it is off by {:.2g} of its peak",
                                      order, space.breakpoints()[i], space.breakpoints()[i + 1],
@@ -98,7 +98,8 @@ std::optional<Fault> condition_fault(const Solution& solution) {
     const double tolerance = std::max(solution.scene.solver.tolerance, condition_rounding);
     const std::vector<ConditionMiss> missed = missed_conditions(solution, tolerance);
     if (missed.empty()) return {};
-    return Fault{"condition_not_met", "the delivered motion misses a condition: " + missed.front().condition};
+    return Fault{Reason::condition_not_met,
+                 "the delivered motion misses a condition: " + missed.front().condition};
 }
 
 /// A cam whose figures would have no value: the follower does not reach all of its motion.
@@ -113,11 +114,13 @@ std::optional<Fault> cam_fault(const Solution& solution) {
     const DrivenMechanism& cam = solution.cam->cam;
     const std::string fault = cam.formulas->fault(cam.dimensions, least, most);
     if (fault.empty()) return {};
-    return Fault{"cam_cannot_be_built", "the cam of this motion cannot be built: " + fault};
+    return Fault{Reason::cam_cannot_be_built, "the cam of this motion cannot be built: " + fault};
 }
 
 /// What a limit is measured by: itself, and where it may be 0 the cam's own size, in the unit of the report.
 double size_of_limit(const Solution& solution, const ConstraintReport& report) {
+    for (const OwnLimit& limit : solution.scene.own_limits)
+        if (limit.key() == report.key) return limit.scale();
     const double size = std::abs(report.limit);
     const LimitRow* const row = limit_named(report.name);
     if (row == nullptr || !row->in(solution.scene.limits)) return size;
@@ -147,7 +150,7 @@ std::optional<Fault> limit_fault(const Solution& solution) {
         const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);
         if (has_value && excess <= tolerance * size_of_limit(solution, report)) continue;
         const std::string unit = report.unit.empty() ? "" : " " + report.unit;
-        return Fault{"limit_not_kept",
+        return Fault{Reason::limit_not_kept,
                      fmt::format("{} = {:.9g}{} is not kept: {} reaches {:.9g}{} at x = {:.6g}", report.key,
                                  report.limit, unit, report.name, report.worst, unit, report.at)};
     }
@@ -157,7 +160,7 @@ std::optional<Fault> limit_fault(const Solution& solution) {
 std::optional<Fault> objective_fault(double believed, double found) {
     if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
     return Fault{
-        "objective_not_of_the_curve",
+        Reason::objective_not_of_the_curve,
         fmt::format("the solver's objective {:.9g} is not that of the curve, {:.9g}", believed, found)};
 }
 
@@ -172,7 +175,7 @@ void drop_passed_bound(Certificate& certificate, double tolerance) {
     certificate.proof_kind = ProofKind::none;
     if (certificate.verdict != Verdict::optimal) return;
     certificate.verdict = Verdict::feasible;
-    certificate.reason = limits_within_rounding;
+    certificate.reason = Reason::limits_within_rounding;
 }
 
 std::string active_limits(const Solution& solution) {
@@ -187,7 +190,7 @@ std::string active_limits(const Solution& solution) {
 void tell_of_rounding(Solution& solution) {
     const Certificate& certificate = solution.certificate;
     const bool relaxed = certificate.proof && certificate.proof->limits_relaxed_by > 0.0;
-    if (!relaxed && certificate.reason != limits_within_rounding) return;
+    if (!relaxed && certificate.reason != Reason::limits_within_rounding) return;
     std::string note =
         fmt::format("{}: within rounding of infeasible. Only the tolerance leaves any room, and ",
                     active_limits(solution));
@@ -200,7 +203,7 @@ void tell_of_rounding(Solution& solution) {
     solution.notes.push_back(std::move(note));
 }
 
-void fail(Certificate& certificate, const char* reason) {
+void fail(Certificate& certificate, Reason reason) {
     certificate.verdict = Verdict::failed;
     certificate.reason = reason;
     certificate.lower_bound.reset();

@@ -32,6 +32,7 @@ double defined_objective(const Solution& solution) {
     for (const CostTerm& term : cost_terms())
         if (const double weight = term.weight_in(weights); weight > 0.0)
             sum += weight * term.measured.of(peaks) / term.measured.of(reference);
+    for (const OwnTermReport& term : solution.own_terms) sum += term.weight * term.value / term.reference;
     return sum;
 }
 

@@ -31,6 +31,17 @@ struct ConstraintReport {
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
 };
 
+/// A limit counts as active where the motion comes this close to it, relative.
+inline constexpr double active_limit = 1e-6;
+
+/// A term of the objective that the program brought: weight · value / reference of it is in the objective.
+struct OwnTermReport {
+    std::string name;
+    double weight = 0.0, reference = 1.0;
+    double value = 0.0;  ///< its largest along the motion, in its own unit; 0 where it is nowhere above
+    double at = 0.0;     ///< x
+};
+
 /// The least change of one number alone, the others kept, that makes the scene feasible; none where none was
 /// found.
 struct Relaxation {
@@ -142,6 +153,7 @@ struct Solution {
     Peaks motion_peaks;
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
+    std::vector<OwnTermReport> own_terms;
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;
@@ -151,6 +163,10 @@ struct Solution {
     EvaluationCounts evaluations;
     double seconds_total = 0.0, seconds_solve = 0.0;
     std::vector<std::string> notes;  ///< redundant conditions by name, and other things worth a line
+
+    /// The delivered motion over the whole turn, x from 0 to 2π / unit angle: what it leaves of the turn
+    /// rests where it ends. Throws InputError where there is no motion.
+    [[nodiscard]] MotionChain whole_turn() const;
 };
 
 }  // namespace camopt

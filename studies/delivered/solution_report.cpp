@@ -7,6 +7,7 @@
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
 #include "studies/delivered/cam_report.hpp"
+#include "studies/delivered/own_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,9 @@ void report_delivered(Solution& solution, Delivered delivered) {
     }
     report_peak_limits(solution);
     report_cam(solution, std::move(delivered.dimensions));
+    solution.own_terms = own_term_reports(solution.scene, *solution.motion);
+    const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
+    solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
 }
 
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {

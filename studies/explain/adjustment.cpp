@@ -19,6 +19,27 @@ constexpr double farthest_change = 1e3;
 // Pressure angles end short of the right angle.
 constexpr double largest_pressure_angle = 89.9 * units::degree;
 
+/// Upwards from the limit of the program.
+void add_own_limits(std::vector<Adjustment>& all, const Scene& scene) {
+    for (std::size_t i = 0; i < scene.own_limits.size(); ++i) {
+        const OwnLimit& limit = scene.own_limits[i];
+        Adjustment adjustment;
+        adjustment.key = limit.key();
+        adjustment.given = adjustment.least = limit.limit;
+        adjustment.step = first_change * limit.scale();
+        adjustment.may_grow = true;
+        adjustment.may_shrink = false;
+        adjustment.most = limit.limit + farthest_change * limit.scale();
+        adjustment.limit = true;
+        adjustment.with = [i](const Scene& one, double value) {
+            Scene changed = one;
+            changed.own_limits[i].limit = value;
+            return changed;
+        };
+        all.push_back(std::move(adjustment));
+    }
+}
+
 /// Up to `end`, SI.
 Adjustment limit_adjustment(const Scene& scene, const LimitRow& row, double end) {
     const WrittenLimit& limit = *row.in(scene.limits);
@@ -186,6 +207,7 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
 std::vector<Adjustment> adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
     add_limits(all, scene);
+    add_own_limits(all, scene);
     add_rise(all, scene);
     add_mechanism_dimensions(all, scene);
     const std::vector<Adjustment> operating = operating_adjustments(scene);

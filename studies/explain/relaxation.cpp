@@ -29,6 +29,7 @@ Scene without_limit(const Scene& scene, const PeakLimitRow& one) {
     Scene relaxed = scene;
     one.in(relaxed.limits).reset();
     relaxed.objective = {};
+    relaxed.own_terms.clear();
     relaxed.objective.*one.term().weight = 1.0;
     relaxed.objective.tie_break = TieBreak::none;
     relaxed.solver.name = "auto";
@@ -54,6 +55,7 @@ Scene only_limit(const Scene& scene, const std::string& key) {
     };
     for (const PeakLimitRow& row : peak_limit_rows()) drop(row.in(limits));
     for (const LimitRow& row : limit_rows()) drop(row.in(limits));
+    std::erase_if(only.own_limits, [&](const OwnLimit& limit) { return limit.key() != key; });
     if (only.cam && key != "cam.face_half_width_mm") only.cam->face_half_width.reset();
     return only;
 }
@@ -93,13 +95,13 @@ class Explainer {
     [[nodiscard]] bool is_over() { return over_ = over_ || budget_.spent(); }
 
     [[nodiscard]] bool contradictory() const {
-        return solution_.certificate.reason == "conditions_contradict";
+        return solution_.certificate.reason == Reason::conditions_contradict;
     }
 
     void name_the_impossible() {
         const std::vector<std::string> keys = fighting_keys(solution_);
         found_.any_motion = kept_by_no_motion(scene_);
-        if (solution_.certificate.reason == "limit_broken_at_rest") found_.any_motion = keys;
+        if (solution_.certificate.reason == Reason::limit_broken_at_rest) found_.any_motion = keys;
         if (keys.size() == 1) found_.alone = keys;
         if (keys.size() < 2) return;
         budget_.say("what would help: which limits are impossible by themselves");
@@ -155,7 +157,10 @@ class Explainer {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
-        if (has_cam(scene_) || in_time) others = adjustments(scene_);
+        const bool in_space = has_cam(scene_) || in_time;
+        if (in_space || !scene_.own_limits.empty()) others = adjustments(scene_);
+        // A motion that is nothing but normalised has no dimensions and no speed that could help.
+        if (!in_space) std::erase_if(others, [](const Adjustment& one) { return !one.limit; });
         const std::size_t count = caps.size() + others.size();
         std::size_t done = 0;
         const auto share = [&] { return shares_of_one / static_cast<double>(count - done++); };

@@ -64,7 +64,7 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
     while (family.run(run).contradictions().empty()) ++run;
     const DesignVector& design = family.run(run);
     solution.certificate.verdict = Verdict::infeasible;
-    solution.certificate.reason = "conditions_contradict";
+    solution.certificate.reason = Reason::conditions_contradict;
     solution.certificate.proof =
         contradiction_proof(design.contradictions().front(), design.space().dimension());
     solution.certificate.proof_kind = ProofKind::duality;

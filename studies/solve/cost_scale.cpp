@@ -51,12 +51,14 @@ void CostScale::scale_weights(const Peaks& reference) {
                     (scaled_.objective.reference.*term.reference).value_or(term.measured.of(reference));
     }
     for (const double weight : scaled_.objective.dimensions) cost += weight;
+    for (const OwnTerm& term : scaled_.own_terms) cost += term.weight;
     if (cost >= least_idle_cost && cost <= most_idle_cost) return;
     idle_ = false;
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
     for (const CostTerm& term : cost_terms()) scaled_.objective.*term.weight /= factor_;
     for (double& weight : scaled_.objective.dimensions) weight /= factor_;
+    for (OwnTerm& term : scaled_.own_terms) term.weight /= factor_;
 }
 
 namespace {
@@ -90,6 +92,8 @@ void scale_cases(std::vector<CaseProof>& cases, double factor) {
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
     solution.scene = scene;
     solution.reference_peaks = reference;
+    for (std::size_t i = 0; i < solution.own_terms.size(); ++i)
+        solution.own_terms[i].weight = scene.own_terms[i].weight;
     if (solution.any_curve_limit) solution.any_curve_limit->objective *= factor_;
     Certificate& certificate = solution.certificate;
     certificate.objective *= factor_;

@@ -125,8 +125,12 @@ class Descent {
         if (ratio > good && length > 0.9 * radius_) radius_ = std::min(2.0 * radius_, largest_radius);
         if (ratio < poor) radius_ = 0.5 * std::min(radius_, std::max(length, least_radius));
         if (control_.progress && result_.steps % 10 == 0) {
-            control_.progress(fmt::format("breakpoints, step {}: objective {:.9g}", result_.steps,
-                                          result_.found.objective));
+            const std::string line =
+                fmt::format("breakpoints, step {}: objective {:.9g}", result_.steps, result_.found.objective);
+            Progress progress(line);
+            progress.incumbent = result_.found.objective;
+            progress.violation = result_.found.violation;
+            control_.progress(progress);
         }
     }
 

@@ -64,7 +64,7 @@ bool report_rest_conflict(Solution& solution, const CamModel& model) {
     const auto worst = rest_conflict(model, solution.scene.solver.tolerance);
     if (!worst) return false;
     solution.certificate.verdict = Verdict::infeasible;
-    solution.certificate.reason = "limit_broken_at_rest";
+    solution.certificate.reason = Reason::limit_broken_at_rest;
     solution.certificate.proof = proof_of(*worst);
     solution.certificate.proof_kind = ProofKind::duality;
     solution.conflict = {{worst->key, worst->where.x, 1.0, {}}};

@@ -44,6 +44,7 @@ std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
     if (scene.motion.type == MotionType::program) return {};
     for (const CostTerm& term : cost_terms())
         if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
+    if (!scene.own_terms.empty()) return {};
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {
@@ -96,7 +97,8 @@ std::string general_solver() {
 }
 
 bool is_general(const Scene& scene, SceneModels& models) {
-    return (has_cam(scene) || scene.objective.torque > 0.0) && needs_starts(models.with_states());
+    const bool own = !scene.own_terms.empty() || !scene.own_limits.empty();
+    return (has_cam(scene) || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
@@ -254,9 +256,9 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     timed.in_vain = timed.deadline.sooner(searched_in_vain * timed.deadline.seconds_left());
     Solution solution = solve_without_explaining(scene, timed);
     const Certificate& certificate = solution.certificate;
-    const bool to_explain = certificate.verdict == Verdict::infeasible ||
-                            certificate.reason == "no_feasible_point" ||
-                            (certificate.verdict == Verdict::failed && certificate.reason == "time_limit");
+    const bool to_explain =
+        certificate.verdict == Verdict::infeasible || certificate.reason == Reason::no_feasible_point ||
+        (certificate.verdict == Verdict::failed && certificate.reason == Reason::time_limit);
     if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
         timed.in_vain = {};
         explain(solution, timed);

@@ -79,11 +79,12 @@ class DisplacementSearch {
     [[nodiscard]] std::vector<double> snapped(std::vector<double> levels) const;
     [[nodiscard]] Scene given(const std::vector<double>& levels) const;
     /// Why no motion was found: what the clock ended is no search.
-    [[nodiscard]] const char* reason_of_nothing() const {
-        if (control_.stopped()) return name_of(Termination::interrupted);
+    [[nodiscard]] Reason reason_of_nothing() const {
+        if (control_.stopped()) return Reason::interrupted;
         const bool timed_out = timed_out_ || control_.in_vain.passed() || left(time_for_cases) <= 0.0;
-        return timed_out ? name_of(Termination::time_limit) : "no_feasible_point";
+        return timed_out ? Reason::time_limit : Reason::no_feasible_point;
     }
+    void tell_progress() const;
     void judge(Solution& solution) const;
     void tell(Solution& solution) const;
 
@@ -211,10 +212,21 @@ void DisplacementSearch::bound_cases() {
             }
             parts_.push_back(std::move(piece));
         }
-        if (control_.progress)
-            control_.progress(
-                fmt::format("{} cases of the free displacements, objective {:.9g}", bounded_, objective()));
+        tell_progress();
     }
+}
+
+void DisplacementSearch::tell_progress() const {
+    if (!control_.progress) return;
+    const std::string line =
+        fmt::format("{} cases of the free displacements, objective {:.9g}", bounded_, objective());
+    Progress progress(line);
+    if (std::isfinite(objective())) progress.incumbent = objective();
+    double bound = infinity;
+    for (const DisplacementCase& part : parts_)
+        if (!part.infeasible) bound = std::min(bound, part.bound);
+    if (std::isfinite(bound) && bound > 0.0) progress.bound = bound;
+    control_.progress(progress);
 }
 
 /// Each displacement by itself, forth and back, by steps that shrink where neither helps.
@@ -273,7 +285,7 @@ void DisplacementSearch::judge(Solution& solution) const {
     if (!solution.motion) {
         const bool impossible = nothing && certificate.proof_kind != ProofKind::none;
         certificate.verdict = impossible ? Verdict::infeasible : Verdict::failed;
-        certificate.reason = impossible ? "limits_contradict" : reason_of_nothing();
+        certificate.reason = impossible ? Reason::limits_contradict : reason_of_nothing();
         if (impossible && !certificate.proof) certificate.proof = *parts_.front().proof;
         return;
     }
@@ -286,9 +298,9 @@ void DisplacementSearch::judge(Solution& solution) const {
     const bool local = settled_ && best_levels_.size() == 1 && for_given <= Verdict::local;
     if (for_given == Verdict::failed || for_given == Verdict::infeasible) return;
     certificate.verdict = optimal ? Verdict::optimal : local ? Verdict::local : Verdict::feasible;
-    certificate.reason = optimal ? "" : local ? "stationary, not proved optimal" : "free_displacements";
-    if (!optimal && control_.stopped()) certificate.reason = name_of(Termination::interrupted);
-    if (!optimal && timed_out_) certificate.reason = name_of(Termination::time_limit);
+    certificate.reason = optimal ? Reason::none : local ? Reason::stationary : Reason::free_displacements;
+    if (!optimal && control_.stopped()) certificate.reason = Reason::interrupted;
+    if (!optimal && timed_out_) certificate.reason = Reason::time_limit;
 }
 
 /// The free displacements are free entries of the design like any other.

@@ -125,7 +125,7 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
         if (solution.motion) return;  // the audit has said what is wrong with it
         certificate.verdict = Verdict::failed;
         const Termination ended = search.best.termination;
-        certificate.reason = was_stopped(ended) ? name_of(ended) : "no_feasible_point";
+        certificate.reason = was_stopped(ended) ? reason_of(ended) : Reason::no_feasible_point;
         solution.notes.emplace_back(
             "no motion was found on any breakpoints tried; that there is none is not proved");
         return;

@@ -41,7 +41,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
     row.number = number;
     row.settings.assign(settings.begin(), settings.end());
     row.verdict = certificate.verdict;
-    row.reason = certificate.reason;
+    row.reason = name_of(certificate.reason);
     row.lower_bound = finite(certificate.lower_bound);
     row.gap = finite(certificate.gap);
     if (solution.any_curve_limit) row.any_curve_limit = finite(solution.any_curve_limit->objective);

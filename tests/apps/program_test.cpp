@@ -153,7 +153,7 @@ TEST(Program, UnknownOptionsAndCommandsGetAHint) {
     expect_refused("sovle " + plain, "; did you mean 'solve'?");
     expect_refused("--verson", "'--verson' of camopt; did you mean '--version'?");
     expect_refused("list follower",
-                   "found 'follower'; allowed: laws, followers, solvers; did you mean 'followers'?");
+                   "found 'follower'; allowed: laws, followers, solvers, keys; did you mean 'followers'?");
     expect_refused("solve " + plain + " --frobnicate", "unknown option '--frobnicate' of camopt solve (see");
 }
 
@@ -278,7 +278,10 @@ TEST(Program, ListsTheFollowersOfEveryKindOfCam) {
 }
 
 TEST(Program, SaysItsVersionAndHelps) {
-    EXPECT_TRUE(run_camopt("--version").output.starts_with("camopt "));
+    const std::string version = run_camopt("--version").output;
+    EXPECT_TRUE(version.starts_with("camopt "));
+    EXPECT_NE(version.find("MIT license. With Eigen (MPL-2.0)"), std::string::npos) << version;
+    EXPECT_NE(version.find("A binary of this build"), std::string::npos) << version;
     const ProgramRun help = run_camopt("--help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Examples:"), std::string::npos);

@@ -51,6 +51,22 @@ TEST(Deadline, APartIsNeverLaterAndIsFeltByTheWhole) {
     EXPECT_FALSE(whole.passed());
 }
 
+TEST(Deadline, SecondsLeftOutCountForNoCopyAndNoPart) {
+    Hand hand;
+    const Deadline whole = Deadline::after(5.0, hand.clock());
+    const Deadline part = whole.sooner(1.0);
+    hand.now += 3.0;
+    part.leave_out(3.0);
+    EXPECT_FALSE(part.passed());
+    EXPECT_EQ(part.seconds_left(), 1.0);
+    EXPECT_EQ(whole.seconds_left(), 5.0);
+    EXPECT_FALSE(whole.was_felt());
+    hand.now += 1.0;
+    EXPECT_TRUE(part.passed());
+    EXPECT_EQ(whole.sooner(2.0).seconds_left(), 2.0);
+    Deadline().leave_out(1.0);  // nothing to leave out of
+}
+
 TEST(Deadline, APartOfNoneHasTheSteadyClock) {
     EXPECT_TRUE(Deadline().sooner(0.0).passed());
     EXPECT_FALSE(Deadline().sooner(1e6).passed());

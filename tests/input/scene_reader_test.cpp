@@ -277,11 +277,11 @@ std::vector<std::string> words_of(const LimitSpec& limits) {
 /// The same limit with nothing but its number and its unit, as an embedder writes it.
 void strip_words(LimitSpec& limits) {
     for (auto* limit : {&limits.velocity, &limits.acceleration, &limits.jerk})
-        if (*limit) **limit = PeakLimit{.normalised = (*limit)->normalised, .unit = (*limit)->unit};
+        if (*limit) **limit = PeakLimit((*limit)->normalised, {}, 0.0, (*limit)->unit);
     for (auto* limit : {&limits.pressure_angle, &limits.rise_pressure_angle, &limits.return_pressure_angle,
                         &limits.cam_radius_min, &limits.concave_radius_min, &limits.undercut_margin,
                         &limits.contact_force_min, &limits.torque_max, &limits.hertz_pressure_max})
-        if (*limit) **limit = WrittenLimit{.value = (*limit)->value, .unit = (*limit)->unit};
+        if (*limit) **limit = WrittenLimit((*limit)->value, {}, 1.0, (*limit)->unit);
 }
 
 TEST(SceneReader, ALimitFromCppSaysWhatTheManualsKeySays) {

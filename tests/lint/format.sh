@@ -14,4 +14,4 @@ if [[ "$("$formatter" --version)" != *"version 14."* ]]; then
     exit 77
 fi
 find . \( -name 'build*' -o -name out -o -path ./.git \) -prune -o \
-    \( -name '*.hpp' -o -name '*.cpp' \) -print0 | xargs -0 -r "$formatter" --dry-run -Werror
+    \( -name '*.hpp' -o -name '*.cpp' -o -name '*.[ch]' \) -print0 | xargs -0 -r "$formatter" --dry-run -Werror

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """locale_free.py ROOT: no number is read or written by a function that obeys the locale of the process (1.5 would
-be 1, or written 1,5). core/text/number_parsing.hpp reads, fmt writes. Not in tests/ and benchmarks/: programs that set no
-locale."""
+be 1, or written 1,5). core/text/number_parsing.hpp reads, fmt writes. Not in tests/, benchmarks/
+and examples: programs that set no locale."""
 
 import pathlib
 import re
@@ -25,7 +25,7 @@ def faults_of(path, text):
 
 
 def main(root):
-    paths = [path for path in source_tree.code(root) if path.parts[0] not in ("tests", "benchmarks")]
+    paths = [path for path in source_tree.code(root) if path.parts[0] not in ("tests", "benchmarks") and "examples" not in path.parts]
     faults = [fault for path in paths for fault in faults_of(path, (pathlib.Path(root) / path).read_text())]
     source_tree.report("locale_free", faults, len(paths))
 

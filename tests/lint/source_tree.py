@@ -27,16 +27,18 @@ MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
 MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
+# With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
+MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "solvers", "input", "profiles/factory"}
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface", "profiles/spatial"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
-    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "notebooks_cpp", "tests")
+    user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "notebooks_cpp", "tests")
 }
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
-MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps"}
+MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}
 MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
 
 
@@ -47,7 +49,7 @@ def module_of(path):
     return leaf if len(parts) > 2 and leaf in MAY_INCLUDE else parts[0]
 
 
-CODE = {".cpp", ".hpp"}
+CODE = {".cpp", ".hpp", ".c", ".h"}
 LEFT_OUT = ("build", "out-", "node_modules", "__pycache__", ".")  # beginnings of names
 
 

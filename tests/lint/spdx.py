@@ -7,7 +7,7 @@ import sys
 import source_tree
 
 LINE = "SPDX-License-Identifier: MIT"
-SUFFIXES = {".cpp", ".hpp", ".py", ".sh", ".cmake", ".m", ".js"}
+SUFFIXES = {".cpp", ".hpp", ".c", ".h", ".py", ".sh", ".cmake", ".m", ".js"}
 
 
 def wants_line(root, path):

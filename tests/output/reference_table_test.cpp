@@ -36,7 +36,7 @@ Solution proved_solution() {
 
 Solution failed_solution() {
     Solution solution;
-    solution.certificate.reason = "time_limit";
+    solution.certificate.reason = Reason::time_limit;
     return solution;
 }
 

@@ -87,9 +87,9 @@ TEST(Scene, WrongMembersAreNamed) {
         {[](Scene& s) { s.objective.velocity = -1; }, "objective.velocity: found -1; allowed: a number >= 0"},
         {[](Scene& s) { s.objective.reference.numeric = true; },
          "objective.reference.jerk: found no number; allowed: a number > 0, because objective.jerk = 1"},
-        {[](Scene& s) { s.limits.velocity = PeakLimit{.normalised = 0}; },
+        {[](Scene& s) { s.limits.velocity = PeakLimit(0); },
          "limits.velocity: found 0; allowed: a number > 0"},
-        {[](Scene& s) { s.limits.jerk = PeakLimit{.normalised = 1, .given = 1, .unit = "mm/s^3"}; },
+        {[](Scene& s) { s.limits.jerk = PeakLimit(1, {}, 1, "mm/s^3"); },
          "limits.jerk: found a limit in mm/s^3 without a speed; allowed: a limit in time only where "
          "motion.speed is "
          "given"},
@@ -202,9 +202,9 @@ TEST(Scene, WrongCamsAreNamed) {
          "forces.cam_poisson: found 0.5; allowed: a number >= 0 and < 0.5"},
         {[](Scene& s) { s.forces = ForceSpec{}; },
          "forces: found forces without a speed; allowed: only where motion.speed is given"},
-        {[](Scene& s) { s.limits.pressure_angle = WrittenLimit{.value = 2}; },
+        {[](Scene& s) { s.limits.pressure_angle = WrittenLimit(2); },
          "limits.pressure_angle: found 2; allowed: a number > 0 and < 1.5707963267948966"},
-        {[](Scene& s) { s.limits.torque_max = WrittenLimit{.value = 2}; },
+        {[](Scene& s) { s.limits.torque_max = WrittenLimit(2); },
          "limits.torque_max: found a limit of a force without forces; allowed: only together with a [forces] "
          "table"},
         {[](Scene& s) { s.objective.dimensions[0] = -1; },

@@ -175,7 +175,8 @@ std::optional<PeakFigures> optimum_figures(const Solution& solution) {
 std::string verdict_text(const Certificate& certificate) {
     const std::string gap = certificate.gap ? fmt::format("gap {:.1e}", *certificate.gap) : "no bound";
     if (certificate.verdict == Verdict::optimal) return fmt::format("optimal, {}", gap);
-    const std::string reason = certificate.reason.empty() ? gap : certificate.reason + ", " + gap;
+    const std::string reason =
+        certificate.reason == Reason::none ? gap : fmt::format("{}, {}", name_of(certificate.reason), gap);
     return fmt::format("NOT PROVED OPTIMAL: {} ({})", capitals(name_of(certificate.verdict)), reason);
 }
 
@@ -183,7 +184,8 @@ std::vector<std::string> unproved_rows(const ReferenceTable& table) {
     std::vector<std::string> rows;
     const auto look = [&](const std::string& name, const Certificate& certificate) {
         if (certificate.verdict == Verdict::optimal) return;
-        const std::string reason = certificate.reason.empty() ? "" : ": " + certificate.reason;
+        const std::string reason =
+            certificate.reason == Reason::none ? "" : fmt::format(": {}", name_of(certificate.reason));
         rows.push_back(fmt::format("{} ({}{})", name, name_of(certificate.verdict), reason));
     };
     for (const ConvergenceRow& row : table.convergence)

@@ -157,7 +157,7 @@ TEST(Report, SaysWhatACamEngineerAsks) {
 
 TEST(SolutionText, HasASentenceForEveryVerdict) {
     Certificate certificate;
-    certificate.reason = "time_limit";
+    certificate.reason = Reason::time_limit;
     const auto sentence = [&](Verdict verdict) {
         certificate.verdict = verdict;
         return verdict_sentence(certificate);

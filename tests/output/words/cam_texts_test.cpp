@@ -150,7 +150,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.certificate.verdict = Verdict::optimal;  // proved is proved
     EXPECT_TRUE(says(summary_text(solution, {}), "Proved optimal"));
     solution.certificate.verdict = Verdict::failed;
-    solution.certificate.reason = "no_feasible_point";
+    solution.certificate.reason = Reason::no_feasible_point;
     solution.motion.reset();
     EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
 }

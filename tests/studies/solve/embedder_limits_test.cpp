@@ -39,7 +39,7 @@ ConstraintReport only(const Solution& solution) {
 
 TEST(LimitsFromCpp, ANormalisedCapIsReportedWithItsKeyAndValue) {
     Scene scene = rise();
-    scene.limits.velocity = PeakLimit{.normalised = 1.7};
+    scene.limits.velocity = PeakLimit(1.7);
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
     const ConstraintReport report = only(solution);
@@ -55,8 +55,8 @@ TEST(LimitsFromCpp, ACapInTimeNeedsOnlyItsUnitBesideEitherNumber) {
     scene.motion.speed = 300.0 * units::revolution_per_minute;
     const double per_unit = 10.0 * (300.0 * std::numbers::pi / 30.0) / scene.motion.rise;  // mm/s
     for (const PeakLimit& limit :
-         {PeakLimit{.normalised = 1.7, .unit = "mm/s"}, PeakLimit{.given = 1.7 * per_unit, .unit = "mm/s"},
-          PeakLimit{.key = "limits.velocity_mm_s", .given = 1.7 * per_unit}}) {
+         {PeakLimit(1.7, {}, 0.0, "mm/s"), PeakLimit(0.0, {}, 1.7 * per_unit, "mm/s"),
+          PeakLimit(0.0, "limits.velocity_mm_s", 1.7 * per_unit)}) {
         scene.limits.velocity = limit;
         const ConstraintReport report = only(solve(scene));
         EXPECT_EQ(report.key, "limits.velocity_mm_s");
@@ -68,7 +68,7 @@ TEST(LimitsFromCpp, ACapInTimeNeedsOnlyItsUnitBesideEitherNumber) {
 
 TEST(LimitsFromCpp, TheirRelaxationSaysWhatWasGivenAndWhatIsNeeded) {
     Scene scene = rise();
-    scene.limits.velocity = PeakLimit{.normalised = 0.9};
+    scene.limits.velocity = PeakLimit(0.9);
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     ASSERT_FALSE(solution.relaxation.empty());
@@ -82,7 +82,7 @@ TEST(LimitsFromCpp, TheirRelaxationSaysWhatWasGivenAndWhatIsNeeded) {
 
 TEST(LimitsFromCpp, ALimitOfTheCamIsReportedInTheUnitOfTheManual) {
     Scene scene = roller_cam();
-    scene.limits.pressure_angle = WrittenLimit{.value = 20.0 * units::degree};
+    scene.limits.pressure_angle = WrittenLimit(20.0 * units::degree);
     const ConstraintReport report = only(solve(scene));
     EXPECT_EQ(report.name, "pressure_angle");
     EXPECT_EQ(report.key, "limits.pressure_angle_deg");
@@ -94,9 +94,8 @@ TEST(LimitsFromCpp, ALimitOfTheCamIsReportedInTheUnitOfTheManual) {
 
 TEST(LimitsFromCpp, ALimitOfTheCamKeepsTheUnitThatIsSet) {
     Scene scene = roller_cam();
-    scene.limits.cam_radius_min =
-        WrittenLimit{.value = 1.0 * units::inch, .unit_value = units::inch, .unit = "in"};
-    scene.limits.pressure_angle = WrittenLimit{.value = 0.35, .key = "limits.pressure_angle_rad"};
+    scene.limits.cam_radius_min = WrittenLimit(1.0 * units::inch, {}, units::inch, "in");
+    scene.limits.pressure_angle = WrittenLimit(0.35, "limits.pressure_angle_rad");
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.constraints.size(), 2U);
     EXPECT_EQ(solution.constraints[0].key, "limits.pressure_angle_rad");
@@ -109,7 +108,7 @@ TEST(LimitsFromCpp, ALimitOfTheCamKeepsTheUnitThatIsSet) {
 
 TEST(LimitsFromCpp, TheRemediesOfACamHaveKeysToo) {
     Scene scene = roller_cam();
-    scene.limits.pressure_angle = WrittenLimit{.value = 5.0 * units::degree};
+    scene.limits.pressure_angle = WrittenLimit(5.0 * units::degree);
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const auto remedy = std::ranges::find(solution.relaxation, "limits.pressure_angle_deg", &Relaxation::key);
@@ -122,8 +121,8 @@ TEST(LimitsFromCpp, TheRemediesOfACamHaveKeysToo) {
 
 TEST(LimitsFromCpp, AComparisonNamesThem) {
     Scene scene = roller_cam();
-    scene.limits.velocity = PeakLimit{.normalised = 1.7};
-    scene.limits.pressure_angle = WrittenLimit{.value = 20.0 * units::degree};
+    scene.limits.velocity = PeakLimit(1.7);
+    scene.limits.pressure_angle = WrittenLimit(20.0 * units::degree);
     const Comparison comparison = compare(scene);
     ASSERT_FALSE(comparison.rows.empty());
     for (const ComparisonRow& row : comparison.rows)
@@ -135,7 +134,7 @@ TEST(LimitsFromCpp, AComparisonNamesThem) {
 
 TEST(LimitsFromCpp, NumbersThatContradictEachOtherAreRefused) {
     Scene scene = rise();
-    scene.limits.velocity = PeakLimit{.normalised = 1.7, .given = 5.0};
+    scene.limits.velocity = PeakLimit(1.7, {}, 5.0);
     try {
         (void)solve(scene);
         ADD_FAILURE() << "accepted";
@@ -144,7 +143,7 @@ TEST(LimitsFromCpp, NumbersThatContradictEachOtherAreRefused) {
                      "limits.velocity: found normalised 1.7 beside given 5; allowed: one of them, "
                      "or two that say the same");
     }
-    scene.limits.velocity = PeakLimit{.given = 5.0, .unit = "furlong/s"};
+    scene.limits.velocity = PeakLimit(0.0, {}, 5.0, "furlong/s");
     try {
         (void)solve(scene);
         ADD_FAILURE() << "accepted";

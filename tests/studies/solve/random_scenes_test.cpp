@@ -113,7 +113,7 @@ TEST_P(RandomScenes, NoVerdictClaimsMoreThanTheCurveKeeps) {
         const Verdict verdict = solution.certificate.verdict;
         ++verdicts[verdict];
         SCOPED_TRACE("scene " + std::to_string(number) + ": " + name_of(verdict) + " " +
-                     solution.certificate.reason);
+                     name_of(solution.certificate.reason));
         scene.solver.name = "structured";
         scene.solver.max_seconds = 60.0;
         const Solution reference = solve(scene);

@@ -107,8 +107,8 @@ bool is_beyond_doubles(const Certificate& certificate) {
 
 std::string disagreement(const Solution& one, const Solution& other, double factor) {
     const Certificate &left = one.certificate, &right = other.certificate;
-    const std::string verdicts = std::string(name_of(left.verdict)) + " " + left.reason + ", " +
-                                 name_of(right.verdict) + " " + right.reason;
+    const std::string verdicts = std::string(name_of(left.verdict)) + " " + name_of(left.reason) + ", " +
+                                 name_of(right.verdict) + " " + name_of(right.reason);
     if (is_beyond_doubles(left) && is_beyond_doubles(right)) return {};
     if (is_found(left.verdict) != is_found(right.verdict))
         return verdicts + (one.notes.empty() ? "" : "; " + one.notes.back()) +

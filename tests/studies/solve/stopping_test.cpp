@@ -73,8 +73,8 @@ Scene searched_scene() {
     scene.cam.emplace();
     (*scene.cam)[DimensionIndex::base_radius] = 0.03;
     (*scene.cam)[DimensionIndex::roller_radius] = 0.01;
-    scene.limits.cam_radius_min = WrittenLimit{.value = 0.012};
-    scene.limits.concave_radius_min = WrittenLimit{.value = 0.05};
+    scene.limits.cam_radius_min = WrittenLimit(0.012);
+    scene.limits.concave_radius_min = WrittenLimit(0.05);
     return scene;
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "bindings/c/failure.hpp"
+
+#include "core/errors.hpp"
+
+#include <new>
+
+namespace camopt::c {
+namespace {
+
+std::string& thread_text() {
+    thread_local std::string text;
+    return text;
+}
+
+/// Set where there was no memory for the text.
+thread_local const char* fixed_text = nullptr;
+
+camopt_error noted(camopt_error code, const char* text) noexcept {
+    try {
+        thread_text() = text;
+        fixed_text = nullptr;
+    } catch (...) {
+        fixed_text = "no memory was left, not even for the words";
+    }
+    return code;
+}
+
+}  // namespace
+
+void require(const void* argument, const char* name) {
+    if (argument == nullptr)
+        throw Failure(CAMOPT_ERROR_NULL, std::string(name) + ": found NULL; allowed: a pointer to it");
+}
+
+camopt_error code_of_exception() noexcept {
+    try {
+        throw;
+    } catch (const Failure& failure) {
+        return noted(failure.code(), failure.what());
+    } catch (const UnavailableError& error) {
+        return noted(CAMOPT_ERROR_UNAVAILABLE, error.what());
+    } catch (const InputError& error) {
+        return noted(CAMOPT_ERROR_INPUT, error.what());
+    } catch (const std::bad_alloc&) {
+        return noted(CAMOPT_ERROR_MEMORY, "no memory was left");
+    } catch (const std::exception& error) {
+        return noted(CAMOPT_ERROR_INTERNAL, error.what());
+    } catch (...) {
+        return noted(CAMOPT_ERROR_INTERNAL, "something was thrown that is no std::exception");
+    }
+}
+
+const char* failure_text() noexcept {
+    if (fixed_text != nullptr) return fixed_text;
+    try {
+        return thread_text().c_str();
+    } catch (...) {
+        return "";
+    }
+}
+
+}  // namespace camopt::c
+
+extern "C" {
+
+const char* camopt_error_text() {
+    return camopt::c::failure_text();
+}
+
+const char* camopt_error_name(camopt_error code) {
+    switch (code) {
+        case CAMOPT_OK:
+            return "ok";
+        case CAMOPT_ERROR_NULL:
+            return "null";
+        case CAMOPT_ERROR_ARGUMENT:
+            return "argument";
+        case CAMOPT_ERROR_INPUT:
+            return "input";
+        case CAMOPT_ERROR_UNAVAILABLE:
+            return "unavailable";
+        case CAMOPT_ERROR_ABSENT:
+            return "absent";
+        case CAMOPT_ERROR_CAPACITY:
+            return "capacity";
+        case CAMOPT_ERROR_CANCELLED:
+            return "cancelled";
+        case CAMOPT_ERROR_CALLBACK:
+            return "callback";
+        case CAMOPT_ERROR_MEMORY:
+            return "memory";
+        case CAMOPT_ERROR_INTERNAL:
+            return "internal";
+    }
+    return "unknown";
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What the handles of the C face hold.
+#pragma once
+
+#include "bindings/c/failure.hpp"
+#include "input/scene_document.hpp"
+#include "output/json/run_origin.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+struct camopt_scene {
+    camopt::input::SceneDocument document;
+};
+
+struct camopt_solution {
+    camopt::Solution solution;
+    camopt::RunOrigin origin;
+    std::vector<std::string> stations;  ///< names; one "" of a plane cam, none without a cam
+};
+
+namespace camopt::c {
+
+/// Complete and validated, with the formulas of its mechanism.
+[[nodiscard]] Scene complete_scene(const camopt_scene& scene, std::span<const std::string> settings = {});
+
+/// Throws Failure for NULL, and ABSENT where there is no motion.
+[[nodiscard]] const MotionChain& motion_of(const camopt_solution* solution);
+
+[[nodiscard]] camopt_verdict verdict_of(Verdict verdict);
+
+/// A dimension of a cam as C callers see it; its texts belong to the solution.
+[[nodiscard]] camopt_parameter disk_parameter(const Solution& solution, DimensionIndex which);
+
+}  // namespace camopt::c

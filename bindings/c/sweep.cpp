@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "bindings/c/control.hpp"
+#include "bindings/c/handles.hpp"
+#include "bindings/c/structs.hpp"
+#include "core/units.hpp"
+#include "studies/sweep/sweep_check.hpp"
+#include "studies/sweep/sweep_run.hpp"
+
+#include <string>
+#include <vector>
+
+namespace camopt::c {
+namespace {
+
+/// A row with the lists that its C form points into.
+class ShownRow {
+ public:
+    ShownRow(const SweepRow& row, const SweepColumns& columns, int rows) {
+        for (const DimensionIndex which : columns.dimensions)
+            if (const std::optional<double>& value = row.dimension(which))
+                parameters_.push_back(
+                    {sizeof(camopt_parameter), name_of(which), "mm", *value / units::millimetre, 1});
+        for (const std::string& key : row.active_limits) limits_.push_back(key.c_str());
+        const auto figure = [&](SweepFigure which) { return number_or_absent(row.figure(which)); };
+        shown_ = {sizeof(camopt_sweep_row),
+                  static_cast<std::size_t>(row.number),
+                  static_cast<std::size_t>(rows),
+                  row.settings.data(),
+                  row.settings.size(),
+                  verdict_of(row.verdict),
+                  row.reason.c_str(),
+                  number_or_absent(row.objective),
+                  number_or_absent(row.lower_bound),
+                  number_or_absent(row.gap),
+                  number_or_absent(row.any_curve_limit),
+                  figure(SweepFigure::velocity),
+                  figure(SweepFigure::acceleration),
+                  figure(SweepFigure::jerk),
+                  figure(SweepFigure::torque),
+                  figure(SweepFigure::rms_acceleration),
+                  figure(SweepFigure::rms_jerk),
+                  parameters_.data(),
+                  parameters_.size(),
+                  limits_.data(),
+                  limits_.size(),
+                  row.iterations,
+                  row.exchange_rounds,
+                  row.seconds_total};
+    }
+    [[nodiscard]] const camopt_sweep_row& shown() const { return shown_; }
+
+ private:
+    std::vector<camopt_parameter> parameters_;
+    std::vector<const char*> limits_;
+    camopt_sweep_row shown_{};
+};
+
+SweepAxis axis_of(const camopt_sweep_axis& given) {
+    SweepAxis axis;
+    if (given.key_count > 0) require(given.keys, "axes: keys");
+    if (given.key_count > 0 && given.point_count > 0) require(given.values, "axes: values");
+    for (std::size_t i = 0; i < given.key_count; ++i) {
+        require(given.keys[i], "axes: keys: one of them");
+        axis.keys.emplace_back(given.keys[i]);
+    }
+    if (given.point_count > most_sweep_rows)
+        throw Failure(CAMOPT_ERROR_ARGUMENT, "axes: point_count: found " + std::to_string(given.point_count) +
+                                                 "; allowed: at most " + std::to_string(most_sweep_rows));
+    if (given.key_count > 0)
+        axis.values.assign(given.values, given.values + given.key_count * given.point_count);
+    return axis;
+}
+
+SweepPlan plan_of(const camopt_sweep_axis* axes, std::size_t count) {
+    require(axes, "axes");
+    if (count == 0)
+        throw Failure(CAMOPT_ERROR_ARGUMENT, "axis_count: found 0; allowed: at least one axis that varies");
+    std::vector<SweepAxis> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back(axis_of(axes[i]));
+    return sweep_grid(all);
+}
+
+struct RowCallback {
+    camopt_sweep_callback call;
+    void* user;
+};
+
+void solve_rows(const camopt_scene& given, const SweepPlan& plan, CallbackControl& callbacks,
+                const RowCallback& row_callback) {
+    SweepScenes scenes(
+        plan, [&](std::span<const std::string> settings) { return complete_scene(given, settings); });
+    const SweepColumns columns = check_rows(scenes);
+    SolveControl control = callbacks.control();
+    control.stop_requested = [asked = std::move(control.stop_requested), &callbacks] {
+        return callbacks.stopped() || (asked && asked());
+    };
+    int told = 0;
+    const auto tell = [&](const SweepRow& row) {
+        if (callbacks.stopped()) return;  // solved halfway
+        const ShownRow shown(row, columns, plan.rows());
+        ++told;
+        callbacks.call([&] {
+            if (row_callback.call(&shown.shown(), row_callback.user) != 0) callbacks.stop();
+        });
+    };
+    const Chunking chunks{plan.rows(), chunk_size_for(plan.rows())};
+    for (int chunk = 0; chunk < chunks.count() && !callbacks.stopped(); ++chunk)
+        (void)solve_chunk(scenes, chunks.range(chunk), control, tell);
+    callbacks.finish();
+    if (told < plan.rows())
+        throw Failure(CAMOPT_ERROR_CANCELLED, "the sweep was stopped by its caller after " +
+                                                  std::to_string(told) + " of " +
+                                                  std::to_string(plan.rows()) + " rows");
+}
+
+}  // namespace
+}  // namespace camopt::c
+
+using namespace camopt::c;
+
+extern "C" {
+
+camopt_error camopt_sweep(const camopt_scene* scene, const camopt_sweep_axis* axes, size_t axis_count,
+                          const camopt_solve_options* options, camopt_sweep_callback row, void* row_user) {
+    return guarded([&] {
+        require(scene, "scene");
+        if (row == nullptr)
+            throw Failure(CAMOPT_ERROR_NULL, "row: found NULL; allowed: the function that takes the rows");
+        CallbackControl callbacks(read_options(options, "options"));
+        solve_rows(*scene, plan_of(axes, axis_count), callbacks, {row, row_user});
+    });
+}
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
+#include "bindings/python/source/parts.hpp"
+#include "bindings/python/source/sweep_threads.hpp"
+#include "output/csv/sweep_csv.hpp"
+#include "output/words/sweep_text.hpp"
+#include "studies/pareto/sweep_front.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <camopt/errors.hpp>
+#include <camopt/units.hpp>
+#include <limits>
+#include <map>
+#include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt::python {
+
+namespace {
+
+/// Keys that vary together, and their points, one a row.
+using Axis =
+    std::pair<std::vector<std::string>, py::array_t<double, py::array::c_style | py::array::forcecast>>;
+
+SweepAxis axis_of(const Axis& given) {
+    const auto& [keys, values] = given;
+    const std::string name = fmt::format("{}", fmt::join(keys, ", "));
+    const auto columns = static_cast<py::ssize_t>(keys.size());
+    const bool fits = values.ndim() == 2 ? values.shape(1) == columns : values.ndim() == 1 && columns == 1;
+    if (!fits)
+        throw InputError(
+            fmt::format("{}: found an array of {} dimension(s); allowed: one value a row for a single key, "
+                        "for several keys an array with a column each",
+                        name, values.ndim()));
+    if (values.size() == 0) throw InputError(fmt::format("{}: found no value; allowed: at least one", name));
+    return {keys, std::vector<double>(values.data(), values.data() + values.size())};
+}
+
+/// Rows as columns: name by name, in the order of sweep.csv.
+class Columns {
+ public:
+    explicit Columns(const SweepTable& table) : table_(&table) {}
+
+    py::dict dictionary() const {
+        py::dict columns;
+        numbers(columns, "row", [](const SweepRow& row) { return static_cast<py::ssize_t>(row.number); });
+        for (std::size_t i = 0; i < table_->columns.keys.size(); ++i)
+            numbers(columns, table_->columns.keys[i], [i](const SweepRow& row) { return row.settings[i]; });
+        words(columns, "verdict", [](const SweepRow& row) { return std::string(name_of(row.verdict)); });
+        words(columns, "reason", [](const SweepRow& row) { return row.reason; });
+        numbers(columns, "pareto_front", [](const SweepRow& row) { return row.on_front; });
+        optional(columns, "objective", [](const SweepRow& row) { return row.objective; });
+        optional(columns, "lower_bound", [](const SweepRow& row) { return row.lower_bound; });
+        optional(columns, "gap", [](const SweepRow& row) { return row.gap; });
+        optional(columns, "any_curve_limit", [](const SweepRow& row) { return row.any_curve_limit; });
+        for (int i = 0; i < sweep_figure_count; ++i)
+            optional(columns, name_of(static_cast<SweepFigure>(i)),
+                     [i](const SweepRow& row) { return row.figures[static_cast<std::size_t>(i)]; });
+        for (const DimensionIndex index : table_->columns.dimensions)
+            optional(columns, fmt::format("{}_mm", name_of(index)), [index](const SweepRow& row) {
+                const std::optional<double>& value = row.dimension(index);
+                return value ? std::optional(*value / units::millimetre) : std::nullopt;
+            });
+        words(columns, "active_limits",
+              [](const SweepRow& row) { return fmt::format("{}", fmt::join(row.active_limits, "; ")); });
+        numbers(columns, "iterations",
+                [](const SweepRow& row) { return static_cast<py::ssize_t>(row.iterations); });
+        numbers(columns, "exchange_rounds",
+                [](const SweepRow& row) { return static_cast<py::ssize_t>(row.exchange_rounds); });
+        counts(columns);
+        numbers(columns, "seconds_solve", [](const SweepRow& row) { return row.seconds_solve; });
+        numbers(columns, "seconds_total", [](const SweepRow& row) { return row.seconds_total; });
+        return columns;
+    }
+
+ private:
+    void counts(py::dict& columns) const {
+        const std::pair<const char*, long EvaluationCounts::*> all[] = {
+            {"cost_evaluations", &EvaluationCounts::cost},
+            {"gradient_evaluations", &EvaluationCounts::gradient},
+            {"constraint_evaluations", &EvaluationCounts::constraints},
+            {"jacobian_evaluations", &EvaluationCounts::jacobian},
+            {"hessian_evaluations", &EvaluationCounts::hessian},
+            {"profile_points", &EvaluationCounts::profile_points}};
+        for (const auto& [name, count] : all)
+            numbers(columns, name, [member = count](const SweepRow& row) {
+                return static_cast<py::ssize_t>(row.evaluations.*member);
+            });
+    }
+    template <typename Of>
+    void numbers(py::dict& columns, const std::string& name, const Of& of) const {
+        using Number = decltype(of(std::declval<const SweepRow&>()));
+        py::array_t<Number> column(static_cast<py::ssize_t>(table_->rows.size()));
+        Number* place = column.mutable_data();
+        for (const SweepRow& row : table_->rows) *place++ = of(row);
+        columns[name.c_str()] = column;
+    }
+    template <typename Of>
+    void optional(py::dict& columns, const std::string& name, const Of& of) const {
+        numbers(columns, name, [&](const SweepRow& row) {
+            return of(row).value_or(std::numeric_limits<double>::quiet_NaN());
+        });
+    }
+    template <typename Of>
+    void words(py::dict& columns, const std::string& name, const Of& of) const {
+        py::list column;
+        for (const SweepRow& row : table_->rows) column.append(of(row));
+        columns[name.c_str()] = py::module_::import("numpy").attr("array")(column, py::arg("dtype") = "str");
+    }
+
+    const SweepTable* table_;
+};
+
+SweepTable swept(const ReadScene& given, const std::vector<Axis>& axes, std::optional<int> chunk, int workers,
+                 py::object progress) {
+    std::vector<SweepAxis> all;
+    for (const Axis& axis : axes) all.push_back(axis_of(axis));
+    if (workers < 1) throw InputError(fmt::format("workers: found {}; allowed: 1 or more", workers));
+    if (chunk && *chunk < 1) throw InputError(fmt::format("chunk: found {}; allowed: 1 or more", *chunk));
+    Watch watch(std::move(progress));
+    SweepTable table;
+    {
+        const py::gil_scoped_release others_run;
+        table = solve_sweep({given, sweep_grid(all), chunk, workers}, watch);
+        mark_front(table);
+        watch.look_for_signals();
+    }
+    watch.raise_what_came("table", py::cast(table));
+    return table;
+}
+
+}  // namespace
+
+void add_sweeps(py::module_& module) {
+    py::class_<SweepTable>(module, "SweepTable", "The rows of a sweep, by number: one solve each.")
+        .def("__len__", [](const SweepTable& table) { return table.rows.size(); })
+        .def_property_readonly(
+            "keys", [](const SweepTable& table) { return table.columns.keys; }, "The keys that vary.")
+        .def(
+            "to_dict", [](const SweepTable& table) { return Columns(table).dictionary(); },
+            "The columns {name: array}, those of sweep.csv: pandas.DataFrame(table.to_dict()) is the "
+            "table.\n\n"
+            "A number that does not exist (the peaks of an infeasible row) is NaN.")
+        .def(
+            "csv", [](const SweepTable& table) { return sweep_csv(table); },
+            "The text of sweep.csv, as `camopt sweep` writes it.")
+        .def(
+            "summary", [](const SweepTable& table) { return sweep_text(table); }, "The sweep in a few lines.")
+        .def("__str__", [](const SweepTable& table) { return sweep_text(table); });
+    module.def(
+        "sweep", &swept, py::arg("scene"), py::arg("axes"), py::arg("chunk") = py::none(),
+        py::arg("workers") = 1, py::arg("progress") = py::none(),
+        "Solves every point of the grid of the axes [(keys, values), …]. progress: called with (done, all).");
+    module.def(
+        "varied_key",
+        [](const std::string& text) {
+            const SweepAxis axis = varied_key(text);
+            return py::make_tuple(axis.keys, py::array_t<double>(static_cast<py::ssize_t>(axis.values.size()),
+                                                                 axis.values.data()));
+        },
+        py::arg("text"), "Keys and values of \"KEY=a:b:count\", \"KEY=a:b:count:log\" or \"KEY=v1,v2,…\".");
+    module.def(
+        "simplex",
+        [](int divisions) {
+            const SweepAxis axis = simplex_weights(divisions);
+            const auto columns = static_cast<py::ssize_t>(axis.keys.size());
+            py::array_t<double> values({static_cast<py::ssize_t>(axis.points()), columns});
+            std::copy(axis.values.begin(), axis.values.end(), values.mutable_data());
+            return py::make_tuple(axis.keys, values);
+        },
+        py::arg("divisions"),
+        "Keys and values of all weights i/N, j/N, k/N of velocity, acceleration and jerk with i + j + k = "
+        "N.");
+}
+
+}  // namespace camopt::python

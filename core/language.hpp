@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// First in every promised header: a compiler that does not speak C++20 stops here with one line, instead of
+// hundreds about what follows.
+#pragma once
+
+#if __cplusplus < 202002L
+// A file that is missing ends the compilation at once; #error would not.
+#include <camopt needs C++20: compile with -std=c++20 or later>
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "core/licenses.hpp"
+
+namespace camopt {
+namespace {
+
+// Set by core/CMakeLists.txt: 1 where the build has it.
+constexpr bool has_ipopt = CAMOPT_BUILT_WITH_IPOPT;
+constexpr bool has_nlopt = CAMOPT_BUILT_WITH_NLOPT;
+constexpr bool has_spqr = CAMOPT_BUILT_WITH_SPQR;
+constexpr bool has_suitesparse = CAMOPT_BUILT_WITH_SUITESPARSE;
+constexpr bool has_opencascade = CAMOPT_BUILT_WITH_OPENCASCADE;
+
+}  // namespace
+
+std::vector<LicensedPart> licensed_parts() {
+    std::vector<LicensedPart> parts = {{"camopt", "MIT", "all of it"},
+                                       {"Eigen", "MPL-2.0", "linear algebra, compiled in"},
+                                       {"fmt", "MIT", "messages"},
+                                       {"toml++", "MIT", "scene files, compiled in"},
+                                       {"nlohmann-json", "MIT", "result files, compiled in"}};
+    if (has_ipopt) {
+        parts.push_back({"Ipopt", "EPL-1.0", "solver"});
+        parts.push_back({"MUMPS", "CECILL-C", "linear systems of Ipopt"});
+    }
+    if (has_nlopt) parts.push_back({"NLopt", "LGPL-2.1-or-later", "solvers"});
+    if (has_spqr) parts.push_back({"SuiteSparseQR", "GPL-2.0-or-later", "sparse QR"});
+    if (has_suitesparse) {
+        parts.push_back(
+            {"CHOLMOD", "LGPL-2.1-or-later AND GPL-2.0-or-later", "factorizations; some modules are GPL"});
+        parts.push_back({"KLU", "LGPL-2.1-or-later", "factorizations"});
+    }
+    if (has_opencascade)
+        parts.push_back({"Open CASCADE", "LGPL-2.1-only WITH OCCT-exception-1.0", "STEP files"});
+    return parts;
+}
+
+std::string terms_of_binary() {
+    if ((has_spqr || has_suitesparse) && has_ipopt)
+        return "A binary of this build holds parts under the GPL (SuiteSparse) and under the EPL (Ipopt), "
+               "whose "
+               "terms cannot both be kept when it is passed on: use it yourself; to pass one on, build with "
+               "CAMOPT_GPL=OFF, or without Ipopt.";
+    if (has_spqr || has_suitesparse)
+        return "A binary of this build may be passed on under the GPL, version 2 or later, as a whole: it "
+               "holds "
+               "parts of SuiteSparse. Built with CAMOPT_GPL=OFF it may be passed on under the MIT license.";
+    std::string text = "A binary of this build may be passed on under the MIT license";
+    if (has_nlopt || has_opencascade || has_ipopt)
+        text += ", with the libraries it is linked to under theirs";
+    return text + ".";
+}
+
+std::string license_text() {
+    std::string text;
+    for (const LicensedPart& part : licensed_parts())
+        text += part.name + ": " + part.license + " (" + part.use + ")\n";
+    return text + terms_of_binary();
+}
+
+}  // namespace camopt

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""build.py ROOT PROGRAM OUT: the documentation site in OUT/html. scripts/site calls it with what it needs at hand.
+
+OUT/pages is what Sphinx reads, made anew each time; OUT/solved keeps the results of the gallery's scenes."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import api
+import gallery
+import keys
+import notebooks
+import tree
+
+HERE = pathlib.Path(__file__).parent
+# Sections of the site: the pages of docs/ in the order in which one reads them. What is in none is in the last.
+SECTIONS = [
+    ("Using camopt", ["scene_file", "command_line", "results", "compare", "sweep", "cams", "programs", "nc", "notation"]),
+    ("Reference", ["reference/scene", "reference/laws", "reference/solvers", "api/index", "embedding"]),
+    ("Examples", ["gallery/index", "notebooks/index", "notebooks_cpp/README"]),
+    ("Theory", ["method", "stability", "theory/pressure_angle"]),
+    ("Papers", []),
+    ("Benchmarks", ["benchmarks/RESULTS", "benchmarks/README"]),
+    ("The project", ["README", "architecture", "dependencies", "CONTRIBUTING", "CHANGELOG", "SECURITY"]),
+]
+
+
+def pages_of_tree(root):
+    pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "benchmarks/README.md", "benchmarks/RESULTS.md", "notebooks_cpp/README.md"]
+    pages += [str(path.relative_to(root)) for path in (root / "benchmarks/results").glob("*.md")]
+    pages += [str(path.relative_to(root)) for path in sorted((root / "docs").rglob("*.md"))]
+    return [page for page in pages if (root / page).exists()]
+
+
+def sections(out):
+    """(title, pages) with every page of the site but the first and those that other pages list."""
+    written = {str(path.relative_to(out).with_suffix("")) for path in out.rglob("*.md")}
+    listed = {"index"} | {page for page in written if page.startswith(("source/", "api/", "gallery/", "notebooks/"))}
+    for title, names in SECTIONS:
+        pages = [name if name in written else f"docs/{name}" for name in names]
+        if title == "Papers":
+            pages = sorted(page for page in written if page.startswith("docs/papers/"))
+        if title == "Benchmarks":
+            pages += sorted(page for page in written if page.startswith("benchmarks/results/"))
+        if title == "The project":
+            rest = written - listed - {page for _, names in SECTIONS for name in names for page in (name, f"docs/{name}")}
+            pages[1:1] = sorted(page for page in rest if page.startswith("docs/") and not page.startswith("docs/papers/"))
+        yield title, [page for page in pages if page in written]
+
+
+def add_contents(out):
+    index = out / "index.md"
+    # The page of all pages and the site's own list are the same thing.
+    text = index.read_text(encoding="utf-8")
+    for title, pages in sections(out):
+        listed = "\n".join("All pages <docs/README>" if page == "docs/README" else page for page in pages)
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n{listed}\n```\n"
+    index.write_text(text, encoding="utf-8")
+
+
+def write_pages(root, program, out, work):
+    shutil.rmtree(out, ignore_errors=True)
+    (out / "_static").mkdir(parents=True)
+    for name in ("conf.py", "camopt.css"):
+        shutil.copy(HERE / name, out / ("_static" if name.endswith(".css") else "") / name)
+    scenes = gallery.Gallery(root, out, work / "solved", program)
+    pages = tree.Tree(root, out, scenes.places())
+    pages.pages = notebooks.found_in(root)
+    pages.add_pages(pages_of_tree(root))
+    pages.write("reference/scene.md", keys.page(program))
+    pages.write("reference/laws.md", keys.laws_page(program))
+    pages.write("reference/solvers.md", keys.solvers_page(program))
+    pages.write("notebooks/index.md", notebooks.index(notebooks.write(root, out, pages)))
+    step("pages of the tree")
+    headers, names = api.Reference(root, out, work / "doxygen").write()
+    step(f"C++ reference: {names} names of {headers} headers")
+    step(f"gallery: {scenes.write()} scenes")
+    add_contents(out)
+
+
+begun = [time.monotonic()]
+
+
+def step(words):
+    now = time.monotonic()
+    print(f"site: {words} ({now - begun[0]:.1f} s)", flush=True)
+    begun[0] = now
+
+
+def run_sphinx(out, html, version):
+    shutil.rmtree(html, ignore_errors=True)
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-E", "-d", str(html.parent / "doctrees"), "-b", "html",
+               str(out), str(html)]
+    subprocess.run(command, check=True, env=dict(os.environ, CAMOPT_VERSION=version))
+    step("HTML")
+
+
+def main():
+    root, program, work = (pathlib.Path(word).resolve() for word in sys.argv[1:])
+    words = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    write_pages(root, program, work / "pages", work)
+    run_sphinx(work / "pages", work / "html", re.search(r"\d+(\.\d+)+", words).group())
+    status = subprocess.run([sys.executable, "-B", HERE / "dead_links.py", work / "html"]).returncode
+    step("links")
+    if status == 0:
+        print(f"site: {work / 'html/index.html'}")
+    sys.exit(status)
+
+
+main()

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A scene file, or its text, and all that camopt knows by name: laws, solvers, kinds of cams, the program's
+// own among them. What comes back can be solved.
+#pragma once
+
+#include "input/scene_reader.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+/// Every law and solver there is: what input::SceneDocument and input::read_scene ask for.
+[[nodiscard]] input::KnownNames known_names();
+
+/// `settings`: "KEY=VALUE" as `--set` takes them, on top of the file. Throws InputError
+/// "FILE:LINE:COLUMN: key: found …; allowed: …".
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings = {});
+
+/// The same of a text; `name` stands in the place of FILE.
+[[nodiscard]] Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings = {},
+                                  std::string_view name = "scene");
+
+}  // namespace camopt

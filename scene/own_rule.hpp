@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Cost terms and limits that a program brings along: figures of one point of the motion that camopt does not
+// know. They stand beside the built-in ones in objective, limits, proof, relaxation and reports.
+//
+//   term:   f += weight · max(0, max_x g(x, y, y', y'', y''')) / reference
+//   limit:  g(x, y, y', y'', y''') <= limit   at every cam angle
+//
+// x in units of the rise (of a program: of its first spline segment), y in lifts, ' is d/dx; g in a unit of
+// the program's own. Scene files do not know them.
+#pragma once
+
+#include "core/curvature.hpp"
+#include "core/motion.hpp"
+#include "core/second_order.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace camopt {
+
+/// A figure at one point of the motion, with its partials by (y, y', y'', y''').
+struct FormulaValue {
+    double value = 0.0;
+    Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
+    Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();  ///< symmetric
+    double by_x = 0.0;                                  ///< partial by x alone
+};
+
+/// Twice continuously differentiable, the same for the same point, callable by several threads at once.
+/// Exceptions come through solve().
+using MotionFormula = std::function<FormulaValue(const MotionPoint& point)>;
+
+/// From a function of (y, y', y'', y''') written once for any number type:
+///     motion_formula([](const auto& y, const auto& v, const auto& a, const auto& j) { return v * a; })
+/// with exact partials (forward automatic differentiation).
+template <class Function>
+[[nodiscard]] MotionFormula motion_formula(Function function) {
+    return [function = std::move(function)](const MotionPoint& point) {
+        using Number = SecondOrder<4>;
+        const auto& at = point.derivative;
+        const Number result = function(variable<4>(at[0], 0), variable<4>(at[1], 1), variable<4>(at[2], 2),
+                                       variable<4>(at[3], 3));
+        FormulaValue found;
+        found.value = result.value().value();
+        found.gradient = result.value().derivatives();
+        const Eigen::Matrix4d partials = second_partials<4>(result);
+        found.hessian = 0.5 * (partials + partials.transpose());
+        return found;
+    };
+}
+
+/// `shape`: of g over all (y, y', y'', y''') at every x. `general` is always right and costs a search without
+/// a proof; where it says `linear` or `convex`, solve() proves the optimum, and throws ModelError at the
+/// first point where the Hessian contradicts it. `highest_order`: of the derivatives in g; where that
+/// derivative of the motion jumps, g may jump.
+struct OwnTerm {
+    std::string name;        ///< in reports: lower case words, "power_peak"
+    double weight = 0.0;     ///< > 0
+    double reference = 1.0;  ///< > 0: a value of this counts as 1
+    MotionFormula formula;
+    Curvature shape = Curvature::general;
+    int highest_order = 3;
+};
+
+struct OwnLimit {
+    std::string name;    ///< as OwnTerm::name; reports call the limit "own.NAME"
+    double limit = 0.0;  ///< g may not pass it
+    MotionFormula formula;
+    Curvature shape = Curvature::general;
+    int highest_order = 3;
+    std::string unit;   ///< of g, for reports
+    double size = 0.0;  ///< of g, > 0: what a violation is measured by; 0: |limit|, or 1 where that is 0
+
+    [[nodiscard]] std::string key() const { return "own." + name; }
+    [[nodiscard]] double scale() const {
+        const double own = limit < 0.0 ? -limit : limit;
+        return size > 0.0 ? size : own > 0.0 ? own : 1.0;
+    }
+};
+
+}  // namespace camopt

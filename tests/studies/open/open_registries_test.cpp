@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// A law, a solver and a kind of cam of the program's own, named by scenes as if they had always been there. A
+// program of its own: what is added stays.
+#include "core/errors.hpp"
+#include "input/loading/load_scene.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
+#include "profiles/remote/remote_cam.hpp"
+#include "profiles/remote/remote_spec.hpp"
+#include "solvers/registry.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/sweep/scene_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <thread>
+
+namespace camopt {
+namespace {
+
+/// y = 3 x² − 2 x³, or what is asked for.
+class Smoothstep final : public Law {
+ public:
+    explicit Smoothstep(const std::string& key, double slip = 0.0) : Law(info(key)), slip_(slip) {}
+    [[nodiscard]] std::vector<double> breakpoints() const override { return {0.0, 1.0}; }
+
+ private:
+    static LawInfo info(const std::string& key) {
+        LawInfo info;
+        info.key = key;
+        info.title = "Smoothstep";
+        info.source = "this test";
+        info.continuity = 1;
+        return info;
+    }
+    [[nodiscard]] LawDerivatives evaluate(double x, Side) const override {
+        return {x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) + slip_ * x * (1.0 - x), 6.0 - 12.0 * x, -12.0,
+                0.0};
+    }
+    double slip_;
+};
+
+LawMaker smoothstep(const std::string& key, double slip = 0.0) {
+    return [key, slip]() -> std::unique_ptr<Law> { return std::make_unique<Smoothstep>(key, slip); };
+}
+
+const std::string rise = R"(
+[motion]
+type = "DRD"
+lift_mm = 10
+rise_deg = 120
+[spline]
+degree = 3
+segments = 12
+)";
+
+TEST(OwnLaw, IsAReferenceAComparisonAndASegment) {
+    const std::span<const LawInfo> before = law_catalogue();
+    add_law(smoothstep("smoothstep"));
+    EXPECT_EQ(law_catalogue().size(), before.size() + 1);
+    EXPECT_EQ(before.front().key, "parabolic");  // what was handed out stays
+    EXPECT_NEAR(make_law("smoothstep")->peaks().velocity.value, 1.5, 1e-12);
+
+    const Scene scene = scene_of_toml(rise + R"(
+[objective]
+velocity = 0.5
+acceleration = 0.5
+reference = "smoothstep"
+)");
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_NEAR(solution.certificate.objective,
+                0.5 * solution.peaks.velocity.value / 1.5 + 0.5 * solution.peaks.acceleration.value / 6.0,
+                1e-9);
+    const Comparison comparison = compare(scene);
+    const auto row = std::ranges::find(comparison.rows, std::string("smoothstep"), &ComparisonRow::key);
+    ASSERT_NE(row, comparison.rows.end());
+    EXPECT_NEAR(row->objective, 1.0, 1e-9);
+
+    const Solution turn = solve(scene_of_toml(R"(
+[motion]
+type = "program"
+lift_mm = 10
+segments = [ { kind = "law", law = "smoothstep", angle_deg = 90, to_mm = 10 },
+             { kind = "dwell", angle_deg = 90 },
+             { kind = "spline", angle_deg = 180, to_mm = 0 } ]
+[spline]
+segments = 8
+[objective]
+acceleration = 1
+)"));
+    ASSERT_TRUE(turn.motion) << turn.certificate.reason;
+    EXPECT_NEAR(turn.motion->at(0.25).derivative[0], 0.5, 1e-12);  // x: in units of the spline's angle
+}
+
+void expect_law_refused(const LawMaker& make, const std::string& part) {
+    try {
+        add_law(make);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+}
+
+TEST(OwnLaw, OneThatIsNoneIsRefused) {
+    const std::size_t before = law_catalogue().size();
+    expect_law_refused(smoothstep("modified_sine"), "found the key \"modified_sine\", which another law has");
+    expect_law_refused(smoothstep("Smooth Step"),
+                       "found this key; allowed: lower case letters, digits and _");
+    expect_law_refused(smoothstep("slipped", 0.1), "found y that grows by");
+    expect_law_refused({}, "found nothing that makes a law");
+    EXPECT_EQ(law_catalogue().size(), before);
+}
+
+/// Counts and hands on.
+class Counted final : public Solver {
+ public:
+    explicit Counted(std::atomic<int>& calls) : calls_(calls) {}
+    [[nodiscard]] std::string_view name() const override { return "counted"; }
+    [[nodiscard]] BackendResult minimize(const Nlp& problem, const Eigen::VectorXd& start,
+                                         const BackendOptions& options,
+                                         const SolveControl& control) const override {
+        ++calls_;
+        return make_solver("structured")->minimize(problem, start, options, control);
+    }
+
+ private:
+    std::atomic<int>& calls_;
+};
+
+TEST(OwnSolver, IsNamedByScenesAndJudgedByTheCertificate) {
+    static std::atomic<int> calls{0};
+    SolverEntry entry;
+    entry.name = "counted";
+    entry.method = "counts, and hands on";
+    entry.gives_multipliers = true;
+    const SolverMaker make = []() -> std::unique_ptr<Solver> { return std::make_unique<Counted>(calls); };
+    add_solver(entry, make);
+    const std::string weights = "[objective]\nvelocity = 0.4\nacceleration = 0.4\njerk = 0.2\n";
+    const Solution own = solve(scene_of_toml(rise + weights + "[solver]\nname = \"counted\"\n"));
+    const Solution built_in = solve(scene_of_toml(rise + weights));
+    EXPECT_GT(calls, 0);
+    EXPECT_EQ(own.solver.name, "counted");
+    EXPECT_EQ(own.certificate.verdict, Verdict::optimal);
+    EXPECT_NEAR(own.certificate.objective, built_in.certificate.objective, 1e-8);
+    EXPECT_THROW(add_solver(entry, make), InputError);  // taken
+    entry.name = "other";
+    EXPECT_THROW(add_solver(entry, make), InputError);  // not what it calls itself
+    entry.name = "auto";
+    EXPECT_THROW(add_solver(entry, make), InputError);
+    EXPECT_THROW(add_solver(entry, {}), InputError);
+}
+
+const std::string lever_scene = R"(
+lever_pivot_x_mm = 60
+lever_pivot_y_mm = 0
+roller_arm_mm = 50
+roller_radius_mm = 8
+[linkage]
+type = "lever"
+output_angle_deg = 120
+[motion]
+type = "RR"
+lift_deg = 15
+rise_deg = 90
+[spline]
+segments = 8
+[objective]
+acceleration = 1
+[limits]
+pressure_angle_deg = 60
+)";
+
+TEST(OwnCamKind, IsReadByItsKeysAndSolvedByItsFormulas) {
+    CamKind kind = *cam_kind("remote");
+    kind.type = "rocking";
+    kind.rows.clear();  // its keys are those of the kind it was made from
+    for (CamVariant& variant : kind.variants)
+        variant.spec = [spec = variant.spec] {
+            MechanismSpec own = spec();
+            own.type = "rocking";
+            return own;
+        };
+    kind.formulas = [](const MechanismSpec& spec) -> std::shared_ptr<const CamMechanism> {
+        MechanismSpec same = spec;
+        same.type = remote_type;
+        return std::make_shared<RemoteCam>(same);
+    };
+    const std::string own_text = "[cam]\ntype = \"rocking\"" + lever_scene;
+    EXPECT_THROW((void)scene_of_toml(own_text), InputError);
+    add_cam_kind(kind);
+    const Scene own = scene_of_toml(own_text);
+    const Scene built_in = scene_of_toml("[cam]\ntype = \"remote\"" + lever_scene);
+    const Solution found = solve(own), expected = solve(built_in);
+    ASSERT_TRUE(expected.motion) << expected.certificate.reason;
+    ASSERT_TRUE(found.motion) << found.certificate.reason;
+    EXPECT_EQ(found.certificate.objective, expected.certificate.objective);
+    ASSERT_TRUE(found.cam);
+    EXPECT_EQ(found.constraints.front().worst, expected.constraints.front().worst);
+    EXPECT_THROW(add_cam_kind(kind), InputError);  // taken
+    kind.type = "another";
+    kind.formulas = {};
+    EXPECT_THROW(add_cam_kind(kind), InputError);
+}
+
+TEST(OpenRegistries, ReadersSeeWholeListsWhileOthersAdd) {
+    const std::size_t before = law_catalogue().size();
+    std::atomic<bool> done{false};
+    std::thread reader([&] {
+        while (!done)
+            for (const LawInfo& law : law_catalogue()) ASSERT_FALSE(law.key.empty());
+    });
+    for (int k = 0; k < 50; ++k) add_law(smoothstep("smoothstep_" + std::to_string(k)));
+    done = true;
+    reader.join();
+    EXPECT_EQ(law_catalogue().size(), before + 50);
+    EXPECT_EQ(make_law("smoothstep_49")->key(), "smoothstep_49");
+}
+
+TEST(SceneSweep, IsWhatSingleSolvesGive) {
+    const Scene scene = scene_of_toml(rise + "[objective]\nvelocity = 1\njerk = 0.2\n");
+    const std::vector<double> values = {0.0, 0.1, 0.5, 2.0};
+    int told = 0;
+    const std::vector<SweptScene> rows = sweep(
+        scene, values, [](Scene& one, double weight) { one.objective.jerk = weight; }, {},
+        [&](const SweptScene&) { ++told; });
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(told, 4);
+    for (const SweptScene& row : rows) {
+        Scene one = scene;
+        one.objective.jerk = row.value;
+        EXPECT_NEAR(row.solution.certificate.objective, solve(one).certificate.objective, 1e-8);
+        EXPECT_EQ(row.solution.certificate.verdict, Verdict::optimal);
+    }
+    SolveControl control;
+    int asked = 0;
+    control.stop_requested = [&] { return told >= 6 && ++asked > 0; };
+    const std::vector<SweptScene> stopped = sweep(
+        scene, values, [](Scene& one, double weight) { one.objective.jerk = weight; }, control,
+        [&](const SweptScene&) { ++told; });
+    EXPECT_EQ(stopped.size(), 2U);
+}
+
+}  // namespace
+}  // namespace camopt
