@@ -6,6 +6,7 @@
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
 #include "output/words/tables/text_table.hpp"
+#include "profiles/scene_cam.hpp"
 #include "studies/check/scene_check.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +95,7 @@ ExitCode check_command(const CheckRequest& request) {
     text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
                         check.rows, check.convex ? "convex: an optimum is global" : "not convex");
     text += wrapped_text("Solved: " + plan_text(scene, check), "  ", line_width);
-    if (scene.cam || scene.mechanism) text += limits_text(check.limits);
+    if (has_cam(scene)) text += limits_text(check.limits);
     for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
     for (const std::string& condition : check.redundant)
         text += fmt::format("  note: {} follows from others\n", condition);

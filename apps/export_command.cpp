@@ -8,12 +8,10 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/csv/guide_files.hpp"
 #include "output/disk/disk_export.hpp"
-#include "output/drawing/cam_profile.hpp"
-#include "output/drawing/mechanism_dxf.hpp"
+#include "output/drawing/profile_shape.hpp"
+#include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
-#include "output/report/mechanism_files.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/result_folder_reader.hpp"
 #include "output/spatial/cam_export.hpp"
@@ -21,8 +19,8 @@
 #include "output/surface/mesh_files.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
 
@@ -55,23 +53,24 @@ bool is_folder(const std::string& what) {
 
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
-    if (!scene.cam && !scene.mechanism)
+    const std::optional<MechanismSpec> cam = cam_of(scene);
+    if (!cam)
         throw InputError(
             fmt::format("{}: export is for disk, barrel and cylindrical cams, remote and inverse "
                         "ones, and this scene has none",
                         request.scene));
-    if (scene.cam && (request.step || request.obj))
+    if (!cam_kind(cam->type)->is_plane_curve) {
+        if (!request.dxf) return;
+        throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
+                                     request.scene, cam->type));
+    }
+    const bool direct = cam->formulas->is_direct();
+    if (direct && (request.step || request.obj))
         throw InputError(fmt::format(
             "{}: of a disk cam export writes --stl and --nc, --csv, --dxf and --picture", request.scene));
-    if (scene.cam) return;
-    const std::string& type = scene.mechanism->type;
-    const bool plane = cam_kind(type)->is_plane_curve;
-    if (!plane && request.dxf)
-        throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
-                                     request.scene, type));
-    if (plane && (request.step || request.obj || request.stl || request.nc))
+    if (!direct && (request.step || request.obj || request.stl || request.nc))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
-                                     request.scene, type));
+                                     request.scene, cam->type));
 }
 
 Solution read_back(const ExportRequest& request) {
@@ -166,31 +165,25 @@ void export_spatial(const ExportRequest& request, const Solution& solution, Fold
     }
 }
 
-/// Of the plane mechanisms that are no disk cam.
+bool is_wanted(const ExportRequest& request, CamView view) {
+    if (view == CamView::table) return request.csv;
+    if (view == CamView::picture) return request.picture;
+    return view == CamView::drawing && request.dxf;
+}
+
+/// What every plane cam has.
 void export_plane(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
-    if (request.dxf) folder.write("profile.dxf", mechanism_dxf(solution).text);
-    if (!request.csv && !request.picture) return;
-    if (has_inverse_cam(solution)) {
-        const GuideTexts texts = guide_texts(solution, request.points);
-        if (request.csv) folder.write("guide.csv", texts.csv);
-        if (request.picture) folder.write("guide.svg", texts.svg);
-        return;
-    }
-    const MechanismTexts texts = mechanism_texts(solution, request.points);
-    if (request.csv) folder.write("profile.csv", texts.csv);
-    if (request.picture) folder.write("mechanism.svg", texts.svg);
+    if (!request.csv && !request.dxf && !request.picture) return;
+    for (const CamFile& file : cam_files(solution, {.points = request.points, .drawing = request.dxf}))
+        if (is_wanted(request, file.view)) folder.write(file.name, file.text);
 }
 
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
     const MotionChain motion = cam_motion(solution);
-    const ProfileShape shape = profile_shape(solution.cam->cam, motion, motion_scale(solution.scene));
-    if (request.csv || request.dxf || request.picture) {
-        const CamProfileTexts texts = cam_profile(solution, {.points = request.points, .dxf = request.dxf});
-        if (request.csv) folder.write("profile.csv", texts.csv);
-        if (request.dxf) folder.write("profile.dxf", *texts.dxf);
-        if (request.picture) folder.write("profile.svg", texts.svg);
-    }
+    const std::optional<ProfileShape> found = disk_shape(solution, motion);
+    if (!found) return;
+    const ProfileShape& shape = *found;
     if (request.stl) {
         const DiskSolid solid{request.thickness_mm * units::millimetre,
                               0.5 * request.bore_mm * units::millimetre,
@@ -220,9 +213,11 @@ ExitCode export_command(const ExportRequest& request) {
     const Solution solution = delivered(request);
     Exported exported;
     FolderUpdate folder(request.out);
-    if (solution.motion && has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
-    if (solution.motion && has_plane_mechanism(solution)) export_plane(request, solution, folder);
-    if (solution.motion && solution.cam) export_disk(request, solution, folder, exported);
+    if (solution.cam) {
+        if (has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
+        export_plane(request, solution, folder);
+        export_disk(request, solution, folder, exported);
+    }
     exported.written = folder.finish();
     print(summary_text(solution, exported.written) + exported.text);
     if (!exported.fault.empty()) {

@@ -10,15 +10,14 @@
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
-#include "studies/inverse/solved_guide.hpp"
+#include "profiles/scene_cam.hpp"
+#include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,17 +38,16 @@ std::string plane_types() {
 
 LoadedScene requested_scene(const SolveRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
-    const Scene& scene = loaded.scene;
-    if (request.dxf && scene.mechanism && !cam_kind(scene.mechanism->type)->is_plane_curve)
+    const std::optional<MechanismSpec> cam = cam_of(loaded.scene);
+    if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with "
                         "types {}; `camopt "
                         "export` writes its flanks and solid",
-                        scene.mechanism->type, plane_types()));
-    const bool has_cam = scene.cam || scene.mechanism;
+                        cam->type, plane_types()));
     for (const auto& [given, option] :
          {std::pair(request.dxf, "--dxf"), std::pair(request.points.has_value(), "--points")})
-        if (given && !has_cam)
+        if (given && !cam)
             throw InputError(fmt::format(
                 "{}: found in a scene without a cam; allowed: where the scene has a [cam], whose profile it "
                 "is about",
@@ -64,27 +62,11 @@ Solution solve_with_progress(const Scene& scene) {
     return solution;
 }
 
-ForwardCheckReport checked_mechanism(const Solution& solution) {
-    if (has_spatial_cam(solution)) return check_spatial_cam(solution);
-    if (has_inverse_cam(solution)) return check_inverse_cam(solution);
-    return check_mechanism(solution);
-}
-
-/// Runs a follower over the finished cam. Who pressed Ctrl-C waits for the files, not for this.
-void add_forward_check(Solution& solution) {
-    if (InterruptWatch::interrupted()) return;
-    try {
-        if (solution.cam) solution.cam->forward_check = check_cam(solution);
-        if (solution.mechanism) solution.mechanism->forward_check = checked_mechanism(solution);
-    } catch (const InputError& error) {
-        solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
-    }
-}
-
 std::vector<std::filesystem::path> write_results(const SolveRequest& request, const RunOrigin& origin,
                                                  Solution& solution) {
     if (request.out.empty()) return {};
-    add_forward_check(solution);
+    // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
+    if (!InterruptWatch::interrupted()) add_forward_check(solution);
     return write_result_folder(request.out, solution, origin, {request.points, request.dxf});
 }
 

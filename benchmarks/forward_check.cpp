@@ -11,6 +11,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/check/forward_check_input.hpp"
 
@@ -61,7 +62,7 @@ MotionChain turn_motion(const std::string& law) {
 void print_row(const Case& one, const std::string& law, int points) {
     const MotionChain motion = turn_motion(law);
     const ForwardCheckResult result =
-        forward_check(forward_check_input(one.cam, motion, {one.lift, 1.0}, points));
+        forward_check(forward_check_input(disk_mechanism(one.cam), motion, {one.lift, 1.0}, points));
     CsvLine line;
     line.words(name_of(one.cam.follower)).words(name_of(one.cam.rotation)).words(law).count(result.points);
     line.number(result.deviation).number(result.relative).number(result.theta / degree).count(result.angles);

@@ -11,10 +11,8 @@
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/delivered/mechanism_report.hpp"
-#include "studies/inverse/solved_guide.hpp"
+#include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -32,22 +30,16 @@ Solution solved(const std::string& file) {
     Scene scene = input::read_scene_file(file, known_names(), one_start);
     complete_mechanism(scene);
     Solution solution = solve(scene);
-    if (!solution.motion || !solution.mechanism) throw std::runtime_error(file + ": no cam was delivered");
+    if (!solution.motion || !solution.cam) throw std::runtime_error(file + ": no cam was delivered");
     return solution;
-}
-
-ForwardCheckReport checked(const Solution& solution, int points) {
-    if (has_spatial_cam(solution)) return check_spatial_cam(solution, points);
-    if (has_inverse_cam(solution)) return check_inverse_cam(solution, points);
-    return check_mechanism(solution, points);
 }
 
 void print_row(const std::string& name, const Solution& solution, int points) {
     const auto begin = std::chrono::steady_clock::now();
-    const ForwardCheckReport report = checked(solution, points);
+    const ForwardCheckReport report = checked_cam(solution, points);
     const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     CsvLine line;
-    line.words(name).words(solution.mechanism->mechanism.formulas->type()).count(points).count(report.points);
+    line.words(name).words(solution.cam->cam.formulas->type()).count(points).count(report.points);
     line.number(report.deviation).number(report.relative);
     line.number(report.at * solution.scene.motion.unit_angle() / units::degree);
     line.number(all - report.seconds).number(report.seconds);

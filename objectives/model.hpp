@@ -8,8 +8,7 @@
 #pragma once
 
 #include "core/nlp.hpp"
-#include "objectives/rules/cam_rule.hpp"
-#include "objectives/rules/mechanism_rule.hpp"
+#include "objectives/rules/cam_variables.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "splines/motion_family.hpp"
 
@@ -100,7 +99,6 @@ struct CamModel {
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
-    std::shared_ptr<const MechanismVariables> mechanism;
     /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
     double energy_weight = 0.0;
     double jerk_reference = 1.0;

@@ -6,9 +6,11 @@
 #include "objectives/program_family.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
+#include "objectives/rules/mechanism_rule.hpp"
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>
@@ -139,8 +141,16 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
 }
 
 double dimension_unit(const Scene& scene) {
-    const double lift = scene.motion.lift;
-    return scene.motion.lift_is_angle ? lift * (*scene.cam)[DimensionIndex::center_distance].middle() : lift;
+    const MechanismSpec cam = cam_of(scene).value();
+    return cam.formulas->swings() ? scene.motion.lift * cam.formulas->length(cam.middle())
+                                  : scene.motion.lift;
+}
+
+double dimension_weight(const Scene& scene, const std::string& name) {
+    for (int d = 0; d < dimension_count; ++d)
+        if (name == name_of(static_cast<DimensionIndex>(d)))
+            return scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
+    return 0.0;
 }
 
 MotionFamily scene_family(const Scene& scene, DesignKind kind) {
@@ -285,49 +295,31 @@ void add_magnitude(CamModel& model, int of, double weight) {
     }
 }
 
-void add_cam(CamModel& model, const Scene& scene) {
-    if (!scene.cam) return;
-    auto cam = std::make_shared<CamVariables>();
-    cam->cam = middle_cam(*scene.cam);
-    cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
-    for (int d = 0; d < dimension_count; ++d) {
-        const auto which = static_cast<DimensionIndex>(d);
-        const Dimension& dimension = (*scene.cam)[which];
-        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
-        const bool signless = dimension.low >= 0.0;
-        if (!dimension.is_variable()) {
-            model.cost_constant += weight * std::abs(dimension.low);
-            continue;
-        }
-        const double reference = std::max(std::abs(dimension.low), std::abs(dimension.high));
-        const int index = static_cast<int>(model.parameters.size());
-        model.parameters.push_back({name_of(which), Parameter::Kind::dimension, 0, reference,
-                                    signless ? weight * reference : 0.0, dimension.low / reference,
-                                    dimension.high / reference});
-        cam->variables.push_back({which, index, reference});
-        if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
+/// The rules of its kind.
+void add_cam_rules(CamModel& model, const Scene& scene) {
+    if (scene.cam) {
+        add_reach_rows(model, *scene.cam);
+        for (const auto& rule : cam_limits(scene, *model.cam)) model.rules.emplace_back(rule);
+        return;
     }
-    model.cam = cam;
-    add_reach_rows(model, *scene.cam);
-    for (const auto& rule : cam_limits(scene, cam)) model.rules.emplace_back(rule);
+    for (const auto& rule : mechanism_limits(scene, model.cam)) model.rules.emplace_back(rule);
 }
 
-void add_mechanism(CamModel& model, const Scene& scene) {
-    if (!scene.mechanism) return;
-    const MechanismSpec& spec = *scene.mechanism;
-    if (!spec.formulas)
+void add_cam(CamModel& model, const Scene& scene) {
+    const std::optional<MechanismSpec> spec = cam_of(scene);
+    if (!spec) return;
+    if (!spec->formulas)
         throw InputError(
             fmt::format("mechanism: a cam of type \"{}\" without its formulas; allowed: a scene that "
                         "profiles/factory, or "
                         "the program itself, has completed",
-                        spec.type));
-    auto mechanism = std::make_shared<MechanismVariables>();
-    mechanism->formulas = spec.formulas;
-    mechanism->dimensions = spec.middle();
-    mechanism->scale = {scene.motion.lift, scene.motion.unit_angle()};
-    for (std::size_t d = 0; d < spec.dimensions.size(); ++d) {
-        const Dimension& dimension = spec.dimensions[d].value;
-        const double weight = mechanism_weight(scene, spec.dimensions[d].name);
+                        spec->type));
+    auto cam = std::make_shared<CamVariables>();
+    cam->cam = {spec->formulas, spec->middle()};
+    cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
+    for (std::size_t d = 0; d < spec->dimensions.size(); ++d) {
+        const Dimension& dimension = spec->dimensions[d].value;
+        const double weight = dimension_weight(scene, spec->dimensions[d].name);
         if (!dimension.is_variable()) {
             model.cost_constant += weight * std::abs(dimension.low);
             continue;
@@ -335,27 +327,17 @@ void add_mechanism(CamModel& model, const Scene& scene) {
         const double reference = std::max(std::abs(dimension.low), std::abs(dimension.high));
         const int index = static_cast<int>(model.parameters.size());
         const bool signless = dimension.low >= 0.0;
-        model.parameters.push_back({spec.dimensions[d].name, Parameter::Kind::dimension, 0, reference,
+        model.parameters.push_back({spec->dimensions[d].name, Parameter::Kind::dimension, 0, reference,
                                     signless ? weight * reference : 0.0, dimension.low / reference,
                                     dimension.high / reference});
         if (!signless && weight > 0.0) add_magnitude(model, index, weight * reference);
-        mechanism->variables.push_back({static_cast<int>(d), index, reference});
+        cam->variables.push_back({static_cast<int>(d), index, reference});
     }
-    model.mechanism = mechanism;
-    for (const auto& rule : mechanism_limits(scene, mechanism)) model.rules.emplace_back(rule);
+    model.cam = cam;
+    add_cam_rules(model, scene);
 }
 
 }  // namespace
-
-double mechanism_weight(const Scene& scene, const std::string& name) {
-    const MechanismSpec& spec = *scene.mechanism;
-    const double lift = scene.motion.lift;
-    for (int d = 0; d < dimension_count; ++d)
-        if (name == name_of(static_cast<DimensionIndex>(d)))
-            return scene.objective.dimensions[static_cast<std::size_t>(d)] /
-                   (spec.formulas->swings() ? lift * spec.formulas->length(spec.middle()) : lift);
-    return 0.0;
-}
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
                      std::span<const DisplacementBox> boxes) {
@@ -364,7 +346,6 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
     add_cam(model, scene);
-    add_mechanism(model, scene);
     add_own_rules(model, scene);
     return model;
 }

@@ -16,14 +16,14 @@ namespace camopt {
 /// numbers. Throws InputError where a positive weight meets an infinite or a missing one.
 [[nodiscard]] Peaks reference_peaks(const Scene& scene);
 
-/// What the objective divides the cam's dimensions by: the lift; of an oscillating follower the lift at the
-/// centre distance. m; the scene must have a cam.
+/// What the objective divides the cam's dimensions by: the lift; where the output swings the lift times a
+/// length of the cam, of an oscillating follower the centre distance. m; the scene must have a cam with its
+/// formulas.
 [[nodiscard]] double dimension_unit(const Scene& scene);
 
-/// What the objective multiplies a dimension of the scene's mechanism by: its weight, which it has under the
-/// name it has for disk cams, over the lift; where the output swings over the lift times a length of the
-/// mechanism. 0: none. The scene must have a mechanism with its formulas.
-[[nodiscard]] double mechanism_weight(const Scene& scene, const std::string& name);
+/// What the objective multiplies a dimension of the scene's cam by: its weight, which it has under the name
+/// it has for disk cams, over the unit. 0: none.
+[[nodiscard]] double dimension_weight(const Scene& scene, const std::string& name);
 
 /// The one spline of a DRD or RR scene: its breakpoints, end states, exact points and symmetry.
 [[nodiscard]] DesignRequest spline_request(const Scene& scene, DesignKind kind);

@@ -88,16 +88,16 @@ class Sampler {
     MotionScale scale_;
 };
 
-void check(const ProfileSampling& sampling) {
-    if (sampling.count && *sampling.count < 2)
-        throw InputError(fmt::format("count: found {}; allowed: at least 2", *sampling.count));
-    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
-        throw InputError(
-            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
+}  // namespace
+
+FollowerState state_of(const MotionPoint& point, const MotionScale& scale) {
+    const double rate = scale.lift / scale.unit_angle;
+    return {scale.lift * point.derivative[0], rate * point.derivative[1],
+            rate / scale.unit_angle * point.derivative[2]};
 }
 
-/// Evenly spaced places and the breakpoints, ascending; where both fall together the breakpoint stays.
 std::vector<double> even_places(const std::vector<double>& breakpoints, int count) {
+    if (count < 2) throw InputError(fmt::format("count: found {}; allowed: at least 2", count));
     const double begin = breakpoints.front(), length = breakpoints.back() - begin;
     std::vector<double> places = breakpoints;
     for (int i = 1; i + 1 < count; ++i) {
@@ -110,17 +110,11 @@ std::vector<double> even_places(const std::vector<double>& breakpoints, int coun
     return places;
 }
 
-}  // namespace
-
-FollowerState state_of(const MotionPoint& point, const MotionScale& scale) {
-    const double rate = scale.lift / scale.unit_angle;
-    return {scale.lift * point.derivative[0], rate * point.derivative[1],
-            rate / scale.unit_angle * point.derivative[2]};
-}
-
 std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
                                           const ProfileSampling& sampling) {
-    check(sampling);
+    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
     const Sampler sampler(cam, motion, scale);
     const std::vector<double> breakpoints = motion.breakpoints();
     std::vector<ProfilePoint> points;

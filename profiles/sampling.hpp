@@ -18,6 +18,10 @@ struct MotionScale {
 
 [[nodiscard]] FollowerState state_of(const MotionPoint& point, const MotionScale& scale);
 
+/// About `count` places, evenly from the first breakpoint to the last, and the breakpoints, ascending; where
+/// both fall together the breakpoint stays. Throws InputError for fewer than 2.
+[[nodiscard]] std::vector<double> even_places(const std::vector<double>& breakpoints, int count);
+
 /// Points either by number or by chord tolerance; the motion's breakpoints are always among them.
 struct ProfileSampling {
     std::optional<int> count = {};  ///< about this many, evenly by cam angle, breakpoints besides

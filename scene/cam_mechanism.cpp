@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/cam_mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace camopt {
@@ -15,6 +17,16 @@ MechanismValue CamMechanism::pressure_excess(double limit, int sign, const Mecha
     return combined(sign * std::cos(limit),
                     quantity(MechanismQuantity::pressure_numerator, state, station, active), -std::sin(limit),
                     quantity(MechanismQuantity::pressure_denominator, state, station, active));
+}
+
+std::string CamMechanism::undercut_words() const {
+    return "the cam crosses itself there, the part that remains does not lead the roller as designed. A "
+           "smaller "
+           "roller or a cam's centre farther from it helps";
+}
+
+std::string CamMechanism::check_words(int points) const {
+    return fmt::format("lever and linkage run over {} points of the cam", points);
 }
 
 }  // namespace camopt

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Any mechanism between a cam and its output, as the optimizer sees it: one state of the output and the
-// mechanism's dimensions make the quantities that limits are made of.
+// Any mechanism between a cam and its output, as the optimizer and the reports see it: one state of the
+// output and the mechanism's dimensions make the quantities that limits are made of, and a point of the cam.
 //
-// Implemented by the leaves of profiles/ (remote, …); objectives/ turns it into rules and knows no more. A
+// Implemented by the leaves of profiles/ (disk, remote, …); who uses it knows no more. A
 // mechanism is a formula: its numbers (dimensions) come with every call, in the order of its MechanismSpec.
 // Stations are places along the contact that each keep the limits by themselves: one in a planar cam, heights
 // and flanks of a roller in a spatial one.
@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,6 +61,7 @@ struct MechanismPoint {
     double pitch_curvature = 0.0;    ///< 1/m; NaN where the mechanism has none
     double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
     double regularity = 0.0;
+    double contact_offset = 0.0;  ///< m: where a flat face is touched (profiles/disk/disk_cam.hpp)
 };
 
 /// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
@@ -97,12 +99,29 @@ class CamMechanism {
         static_cast<void>(station);
         return true;
     }
-    /// Where in the dimensions the roller's radius stands.
+    /// Where in the dimensions the roller's radius stands; -1: there is no roller.
     [[nodiscard]] virtual int roller_radius() const = 0;
-    /// Planar: it has a pitch curve with a curvature, and can be drawn.
+    /// Planar: the cam is the outline of a disk with a curvature, and can be drawn.
     [[nodiscard]] virtual bool planar() const = 0;
     /// The cam is the guide of a roller in the body that moves (profiles/inverse).
     [[nodiscard]] virtual bool has_guide() const { return false; }
+    /// A drawing can hold the cam.
+    [[nodiscard]] bool is_plane_curve() const { return planar() || has_guide(); }
+    /// The cam touches the output itself: what that carries presses on the cam, and rise and return are
+    /// strokes of the cam too.
+    [[nodiscard]] virtual bool is_direct() const { return false; }
+    /// The radii of the cam follow from those of a pitch curve; a flat face has none.
+    [[nodiscard]] virtual bool has_pitch_curve() const { return planar(); }
+    /// Of the cam, m, where it is one of the dimensions; none: it follows from them and the motion.
+    [[nodiscard]] virtual std::optional<double> base_radius(std::span<const double> dimensions) const {
+        static_cast<void>(dimensions);
+        return std::nullopt;
+    }
+    /// What happens where it undercuts, and what helps: "the cam crosses itself there, … . A smaller roller
+    /// helps"; empty: nothing undercuts.
+    [[nodiscard]] virtual std::string undercut_words() const;
+    /// What the forward check did: "lever and linkage run over 6000 points of the cam".
+    [[nodiscard]] virtual std::string check_words(int points) const;
     /// A length by which geometry is made dimensionless, m.
     [[nodiscard]] virtual double length(std::span<const double> dimensions) const = 0;
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
@@ -134,6 +153,12 @@ class CamMechanism {
     CamMechanism() = default;
     CamMechanism(const CamMechanism&) = default;
     CamMechanism& operator=(const CamMechanism&) = default;
+};
+
+/// A mechanism with its numbers.
+struct DrivenMechanism {
+    std::shared_ptr<const CamMechanism> formulas;
+    std::vector<double> dimensions;
 };
 
 }  // namespace camopt

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/cam_audit.hpp"
 
+#include "profiles/disk/disk_mechanism.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -26,7 +28,7 @@ struct RollerPath {
 class CamAudit {
  public:
     explicit CamAudit(const Solution& solution)
-        : scene_(solution.scene), motion_(*solution.motion), cam_(solution.cam->cam) {
+        : scene_(solution.scene), motion_(*solution.motion), cam_(disk_cam(solution.cam->cam).value()) {
         rest_ = rest();
     }
 

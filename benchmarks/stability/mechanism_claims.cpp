@@ -3,13 +3,11 @@
 
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/units.hpp"
-#include "output/drawing/mechanism_dxf.hpp"
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
 #include "studies/inverse/solved_guide.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/solved_cam.hpp"
@@ -33,21 +31,18 @@ Scene mechanism_scene(const std::string& file) {
 
 StabilityRow drawing_of_disk(const std::string& file) {
     const Solution solution = solve(scene_of_file(file));
-    const MotionChain motion = cam_motion(solution);
-    const ProfileShape shape = profile_shape(solution.cam.value().cam, motion, motion_scale(solution.scene));
-    return figure_row("arcs from the cam, µm", profile_dxf(shape).deviation / micrometre,
+    return figure_row("arcs from the cam, µm", cam_dxf(solution).deviation / micrometre,
                       at_most(1.0, "docs/cams.md: within 1 µm"));
 }
 
 StabilityRow drawing_of_mechanism(const std::string& file) {
-    return figure_row("arcs from the cam, µm",
-                      mechanism_dxf(solve(mechanism_scene(file))).deviation / micrometre,
+    return figure_row("arcs from the cam, µm", cam_dxf(solve(mechanism_scene(file))).deviation / micrometre,
                       at_most(1.0, "docs/cams.md: within 1 µm"));
 }
 
 StabilityRow tappet_on_points() {
     const Solution solution = solve(mechanism_scene("tappet_75.toml"));
-    return figure_row("deviation, mm", check_mechanism(solution, 6000).deviation / millimetre,
+    return figure_row("deviation, mm", check_cam(solution, 6000).deviation / millimetre,
                       at_most(1e-6, "docs/papers/003.md: 6000 points"));
 }
 

@@ -4,6 +4,7 @@
 #include "benchmarks/stability/cam_audit.hpp"
 #include "benchmarks/stability/local_polynomial.hpp"
 #include "core/errors.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ class Audit {
             check_program();
         }
         check_caps();
-        if (solution_.cam) {
+        if (solution_.scene.cam) {
             for (const BrokenLimit& limit : broken_limits(solution_)) note(limit.amount, limit.name);
         }
         report_.objective = objective();
@@ -225,8 +226,9 @@ class Audit {
         if (weights.rms_acceleration > 0.0)
             add(weights.rms_acceleration, root_mean_square(2), reference.rms_acceleration);
         if (weights.rms_jerk > 0.0) add(weights.rms_jerk, root_mean_square(3), reference.rms_jerk);
-        if (!solution_.cam) return sum;
-        const DiskCam& cam = solution_.cam->cam;
+        const auto disk = solution_.cam ? disk_cam(solution_.cam->cam) : std::nullopt;
+        if (!disk) return sum;
+        const DiskCam& cam = *disk;
         const auto dimension = [&](DimensionIndex index) {
             return cam.dimensions[static_cast<std::size_t>(index)];
         };

@@ -5,8 +5,9 @@
 #include "core/text/number_parsing.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "output/drawing/cam_profile.hpp"
 #include "output/drawing/profile_shape.hpp"
+#include "output/report/cam_files.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -32,7 +33,7 @@ StabilityRow law_on_points(const std::string& law, int points, double claimed) {
     double worst = 0.0;
     for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
         DiskCam cam{FollowerType::translating_roller, rotation, {35e-3, 10e-3, 8e-3, 0, 0, 0}};
-        const auto input = forward_check_input(cam, motion, {25 * millimetre, 1.0}, points);
+        const auto input = forward_check_input(disk_mechanism(cam), motion, {25 * millimetre, 1.0}, points);
         worst = std::max(worst, forward_check(input).relative);
     }
     return figure_row("deviation / prime radius", worst, at_most(claimed, "benchmarks/README.md"));
@@ -55,9 +56,9 @@ StabilityRow deviation_of(const std::string& file, const Expectation& expected, 
 StabilityRow polyline_of(const std::string& file) {
     const Solution solution = solved(file);
     const Scene& scene = solution.scene;
-    const ProfileShape shape = profile_shape(solution.cam.value().cam, *solution.motion,
+    const ProfileShape shape = profile_shape(disk_cam(solution.cam.value().cam).value(), *solution.motion,
                                              {scene.motion.lift, scene.motion.unit_angle()});
-    std::istringstream lines(cam_profile(solution).csv);
+    std::istringstream lines(cam_files(solution).front().text);
     std::string line;
     std::getline(lines, line);
     double worst = 0.0;

@@ -3,6 +3,7 @@
 #include "bindings/c/structs.hpp"
 #include "core/units.hpp"
 #include "output/drawing/mechanism_figures.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/check/check_cam.hpp"
 
@@ -61,15 +62,14 @@ std::vector<camopt_profile_point> profile_of(const Solution& solution, std::size
                       fmt::format("points: found {}; allowed: 2 to {}, or 0", points, most_profile_points));
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    if (solution.cam) {
+    if (const std::optional<DiskCam> disk = disk_cam(solution.cam->cam)) {
         ProfileSampling sampling;
         if (points > 0) sampling.count = static_cast<int>(points);
-        return points_of(sampled_profile(solution.cam->cam, motion, scale, sampling));
+        return points_of(sampled_profile(*disk, motion, scale, sampling));
     }
     const int count = points > 0 ? static_cast<int>(points) : default_profile_points(motion, scale);
     return points_of(
-        mechanism_profile(solution.mechanism->mechanism, motion, scale, count, static_cast<int>(station))
-            .points);
+        mechanism_profile(solution.cam->cam, motion, scale, count, static_cast<int>(station)).points);
 }
 
 }  // namespace

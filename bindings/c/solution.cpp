@@ -2,6 +2,7 @@
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <vector>
 
@@ -17,7 +18,7 @@ camopt_summary summary_of(const Solution& solution) {
     summary.verdict = verdict_of(certificate.verdict);
     summary.reason = name_of(certificate.reason);
     summary.has_motion = solution.motion ? 1 : 0;
-    summary.has_cam = solution.cam || solution.mechanism ? 1 : 0;
+    summary.has_cam = solution.cam ? 1 : 0;
     summary.interrupted = solution.solver.termination == Termination::interrupted ? 1 : 0;
     summary.objective = solution.motion ? finite_or_absent(certificate.objective) : absent_number;
     summary.lower_bound = number_or_absent(certificate.lower_bound);
@@ -45,7 +46,7 @@ camopt_peaks peaks_of(const Peaks& peaks) {
 
 camopt_parameter mechanism_parameter(const Solution& solution, std::size_t index) {
     const MechanismDimension& dimension = solution.scene.mechanism->dimensions[index];
-    const double value = solution.mechanism->mechanism.dimensions[index];
+    const double value = solution.cam->cam.dimensions[index];
     return {sizeof(camopt_parameter), dimension.name.c_str(), dimension.is_angle ? "deg" : "mm",
             value / (dimension.is_angle ? degree : millimetre), dimension.value.is_variable() ? 1 : 0};
 }
@@ -53,16 +54,15 @@ camopt_parameter mechanism_parameter(const Solution& solution, std::size_t index
 /// Those that the cam has.
 std::vector<camopt_parameter> parameters_of(const Solution& solution) {
     std::vector<camopt_parameter> all;
-    if (solution.cam) {
-        for (int i = 0; i < dimension_count; ++i)
-            if (const auto which = static_cast<DimensionIndex>(i);
-                has_dimension(solution.cam->cam.follower, which))
-                all.push_back(disk_parameter(solution, which));
-    } else if (solution.mechanism) {
-        for (std::size_t i = 0; i < solution.mechanism->mechanism.dimensions.size(); ++i)
-            if (!solution.scene.mechanism->dimensions[i].value.key.empty())
-                all.push_back(mechanism_parameter(solution, i));
+    if (!solution.cam) return all;
+    if (const std::optional<DiskCam> disk = disk_cam(solution.cam->cam)) {
+        for (const DimensionIndex which : dimensions_of(disk->follower))
+            all.push_back(disk_parameter(solution, which));
+        return all;
     }
+    for (std::size_t i = 0; i < solution.cam->cam.dimensions.size(); ++i)
+        if (!solution.scene.mechanism->dimensions[i].value.key.empty())
+            all.push_back(mechanism_parameter(solution, i));
     return all;
 }
 
@@ -150,7 +150,8 @@ const MotionChain& motion_of(const camopt_solution* solution) {
 }
 
 camopt_parameter disk_parameter(const Solution& solution, DimensionIndex which) {
-    return {sizeof(camopt_parameter), name_of(which), "mm", solution.cam->cam[which] / millimetre,
+    return {sizeof(camopt_parameter), name_of(which), "mm",
+            disk_cam(solution.cam->cam).value()[which] / millimetre,
             (*solution.scene.cam)[which].is_variable() ? 1 : 0};
 }
 

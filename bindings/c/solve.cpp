@@ -7,10 +7,7 @@
 #include "core/errors.hpp"
 #include "core/licenses.hpp"
 #include "core/version.hpp"
-#include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
-#include "studies/inverse/solved_guide.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/checked/checked_cam.hpp"
 
 #include <memory>
 #include <string>
@@ -19,26 +16,10 @@
 namespace camopt::c {
 namespace {
 
-ForwardCheckReport checked_formulas(const Solution& solution) {
-    if (has_spatial_cam(solution)) return check_spatial_cam(solution);
-    if (has_inverse_cam(solution)) return check_inverse_cam(solution);
-    return check_mechanism(solution);
-}
-
-void run_follower(Solution& solution) {
-    try {
-        if (solution.cam) solution.cam->forward_check = check_cam(solution);
-        if (solution.mechanism) solution.mechanism->forward_check = checked_formulas(solution);
-    } catch (const InputError& error) {
-        solution.notes.push_back(std::string("the forward check could not run: ") + error.what());
-    }
-}
-
 std::vector<std::string> station_names(const Solution& solution) {
-    if (solution.cam) return {""};
     std::vector<std::string> names;
-    if (solution.mechanism) {
-        const CamMechanism& formulas = *solution.mechanism->mechanism.formulas;
+    if (solution.cam) {
+        const CamMechanism& formulas = *solution.cam->cam.formulas;
         for (int i = 0; i < formulas.stations(); ++i) names.push_back(formulas.station_name(i));
     }
     return names;
@@ -50,7 +31,7 @@ std::unique_ptr<camopt_solution> solved(const camopt_scene& given, const camopt_
     auto result = std::make_unique<camopt_solution>();
     result->solution = solve(scene, callbacks.control());
     callbacks.finish();
-    if (options.forward_check != 0 && !callbacks.stopped()) run_follower(result->solution);
+    if (options.forward_check != 0 && !callbacks.stopped()) add_forward_check(result->solution);
     result->stations = station_names(result->solution);
     result->origin = {given.document.name(), "", given.document.text()};
     return result;

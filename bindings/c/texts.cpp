@@ -3,16 +3,12 @@
 
 #include "bindings/c/handles.hpp"
 #include "output/chart/motion_svg.hpp"
-#include "output/csv/guide_files.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/drawing/cam_profile.hpp"
-#include "output/drawing/mechanism_dxf.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/mechanism_files.hpp"
+#include "output/report/cam_files.hpp"
 #include "output/report/report.hpp"
 #include "output/words/solution_text.hpp"
-#include "studies/delivered/mechanism_report.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -27,28 +23,9 @@ namespace {
                                            "; allowed: where the solution has a plane cam that was made");
 }
 
-bool has_drawn_mechanism(const Solution& solution) {
-    return solution.mechanism && solution.mechanism->mechanism.formulas->planar();
-}
-
-std::string profile_table(const Solution& solution) {
-    if (solution.cam) return cam_profile(solution).csv;
-    if (has_drawn_mechanism(solution)) return mechanism_texts(solution).csv;
-    if (has_inverse_cam(solution)) return guide_texts(solution).csv;
-    refuse_drawing("CAMOPT_PROFILE_CSV");
-}
-
-std::string profile_drawing(const Solution& solution) {
-    if (solution.cam) return *cam_profile(solution, {.dxf = true}).dxf;
-    if (has_plane_mechanism(solution)) return mechanism_dxf(solution).text;
-    refuse_drawing("CAMOPT_PROFILE_DXF");
-}
-
-std::string profile_picture(const Solution& solution) {
-    if (solution.cam) return cam_profile(solution).svg;
-    if (has_drawn_mechanism(solution)) return mechanism_texts(solution).svg;
-    if (has_inverse_cam(solution)) return guide_texts(solution).svg;
-    refuse_drawing("CAMOPT_PROFILE_SVG");
+std::string cam_document(const Solution& solution, CamView view, const char* what) {
+    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve()) refuse_drawing(what);
+    return cam_view(solution, view);
 }
 
 std::string document_of(const camopt_solution& result, camopt_document document) {
@@ -68,11 +45,11 @@ std::string document_of(const camopt_solution& result, camopt_document document)
             (void)motion_of(&result);
             return motion_svg(solution);
         case CAMOPT_PROFILE_CSV:
-            return profile_table(solution);
+            return cam_document(solution, CamView::table, "CAMOPT_PROFILE_CSV");
         case CAMOPT_PROFILE_DXF:
-            return profile_drawing(solution);
+            return cam_document(solution, CamView::drawing, "CAMOPT_PROFILE_DXF");
         case CAMOPT_PROFILE_SVG:
-            return profile_picture(solution);
+            return cam_document(solution, CamView::picture, "CAMOPT_PROFILE_SVG");
     }
     throw Failure(CAMOPT_ERROR_ARGUMENT, "document: found " + std::to_string(static_cast<int>(document)) +
                                              "; allowed: one of camopt_document, " +

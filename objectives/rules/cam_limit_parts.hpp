@@ -12,7 +12,7 @@
 namespace camopt::cam_limit_parts {
 
 using Rules = std::vector<std::shared_ptr<const CamRule>>;
-using Shared = std::shared_ptr<const CamVariables>;
+using Shared = std::shared_ptr<const DiskVariables>;
 
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 inline constexpr double least_scale = 1e-3;

@@ -127,7 +127,8 @@ const WrittenLimit* limit_of_contact(const Scene& scene) {
 
 }  // namespace
 
-Rules cam_limits(const Scene& scene, const Shared& cam) {
+Rules cam_limits(const Scene& scene, const CamVariables& variables) {
+    const auto cam = std::make_shared<const DiskVariables>(variables);
     Rules rules;
     add_pressure(rules, scene, cam);
     if (has_flat_face(cam->cam.follower)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limits of a scene with a cam as rules g <= 0.
+// The limits of a scene with a disk cam as rules g <= 0.
 //
 //   pressure angle   (± N cos φm − D sin φm)/L,  tan φ = N/D:  linear or convex: docs/theory/
 //   convex radius    (r + ρ_min) κ − 1 for rollers and knife edges, (ρ_min − ρ)/base for flat faces
@@ -29,10 +29,10 @@
 
 namespace camopt {
 
-/// Every cam limit of the scene; empty where it asks for none. Throws InputError for a limit that the
-/// follower cannot have.
-[[nodiscard]] std::vector<std::shared_ptr<const CamRule>> cam_limits(
-    const Scene& scene, const std::shared_ptr<const CamVariables>& cam);
+/// Every cam limit of a scene with a disk cam; empty where it asks for none. Throws InputError for a limit
+/// that the follower cannot have.
+[[nodiscard]] std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene,
+                                                                     const CamVariables& variables);
 
 /// The limits on φ while rising and returning, rad; none where nothing limits it.
 struct PressureLimits {

@@ -31,7 +31,7 @@ struct PressureSide {
 };
 
 /// Translating, nothing variable but base and roller, no offset: N = s', D = base + roller + s.
-bool pressure_is_linear(const CamVariables& cam) {
+bool pressure_is_linear(const DiskVariables& cam) {
     if (is_oscillating(cam.cam.follower)) return false;
     return cam.variables.empty() ||
            (!cam.is_variable(DimensionIndex::offset) && cam.cam[DimensionIndex::offset] == 0.0);
@@ -79,7 +79,7 @@ RangeAlong pressure_range(const DiskCam& cam, StateAlong state, const PressureSi
 /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
 /// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex
 /// where the cosine is concave for the upper side, where it is convex for the lower one.
-bool pressure_is_convex(const CamVariables& cam, const PressureSide& side, double least, double most) {
+bool pressure_is_convex(const DiskVariables& cam, const PressureSide& side, double least, double most) {
     if (!is_oscillating(cam.cam.follower)) return true;
     if (!cam.variables.empty() || !std::isfinite(least) || !std::isfinite(most)) return false;
     const double start = rest_position(cam.cam);

@@ -12,7 +12,8 @@ namespace {
 // Of the longest dimension: a cam nearer than this to where it stops being one has no digits left.
 constexpr double least_reach = 1e-6;
 
-void add_inequality(CamModel& model, const CamSpec& spec, std::span<const SignedDimension> inequality) {
+void add_inequality(CamModel& model, const DiskVariables& cam, const CamSpec& spec,
+                    std::span<const SignedDimension> inequality) {
     ParameterRow row{"cam.base_radius", {}, {}, 0.0, true, 1.0};
     double most = 0.0, longest = 0.0;
     for (const auto& [which, sign] : inequality) {
@@ -23,8 +24,7 @@ void add_inequality(CamModel& model, const CamSpec& spec, std::span<const Signed
             row.upper -= sign * dimension.low;
             continue;
         }
-        const auto variable =
-            std::ranges::find(model.cam->variables, which, &CamVariables::Variable::dimension);
+        const auto variable = std::ranges::find(cam.variables, which, &DiskVariables::Variable::dimension);
         row.parameters.push_back(variable->parameter);
         row.weights.push_back(sign * variable->reference);
     }
@@ -40,7 +40,8 @@ void add_inequality(CamModel& model, const CamSpec& spec, std::span<const Signed
 }  // namespace
 
 void add_reach_rows(CamModel& model, const CamSpec& spec) {
-    for (const auto& inequality : reach_of(spec.follower)) add_inequality(model, spec, inequality);
+    const DiskVariables cam(*model.cam);
+    for (const auto& inequality : reach_of(spec.follower)) add_inequality(model, cam, spec, inequality);
 }
 
 }  // namespace camopt

@@ -3,34 +3,12 @@
 
 #include "profiles/disk/quantity_algebra.hpp"
 
-#include <algorithm>
-
 namespace camopt {
 
-bool CamVariables::is_variable(DimensionIndex dimension) const {
-    return std::ranges::any_of(
-        variables, [dimension](const Variable& variable) { return variable.dimension == dimension; });
-}
-
-DiskCam CamVariables::cam_at(const Eigen::VectorXd& parameters) const {
-    DiskCam own = cam;
-    for (const Variable& variable : variables) {
-        own.dimensions[static_cast<std::size_t>(variable.dimension)] =
-            variable.reference * parameters[variable.parameter];
-    }
-    return own;
-}
-
-CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
-    : cam_(std::move(cam)), formula_(std::move(formula)) {
-    const MotionScale& scale = cam_->scale;
-    const double slope = scale.lift / scale.unit_angle;
-    slots_ = {{0, 0, scale.lift}, {1, 1, slope}, {2, 2, slope / scale.unit_angle}};
-    for (const CamVariables::Variable& variable : cam_->variables) {
-        slots_.push_back({column_of(variable.dimension), static_cast<Eigen::Index>(slots_.size()) + 1,
-                          variable.reference});
-        parameters_.push_back(variable.parameter);
-    }
+CamRule::CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula)
+    : LimitRule(formula, cam->scale), cam_(std::move(cam)), formula_(std::move(formula)) {
+    for (const DiskVariables::Variable& variable : cam_->variables)
+        add_variable(column_of(variable.dimension), variable.parameter, variable.reference);
 }
 
 Curvature CamRule::curvature(double least, double most) const {
@@ -38,14 +16,8 @@ Curvature CamRule::curvature(double least, double most) const {
     return formula_.convex && formula_.convex(least, most) ? Curvature::convex : Curvature::general;
 }
 
-RowOrigin CamRule::origin() const {
-    RowOrigin origin = PointRule::origin();
-    origin.remark = formula_.remark;
-    return origin;
-}
-
 SlopeRange CamRule::slope_range() const {
-    if (!parameters_.empty()) return {};
+    if (!parameters().empty()) return {};
     const double unit = cam_->scale.lift / cam_->scale.unit_angle;
     return {formula_.slope.least / unit, formula_.slope.most / unit};
 }
@@ -75,16 +47,7 @@ std::optional<RangeAlong> CamRule::range_along(const std::array<Interval, 5>& de
 
 RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*cam_->profile_points;
-    const QuantityValue physical = formula_.value(cam_at(q), state_of(point, cam_->scale));
-
-    const Eigen::Index size = 4 + static_cast<Eigen::Index>(cam_->variables.size());
-    RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    for (const Slot& a : slots_) {
-        rule.gradient[a.to] = a.unit * physical.gradient[a.from];
-        for (const Slot& b : slots_)
-            rule.hessian(a.to, b.to) = a.unit * b.unit * physical.hessian(a.from, b.from);
-    }
-    return rule;
+    return normalised(formula_.value(cam_at(q), state_of(point, cam_->scale)));
 }
 
 }  // namespace camopt

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A limit of the cam at one cam angle: a formula of (s, s', s'', dimensions) in SI, brought to the normalised
-// (y, y', y'', y'''; q) of the optimizer by the chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each
-// variable dimension = reference · q.
+// A limit of a disk cam at one cam angle: a formula of (s, s', s'', dimensions) with an algebra of fixed
+// size, and what encloses it along a stretch.
 #pragma once
 
-#include "objectives/rules/point_rule.hpp"
+#include "objectives/rules/cam_variables.hpp"
+#include "objectives/rules/limit_rule.hpp"
 #include "profiles/disk/quantity_along.hpp"
-#include "profiles/sampling.hpp"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,38 +15,14 @@
 
 namespace camopt {
 
-/// Which dimensions the optimizer moves, and the cam with the others at their numbers.
-struct CamVariables {
-    struct Variable {
-        DimensionIndex dimension = DimensionIndex::base_radius;
-        int parameter = 0;       ///< index among the problem's parameters
-        double reference = 1.0;  ///< m in one unit of the parameter
-    };
-    DiskCam cam;
-    MotionScale scale;
-    std::vector<Variable> variables;
-    /// How many points of a profile were evaluated: shared by all rules of a problem; threads may count at
-    /// once.
-    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
-
-    [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
-    /// The cam for all parameters of a problem.
-    [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& parameters) const;
-};
-
-struct CamFormula {
-    std::string name;    ///< the key of the limit, as the user wrote it
-    std::string remark;  ///< which part of the limit it is, where there are several
+struct CamFormula : LimitFrame {
     /// <= 0 is kept; dimensionless, of order one.
     std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
     /// The same over a stretch of the cam angle.
     std::function<RangeAlong(const DiskCam&, const StateAlong&)> range;
-    int highest_order = 2;
     bool linear = false;
-    double scale = 1.0;                                          ///< a value of this is a violation of 100 %
     std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
-    std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
-    SlopeRange slope = {};            ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
+    SlopeRange slope = {};  ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
 };
 
 /// Both from one text, generic over the state.
@@ -61,38 +35,23 @@ template <class Formula>
     return result;
 }
 
-class CamRule final : public PointRule {
+class CamRule final : public LimitRule {
  public:
-    CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
+    CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula);
 
-    [[nodiscard]] std::string name() const override { return formula_.name; }
-    [[nodiscard]] RowOrigin origin() const override;
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;
     [[nodiscard]] SlopeRange slope_range() const override;
-    [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] const std::vector<double>& places() const override { return formula_.places; }
-    [[nodiscard]] double scale() const override { return formula_.scale; }
     [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
                                                         const Eigen::VectorXd& q) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    std::shared_ptr<const CamVariables> cam_;
-    CamFormula formula_;
-    std::vector<int> parameters_;
     /// The cam for the rule's own parameters.
     [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& q) const;
-    /// Each variable of a quantity that moves: where its partial stands there, where in the rule's variables,
-    /// and its unit.
-    struct Slot {
-        int from = 0;
-        Eigen::Index to = 0;
-        double unit = 1.0;
-    };
-    std::vector<Slot> slots_;
+
+    std::shared_ptr<const DiskVariables> cam_;
+    CamFormula formula_;
 };
 
 }  // namespace camopt

@@ -9,7 +9,7 @@ namespace camopt {
 namespace {
 
 using MechanismRules = std::vector<std::shared_ptr<const MechanismRule>>;
-using SharedMechanism = std::shared_ptr<const MechanismVariables>;
+using SharedMechanism = std::shared_ptr<const CamVariables>;
 
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 constexpr double least_scale = 1e-3;
@@ -28,18 +28,19 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
 
 void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::pressure_angle);
-    if (!limit || !mechanism->formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
-    const double length = mechanism->formulas->length(mechanism->dimensions);
+    if (!limit || !mechanism->cam.formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
+    const double length = mechanism->cam.formulas->length(mechanism->cam.dimensions);
     std::vector<int> active;
-    for (const MechanismVariables::Variable& variable : mechanism->variables)
-        active.push_back(variable.dimension);
+    for (const CamVariables::Variable& variable : mechanism->variables) active.push_back(variable.dimension);
     for (const int sign : {1, -1}) {
         const auto value = [sign, length, angle = limit->value](const MechanismCall& call) {
             const MechanismValue excess = call.pressure_excess(angle, sign);
             return combined(1.0 / length, excess, 0.0, excess);
         };
-        MechanismFormula formula{limit->key, station, value, 1, limit->value};
-        formula.shape = mechanism->formulas->pressure_shape(active);
+        MechanismFormula formula{{limit->key, {}, 1, limit->value},
+                                 station,
+                                 value,
+                                 mechanism->cam.formulas->pressure_shape(active)};
         rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
 }
@@ -57,41 +58,41 @@ void add_radius(MechanismRules& rules, const SharedMechanism& mechanism, const M
 }
 
 void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
-    const int index = mechanism->formulas->roller_radius();
-    const double roller = mechanism->dimensions[static_cast<std::size_t>(index)];
+    const int index = mechanism->cam.formulas->roller_radius();
+    const double roller = mechanism->cam.dimensions[static_cast<std::size_t>(index)];
     const bool moves = std::ranges::any_of(mechanism->variables,
                                            [&](const auto& variable) { return variable.dimension == index; });
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
-        add_radius(rules, mechanism, {limit->key, station, {}, 2, scale}, least);
+        add_radius(rules, mechanism, {{limit->key, {}, 2, scale}, station}, least);
     }
     // The roller itself fits into any hollow larger than it.
     const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
     if (!concave || !(moves || concave->value > roller)) return;
     const double least = concave->value;
     const double scale = std::clamp(least / std::max(least - roller, least_scale * least), 1.0, 1e3);
-    add_radius(rules, mechanism, {concave->key, station, {}, 2, scale}, -least);
+    add_radius(rules, mechanism, {{concave->key, {}, 2, scale}, station}, -least);
 }
 
 void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::regularity);
-    if (!limit || !mechanism->formulas->binds(MechanismQuantity::regularity, station)) return;
+    if (!limit || !mechanism->cam.formulas->binds(MechanismQuantity::regularity, station)) return;
     const auto value = [margin = limit->value](const MechanismCall& call) {
         const MechanismValue regularity = call(MechanismQuantity::regularity);
         return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
     };
     rules.push_back(
-        std::make_shared<MechanismRule>(mechanism, MechanismFormula{limit->key, station, value, 2, 1.0}));
+        std::make_shared<MechanismRule>(mechanism, MechanismFormula{{limit->key}, station, value}));
 }
 
 }  // namespace
 
 MechanismRules mechanism_limits(const Scene& scene, const SharedMechanism& mechanism) {
     MechanismRules rules;
-    for (int station = 0; station < mechanism->formulas->stations(); ++station) {
+    for (int station = 0; station < mechanism->cam.formulas->stations(); ++station) {
         add_pressure(rules, scene, mechanism, station);
-        if (mechanism->formulas->planar()) add_radii(rules, scene, mechanism, station);
+        if (mechanism->cam.formulas->planar()) add_radii(rules, scene, mechanism, station);
         add_margin(rules, scene, mechanism, station);
     }
     return rules;

@@ -5,14 +5,6 @@
 
 namespace camopt {
 
-std::vector<double> MechanismVariables::dimensions_at(const Eigen::VectorXd& parameters) const {
-    std::vector<double> own = dimensions;
-    for (const Variable& variable : variables)
-        own[static_cast<std::size_t>(variable.dimension)] =
-            variable.reference * parameters[variable.parameter];
-    return own;
-}
-
 MechanismValue MechanismCall::dimension(int index) const {
     const auto size = 3 + static_cast<Eigen::Index>(active.size());
     MechanismValue result{state.dimensions[static_cast<std::size_t>(index)], Eigen::VectorXd::Zero(size),
@@ -22,40 +14,27 @@ MechanismValue MechanismCall::dimension(int index) const {
     return result;
 }
 
-MechanismRule::MechanismRule(std::shared_ptr<const MechanismVariables> mechanism, MechanismFormula formula)
-    : mechanism_(std::move(mechanism)), formula_(std::move(formula)) {
-    const MotionScale& scale = mechanism_->scale;
-    const double slope = scale.lift / scale.unit_angle;
-    units_.resize(3 + static_cast<Eigen::Index>(mechanism_->variables.size()));
-    units_.head(3) << scale.lift, slope, slope / scale.unit_angle;
-    for (const MechanismVariables::Variable& variable : mechanism_->variables) {
-        units_[3 + static_cast<Eigen::Index>(active_.size())] = variable.reference;
+MechanismRule::MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula)
+    : LimitRule(formula, mechanism->scale), mechanism_(std::move(mechanism)), formula_(std::move(formula)) {
+    for (const CamVariables::Variable& variable : mechanism_->variables) {
+        add_variable(3 + static_cast<int>(active_.size()), variable.parameter, variable.reference);
         active_.push_back(variable.dimension);
-        parameters_.push_back(variable.parameter);
     }
 }
 
 RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*mechanism_->profile_points;
-    std::vector<double> dimensions = mechanism_->dimensions;
+    std::vector<double> dimensions = mechanism_->cam.dimensions;
     for (std::size_t k = 0; k < active_.size(); ++k)
         dimensions[static_cast<std::size_t>(active_[k])] =
             mechanism_->variables[k].reference * q[static_cast<Eigen::Index>(k)];
     const double theta = mechanism_->scale.unit_angle * point.x;
-    const MechanismCall call{*mechanism_->formulas,
+    const MechanismCall call{*mechanism_->cam.formulas,
                              {dimensions, state_of(point, mechanism_->scale), theta},
                              formula_.station,
                              active_};
     const MechanismValue physical = formula_.value(call);
-    const auto variables = static_cast<Eigen::Index>(active_.size()), size = 4 + variables;
-    RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    // y''' stands between y'' and the parameters, and no quantity depends on it.
-    const auto to = [](Eigen::Index k) { return k < 3 ? k : k + 1; };
-    for (Eigen::Index a = 0; a < 3 + variables; ++a) {
-        rule.gradient[to(a)] = units_[a] * physical.gradient[a];
-        for (Eigen::Index b = 0; b < 3 + variables; ++b)
-            rule.hessian(to(a), to(b)) = units_[a] * units_[b] * physical.hessian(a, b);
-    }
+    RuleValue rule = normalised(physical);
     rule.by_place = mechanism_->scale.unit_angle * physical.by_angle;
     return rule;
 }

@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A limit of any cam mechanism at one cam angle and one station: a formula of (s, s', s'', variable
-// dimensions) in SI, brought to the normalised (y, y', y'', y'''; q) of the optimizer by the chain rule, as
-// cam_rule.hpp does for the disk cams. Knows the mechanism by its interface alone.
+// dimensions). Knows the mechanism by its interface alone.
 #pragma once
 
-#include "objectives/rules/point_rule.hpp"
-#include "profiles/sampling.hpp"
-#include "scene/cam_mechanism.hpp"
+#include "objectives/rules/cam_variables.hpp"
+#include "objectives/rules/limit_rule.hpp"
 #include "scene/scene.hpp"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace camopt {
-
-/// Which dimensions the optimizer moves, and the mechanism with the others at their numbers.
-struct MechanismVariables {
-    struct Variable {
-        int dimension = 0;
-        int parameter = 0;       ///< index among the problem's parameters
-        double reference = 1.0;  ///< m or rad in one unit of the parameter
-    };
-    std::shared_ptr<const CamMechanism> formulas;
-    std::vector<double> dimensions;
-    MotionScale scale;
-    std::vector<Variable> variables;
-    /// How many points were evaluated: shared by all rules of a problem; threads may count at once.
-    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
-
-    /// The dimensions for all parameters of a problem.
-    [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
-};
 
 /// What a formula is given: partials are by (s, s', s'', the variables in their order).
 struct MechanismCall {
@@ -52,34 +31,25 @@ struct MechanismCall {
     [[nodiscard]] MechanismValue dimension(int index) const;
 };
 
-struct MechanismFormula {
-    std::string name;  ///< the key of the limit, as the user wrote it
+struct MechanismFormula : LimitFrame {
     int station = 0;
     /// <= 0 is kept; dimensionless, of order one.
-    std::function<MechanismValue(const MechanismCall&)> value;
-    int highest_order = 2;
-    double scale = 1.0;  ///< a value of this is a violation of 100 %
+    std::function<MechanismValue(const MechanismCall&)> value = {};
     Curvature shape = Curvature::general;
 };
 
-class MechanismRule final : public PointRule {
+class MechanismRule final : public LimitRule {
  public:
-    MechanismRule(std::shared_ptr<const MechanismVariables> mechanism, MechanismFormula formula);
+    MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula);
 
-    [[nodiscard]] std::string name() const override { return formula_.name; }
-    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool linear() const override { return formula_.shape == Curvature::linear; }
     [[nodiscard]] Curvature curvature(double, double) const override { return formula_.shape; }
-    [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
-    [[nodiscard]] bool limit() const override { return true; }
-    [[nodiscard]] double scale() const override { return formula_.scale; }
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    std::shared_ptr<const MechanismVariables> mechanism_;
+    std::shared_ptr<const CamVariables> mechanism_;
     MechanismFormula formula_;
-    std::vector<int> parameters_, active_;
-    Eigen::VectorXd units_;  ///< of (s, s', s'', variables) in the rule's own
+    std::vector<int> active_;
 };
 
 /// Every limit of the scene on its mechanism, at every station:
@@ -88,6 +58,6 @@ class MechanismRule final : public PointRule {
 ///   concave radius   −(ρ_c − r) κ − 1           planar
 ///   undercut margin  margin − regularity
 [[nodiscard]] std::vector<std::shared_ptr<const MechanismRule>> mechanism_limits(
-    const Scene& scene, const std::shared_ptr<const MechanismVariables>& mechanism);
+    const Scene& scene, const std::shared_ptr<const CamVariables>& mechanism);
 
 }  // namespace camopt

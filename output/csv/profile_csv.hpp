@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 // profile.csv: the cam as a table, one row a point, in the points' order.
 //
-// Columns: theta_deg, s_mm (swinging: s_deg), pitch_x_mm, pitch_y_mm (roller centre; without a roller the
-// contact), cam_x_mm, cam_y_mm, normal_x, normal_y (outward, of length 1), pressure_angle_deg,
+// Columns: theta_deg, s_mm (swinging: s_deg; the output's), pitch_x_mm, pitch_y_mm (roller centre; without a
+// roller the contact), cam_x_mm, cam_y_mm, normal_x, normal_y (outward, of length 1), pressure_angle_deg,
 // pitch_radius_mm (radius of curvature of the pitch curve; flat: of the cam), cam_radius_mm, regularity, and
 // for a flat face contact_offset_mm. Radii are signed, > 0 convex, and empty where infinite. Cam frame of
 // profiles/disk/disk_cam.hpp.
 #pragma once
 
-#include "profiles/disk/disk_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
-#include <span>
 #include <string>
 
 namespace camopt {
 
-/// displacements: s of each point, m or rad. Throws InputError where their number differs from the points'.
-[[nodiscard]] std::string profile_csv(std::span<const ProfilePoint> points,
-                                      std::span<const double> displacements, const Follower& follower);
+/// What the columns depend on.
+struct ProfileColumns {
+    bool swings = false;  ///< the output does
+    bool face = false;    ///< a flat face is the contact
+};
+
+/// Throws InputError where the number of outputs differs from the points'.
+[[nodiscard]] std::string profile_csv(const MechanismProfile& profile, const ProfileColumns& columns);
 
 }  // namespace camopt

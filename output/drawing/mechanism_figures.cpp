@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace camopt {
 
@@ -64,7 +63,7 @@ std::string curvature_svg(const Solution& solution, const MechanismProfile& prof
 }
 
 int default_profile_points(const Motion& motion, const MotionScale& scale) {
-    const double turns = (motion.end() - motion.begin()) * scale.unit_angle / (2.0 * std::numbers::pi);
+    const double turns = (motion.end() - motion.begin()) * scale.unit_angle / units::turn;
     return 1 + static_cast<int>(std::ceil(points_a_turn * turns));
 }
 

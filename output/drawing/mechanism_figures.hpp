@@ -2,6 +2,7 @@
 // Diagrams over the cam angle of a mechanism's cam, and how many points they and the tables have.
 #pragma once
 
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

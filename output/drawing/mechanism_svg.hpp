@@ -3,7 +3,7 @@
 // couplers and slider there, and thin the links at the two ends of the output's motion.
 #pragma once
 
-#include "studies/delivered/mechanism_summary.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <string>
 #include <string_view>

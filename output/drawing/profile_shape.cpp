@@ -2,10 +2,12 @@
 #include "output/drawing/profile_shape.hpp"
 
 #include "core/scalar_search.hpp"
+#include "core/whole_turn.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "studies/check/check_cam.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -15,7 +17,6 @@ using Eigen::Vector2d;
 
 constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
 constexpr double same_place = 1e-9;   // of the base radius: two points of the cam are one
-constexpr double same_turn = 1e-9;    // rad
 constexpr int cusp_samples = 720;     // angles searched for sign changes of the regularity
 constexpr int cusp_bisections = 60;   // down to neighbouring numbers
 
@@ -44,9 +45,17 @@ ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const Motio
         const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
         return profile_point(cam, theta, state_of(point, scale));
     };
-    const bool turn = std::abs(shape.end() - shape.begin() - 2.0 * std::numbers::pi) < same_turn;
     const Vector2d gap = shape.at(shape.end()).contact - shape.at(shape.begin()).contact;
-    shape.closed = turn && gap.norm() < same_place * cam[DimensionIndex::base_radius];
+    shape.closed = is_whole_turn(shape.end() - shape.begin()) &&
+                   gap.norm() < same_place * cam[DimensionIndex::base_radius];
+    return shape;
+}
+
+std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& motion) {
+    const std::optional<DiskCam> cam = solution.cam ? disk_cam(solution.cam->cam) : std::nullopt;
+    if (!cam) return std::nullopt;
+    ProfileShape shape = profile_shape(*cam, motion, motion_scale(solution.scene));
+    shape.face_half_width = solution.scene.cam->face_half_width;
     return shape;
 }
 

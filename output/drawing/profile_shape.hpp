@@ -6,6 +6,7 @@
 #include "core/motion.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <Eigen/Core>
 
@@ -29,6 +30,10 @@ struct ProfileShape {
 
 /// Keeps a reference to the motion. Closed where the motion takes a whole turn and its end meets its begin.
 [[nodiscard]] ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale);
+
+/// Of a delivered disk cam along its whole motion (cam_motion of studies/check/check_cam.hpp), to which it
+/// keeps a reference; none: the solution has no disk cam.
+[[nodiscard]] std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& motion);
 
 /// `steps` angles or more, evenly over the shape, with every knot seen from inside its two neighbours:
 /// piece by piece, both ends included.

@@ -2,9 +2,8 @@
 #include "output/json/cam_json.hpp"
 
 #include "core/units.hpp"
-#include "output/json/mechanism_json.hpp"
 #include "output/words/cam_words.hpp"
-#include "profiles/disk/disk_kind.hpp"
+#include "profiles/scene_cam.hpp"
 
 #include <optional>
 
@@ -36,7 +35,7 @@ class Writer {
 Json forces_json(const Writer& writer, const CamReport& cam) {
     if (!cam.summary.forces) return nullptr;
     const ForceSummary& forces = *cam.summary.forces;
-    const bool swings = is_oscillating(cam.cam.follower);
+    const bool swings = cam.cam.formulas->swings();
     Json json = Json::object();
     json[swings ? "least_moment_nm" : "least_force_n"] = writer.extreme(forces.least_force, 1.0);
     json[swings ? "largest_moment_nm" : "largest_force_n"] = writer.extreme(forces.largest_force, 1.0);
@@ -57,12 +56,11 @@ Json smallest_json(const Writer& writer, const std::optional<SmallestCamReport>&
 }
 
 /// In SI, bit for bit: millimetres may not read back as the same metres.
-Json exact_dimensions_json(const DiskCam& cam) {
+Json exact_dimensions_json(const MechanismSpec& spec, const std::vector<double>& numbers) {
     Json json = Json::object();
-    for (int d = 0; d < dimension_count; ++d) {
-        const auto index = static_cast<DimensionIndex>(d);
-        if (has_dimension(cam.follower, index))
-            json[std::string(name_of(index)) + "_m"] = number_json(cam[index]);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const MechanismDimension& dimension = spec.dimensions[i];
+        json[dimension.name + (dimension.is_angle ? "_rad" : "_m")] = number_json(numbers[i]);
     }
     return json;
 }
@@ -83,37 +81,43 @@ Json forward_check_json(const Writer& writer, const Solution& solution) {
 
 Json dimensions_json(const Solution& solution) {
     Json json = Json::object();
-    if (solution.scene.mechanism) return mechanism_dimensions_json(solution);
-    if (!solution.scene.cam) return json;
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        json[dimension.name + "_mm"] = number_json(dimension.millimetres);
+        json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] = number_json(dimension.shown);
     return json;
 }
 
 Json cam_json(const Solution& solution) {
-    if (solution.mechanism) return mechanism_json(solution);
     if (!solution.cam) return nullptr;
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;
+    const MechanismSpec spec = cam_of(solution.scene).value();
+    const bool direct = cam.cam.formulas->is_direct();
     const Writer writer(solution);
     Json json = Json::object();
-    json["type"] = disk_type;
-    json["follower"] = name_of(cam.cam.follower);
-    json["rotation"] = name_of(cam.cam.rotation);
+    json["type"] = spec.type;
+    for (const auto& [name, choice] : spec.choices) json[name] = choice;
+    json["rotation"] = name_of(spec.rotation);
     json["pressure_angle_deg"] = writer.extreme(summary.pressure_angle, degree);
-    json["rise_pressure_angle_deg"] = writer.extreme(summary.rise_pressure_angle, degree);
-    json["return_pressure_angle_deg"] = writer.extreme(summary.return_pressure_angle, degree);
-    json["rest_pressure_angle_deg"] = writer.extreme(summary.rest_pressure_angle, degree);
+    if (direct) {
+        json["rise_pressure_angle_deg"] = writer.extreme(summary.rise_pressure_angle, degree);
+        json["return_pressure_angle_deg"] = writer.extreme(summary.return_pressure_angle, degree);
+        json["rest_pressure_angle_deg"] = writer.extreme(summary.rest_pressure_angle, degree);
+    }
     json["convex_radius_mm"] = writer.extreme(convex_radius(summary), millimetre);
     json["concave_radius_mm"] = writer.extreme(summary.concave_radius, millimetre);
     json["regularity"] = writer.extreme(summary.regularity, 1.0);
     json["undercut"] = summary.undercut();
-    json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
-    if (has_flat_face(cam.cam.follower))
+    if (direct)
+        json["no_contact_at_deg"] = summary.no_contact ? writer.degrees(*summary.no_contact) : Json(nullptr);
+    if (summary.contact_offset)
         json["contact_offset_mm"] = writer.extreme(summary.contact_offset, millimetre);
-    json["smallest"] = smallest_json(writer, cam.smallest);
-    json["forces"] = forces_json(writer, cam);
-    json["dimensions"] = exact_dimensions_json(cam.cam);
+    if (direct) {
+        json["smallest"] = smallest_json(writer, cam.smallest);
+        json["forces"] = forces_json(writer, cam);
+    } else {
+        json["base_radius_mm"] = number_json(summary.base_radius / millimetre);
+    }
+    json["dimensions"] = exact_dimensions_json(spec, cam.cam.dimensions);
     json["forward_check"] = forward_check_json(writer, solution);
     return json;
 }

@@ -7,8 +7,8 @@
 
 namespace camopt {
 
-/// {"base_radius_mm": 40.0, …, "prime_radius_mm": 50.0}; empty without a cam, null for what is free and was
-/// not delivered.
+/// {"base_radius_mm": 40.0, …, "prime_radius_mm": 50.0}, {"lever_angle_deg": -10.0, …}; empty without a cam,
+/// null for what is free and was not delivered.
 [[nodiscard]] Json dimensions_json(const Solution& solution);
 
 /// The figures of the delivered cam; null where there is none.

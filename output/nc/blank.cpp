@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/blank.hpp"
 
-#include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 
@@ -52,9 +52,7 @@ double separation(const Blank& blank, const Cutter& cutter, Eigen::Vector3d dire
     return cutter.least_along(direction) - blank.support(direction);
 }
 
-void require_blank(bool holds, const char* what, double found) {
-    if (!holds) throw InputError(fmt::format("blank: {}, found {:g} mm", what, found / units::millimetre));
-}
+constexpr Requirement require_blank{"blank", " mm", units::millimetre};
 
 }  // namespace
 

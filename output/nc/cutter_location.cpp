@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/cutter_location.hpp"
 
-#include "core/errors.hpp"
-
-#include <fmt/format.h>
+#include "output/nc/requirement.hpp"
 
 #include <cmath>
 #include <utility>
@@ -15,9 +13,7 @@ namespace {
 // A cutter that is said to equal the roller may differ in the last digits of the unit it was given in.
 constexpr double equal_diameters = 1e-9;
 
-void require_location(bool holds, const char* what, double found) {
-    if (!holds) throw InputError(fmt::format("cutter location: {}, found {:g}", what, found));
-}
+constexpr Requirement require_location{"cutter location"};
 
 }  // namespace
 

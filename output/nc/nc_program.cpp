@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/nc_writer.hpp"
+#include "output/nc/requirement.hpp"
 
 #include <fmt/format.h>
 
@@ -17,9 +18,7 @@ namespace {
 // A block that does not move takes a control no time, and 1 / 0 is no feed.
 constexpr double least_block_seconds = 1e-3;
 
-void require_job(bool holds, const char* what, double found) {
-    if (!holds) throw InputError(fmt::format("NC job: {}, found {:g}", what, found));
-}
+constexpr Requirement require_job{"NC job"};
 
 double seconds_between(const NcJob& job, const Machine& machine, const NcStep& from, const NcStep& to) {
     double seconds = (to.pose.tip - from.pose.tip).norm() / job.feed;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/report_sections.hpp"
 
+#include "output/report/cam_files.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/text_table.hpp"
-#include "studies/delivered/mechanism_report.hpp"
+#include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -25,39 +25,26 @@ std::string list_of(const std::vector<std::string>& sentences) {
     return text;
 }
 
-std::string mechanism_section(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"", true}, {""}, {"at (deg)"}};
-    for (const CamFigure& figure : mechanism_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
-    std::string text = fmt::format(
-        "\n## The cam\n\n{}: {}.\n\n{}\n{}\n", mechanism_text(*solution.scene.mechanism),
-        mechanism_dimensions_text(solution), markdown_text(table), list_of(mechanism_remarks(solution)));
-    if (solution.mechanism->mechanism.formulas->planar())
-        text +=
-            "![Cam and linkage to scale](mechanism.svg)\n\n"
-            "![Pressure angle](pressure_angle.svg)\n\n![Curvature](curvature.svg)\n";
-    else if (has_inverse_cam(solution))
-        text += "![The guide to scale](guide.svg)\n\n![Pressure angle](pressure_angle.svg)\n";
-    else
-        text += "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
-    return text;
+std::string pictures_of(const Solution& solution) {
+    std::string text;
+    for (const CamFile& file : cam_file_list(solution))
+        if (!file.title.empty())
+            text += fmt::format("{}![{}]({})\n", text.empty() ? "" : "\n", file.title, file.name);
+    if (!text.empty()) return text;
+    return "`camopt export` writes its flanks as points, surfaces and a solid, and the NC program.\n";
 }
 
 }  // namespace
 
 std::string cam_section(const Solution& solution) {
-    if (solution.mechanism) return mechanism_section(solution);
     if (!solution.cam) return {};
-    std::string text = fmt::format("\n## The cam\n\n{}: {}.\n\n", follower_text(*solution.scene.cam),
-                                   dimensions_text(solution));
     TextTable table;
     table.columns = {{"", true}, {""}, {"at (deg)"}};
     for (const CamFigure& figure : cam_figures(solution))
         table.rows.push_back({figure.name, figure.value, figure.degrees});
-    text += markdown_text(table) + "\n" + list_of(cam_remarks(solution));
-    return text +
-           "\n![The cam to scale](profile.svg)\n\n![Pressure angle and curvature](profile_diagrams.svg)\n";
+    return fmt::format("\n## The cam\n\n{}: {}.\n\n{}\n{}\n{}", cam_text(cam_of(solution.scene).value()),
+                       dimensions_text(solution), markdown_text(table), list_of(cam_remarks(solution)),
+                       pictures_of(solution));
 }
 
 std::string program_peak_section(const Solution& solution) {

@@ -2,6 +2,7 @@
 #include "output/spatial/cam_export.hpp"
 
 #include "core/errors.hpp"
+#include "core/whole_turn.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/surface/mesh_files.hpp"
@@ -65,7 +66,7 @@ std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, cons
 }  // namespace
 
 bool indexes(const SpatialCam& cam, const FollowerMotion& motion) {
-    const bool turn = std::abs(motion.end() - motion.begin() - 2.0 * std::numbers::pi) < same_angle;
+    const bool turn = is_whole_turn(motion.end() - motion.begin());
     const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
     return turn && cam.follower != SpatialFollower::cylindrical_translating && std::abs(advance) > same_angle;
 }

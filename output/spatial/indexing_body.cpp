@@ -3,13 +3,13 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "core/whole_turn.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -17,7 +17,6 @@ namespace {
 
 using Section = std::vector<Eigen::Vector3d>;
 
-constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr double same_end = 1e-9;  // rad
 constexpr int roller_corners = 40, hub_corners = 96;
 // Choices of drawing, as parts of the least radius of the flanks.
@@ -35,7 +34,7 @@ class Builder {
         // The thread between the rollers −1 and 0 comes in, stays, and goes on as that between 0 and 1.
         for (const int left : {-1, 0})
             for (int k = left < 0 ? 0 : 1; k <= options_.angles; ++k) {
-                const double theta = motion_.begin() + whole_turn * k / options_.angles;
+                const double theta = motion_.begin() + units::turn * k / options_.angles;
                 if (within_reach(theta, left)) sections.push_back(flanks_at(theta, left));
             }
         if (sections.size() < 2) throw InputError("indexing cam: the thread is not within reach");
@@ -96,7 +95,7 @@ class Builder {
     [[nodiscard]] TriangleMesh hub() const {
         std::vector<Section> sections;
         for (int k = 0; k < hub_corners; ++k) {
-            const double angle = whole_turn * k / hub_corners, c = std::cos(angle), s = std::sin(angle);
+            const double angle = units::turn * k / hub_corners, c = std::cos(angle), s = std::sin(angle);
             const auto rim = [&](double part, double z) {
                 return Eigen::Vector3d(part * least_radius_ * c, part * least_radius_ * s, z);
             };
@@ -119,7 +118,7 @@ class Builder {
             for (const double h : {-0.35, 0.0, 0.5, 1.0}) {
                 Section circle;
                 for (int i = 0; i < roller_corners; ++i) {
-                    const double angle = whole_turn * i / roller_corners;
+                    const double angle = units::turn * i / roller_corners;
                     circle.push_back(axis.foot + h * cam_.roller_length * axis.direction +
                                      cam_[SpatialDimension::roller_radius] *
                                          (std::cos(angle) * axis.travel + std::sin(angle) * across));
@@ -149,7 +148,7 @@ void IndexingBodyOptions::validate() const {
 IndexingBody indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
                            const IndexingBodyOptions& options) {
     options.validate();
-    if (std::abs(motion.end() - motion.begin() - whole_turn) > same_end)
+    if (!is_whole_turn(motion.end() - motion.begin()))
         throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
                                      (motion.end() - motion.begin()) / units::degree));
     if (!(std::abs(motion.state(motion.end()).s - motion.state(motion.begin()).s) > same_end))

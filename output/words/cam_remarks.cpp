@@ -6,12 +6,13 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -20,36 +21,37 @@ namespace {
 using units::degree, units::millimetre;
 
 constexpr int check_digits = 2;
-constexpr double moves_as_designed = 1e-4;  // of the prime radius: what an undercut cam is off is far more
-constexpr double at_end_of_range = 1e-6;    // of the range: a dimension stands at its end
-constexpr double least_rest = 1e-9;         // rad
-constexpr double raised_follower = 1e-3;    // lifts: below it a spring has nothing to press with
+// Of the prime radius, of a linkage's lift: what an undercut cam is off is far more.
+constexpr double moves_as_designed = 1e-4;
+constexpr double at_end_of_range = 1e-6;  // of the range: a dimension stands at its end
+constexpr double least_rest = 1e-9;       // rad
+constexpr double raised_follower = 1e-3;  // lifts: below it a spring has nothing to press with
 
 std::string undercut_remark(const Solution& solution) {
-    const CamReport& cam = *solution.cam;
-    const CamSummary& summary = cam.summary;
-    if (has_edge(cam.cam.follower)) return "No undercut: a knife edge follows any pitch curve.";
+    const CamMechanism& cam = *solution.cam->cam.formulas;
+    const CamSummary& summary = solution.cam->summary;
+    const std::string words = cam.undercut_words();
+    if (words.empty()) return "No undercut: a knife edge follows any pitch curve.";
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
-    return fmt::format(
-        "UNDERCUT at {} deg: the cam crosses itself there, the part that remains does not lead the follower "
-        "as designed. A larger base radius{} {}; the limit {} = 0 rules undercut out.",
-        degrees_at(solution, summary.regularity.at),
-        has_roller(cam.cam.follower) ? " or a smaller roller" : "",
-        is_oscillating(cam.cam.follower) ? "may help" : "helps",
-        limit_row(LimitedFigure::convex_radius).first_key());
+    const LimitedFigure limited = cam.planar() ? LimitedFigure::convex_radius : LimitedFigure::regularity;
+    return fmt::format("UNDERCUT at {} deg: {}; the limit {} = 0 rules undercut out.",
+                       degrees_at(solution, summary.regularity.at), words, limit_row(limited).first_key());
 }
 
+/// Of a disk cam.
 std::string dimensions_at_their_ends(const Solution& solution) {
+    if (!solution.cam->cam.formulas->is_direct()) return {};
+    const MechanismSpec cam = cam_of(solution.scene).value();
     std::string text;
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        const Dimension& range = (*solution.scene.cam)[which];
-        if (!has_dimension(solution.scene.cam->follower, which) || !range.is_variable()) continue;
-        const double value = solution.cam->cam[which], near = at_end_of_range * (range.high - range.low);
+    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) {
+        const Dimension& range = cam.dimensions[i].value;
+        if (!range.is_variable()) continue;
+        const double value = solution.cam->cam.dimensions[i],
+                     near = at_end_of_range * (range.high - range.low);
         const bool low = value <= range.low + near, high = value >= range.high - near;
         if (low || high)
             text += fmt::format("{}the {} is the {} allowed", text.empty() ? "" : ", ",
-                                words_of(name_of(which)), low ? "least" : "largest");
+                                words_of(cam.dimensions[i].name), low ? "least" : "largest");
     }
     return text;
 }
@@ -83,10 +85,12 @@ std::string smallest_remark(const Solution& solution, const SmallestCamReport& s
         stroke_words(solution, smallest), short_text(smallest.given / millimetre));
 }
 
+/// Of a disk cam.
 std::string rest_of_the_turn(const Solution& solution) {
+    if (!solution.cam->cam.formulas->is_direct()) return {};
     const MotionSpec& motion = solution.scene.motion;
     const double angle = motion.length() * motion.unit_angle();
-    const double rest = 2.0 * std::numbers::pi - angle;
+    const double rest = units::turn - angle;
     if (rest <= least_rest) return {};
     if (motion.type == MotionType::rr)
         return fmt::format("The motion takes {} deg; the other {} deg of the cam are a dwell on its base.",
@@ -105,19 +109,21 @@ std::string lift_off_remark(const Solution& solution, const ForceSummary& forces
 
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
     const bool swings = solution.scene.motion.lift_is_angle;
+    const CamMechanism& cam = *solution.cam->cam.formulas;
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
-        return fmt::format("Forward check: at {} deg no place was found where the follower touches the cam.",
-                           where);
-    const std::string deviation = short_text(check.deviation / (swings ? degree : millimetre), check_digits) +
-                                  (swings ? " deg" : " mm");
-    return fmt::format(
-        "Forward check: a follower run over {} points of the cam, and nothing else, {} {} ({} "
-        "of the prime radius, at {} deg).",
-        check.points,
+        return fmt::format("Forward check: at {} deg no place was found where the {} touches the cam.", where,
+                           cam.is_direct() ? "follower" : "roller");
+    const std::string found = fmt::format(
+        "{} {} {}",
         check.relative <= moves_as_designed ? "moves as designed within"
                                             : "DEPARTS from the designed motion by",
-        deviation, short_text(check.relative, check_digits), where);
+        short_text(check.deviation / (swings ? degree : millimetre), check_digits), swings ? "deg" : "mm");
+    const std::string run = cam.check_words(check.points);
+    if (cam.is_direct())
+        return fmt::format("Forward check: {}, and nothing else, {} ({} of the prime radius, at {} deg).",
+                           run, found, short_text(check.relative, check_digits), where);
+    return fmt::format("Forward check: {}, and nothing else: the output {} (at {} deg).", run, found, where);
 }
 
 }  // namespace

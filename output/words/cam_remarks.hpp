@@ -10,7 +10,7 @@
 namespace camopt {
 
 /// Undercut, what limits the cam, the smallest one, the rest of the turn, lift-off, the forward check: one
-/// sentence or two each. For a solution with a cam.
+/// sentence or two each, of what there is to say about this kind. For a solution with a cam.
 [[nodiscard]] std::vector<std::string> cam_remarks(const Solution& solution);
 
 }  // namespace camopt

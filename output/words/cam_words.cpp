@@ -3,10 +3,14 @@
 
 #include "core/units.hpp"
 #include "output/words/angle_words.hpp"
+#include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
+#include "scene/cam_mechanism.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -18,112 +22,116 @@ using units::degree, units::millimetre;
 
 constexpr double no_radius = 1e9;  // m: what is straighter than this is straight
 
-double millimetres(double metres) {
-    return metres / millimetre;
-}
-
-std::optional<double> delivered(const Solution& solution, DimensionIndex which) {
-    if (solution.cam) return millimetres(solution.cam->cam[which]);
-    const Dimension& dimension = (*solution.scene.cam)[which];
-    if (dimension.is_variable()) return {};
-    return millimetres(dimension.low);
-}
-
-std::optional<double> prime_radius(const Solution& solution) {
-    const std::optional<double> base = delivered(solution, DimensionIndex::base_radius);
-    const std::optional<double> roller = delivered(solution, DimensionIndex::roller_radius);
-    if (!base || !roller) return {};
-    return *base + *roller;
+/// Of the base circle and the roller on it, in mm; none where one of them is not known.
+std::optional<double> prime_radius(const std::vector<DimensionValue>& dimensions) {
+    double sum = 0.0;
+    for (const DimensionIndex which : {DimensionIndex::base_radius, DimensionIndex::roller_radius}) {
+        const auto found = std::ranges::find(dimensions, name_of(which), &DimensionValue::name);
+        if (found == dimensions.end()) continue;
+        if (!found->shown) return {};
+        sum += *found->shown;
+    }
+    return sum;
 }
 
 /// Collects figures of one solution.
 class Figures {
  public:
-    explicit Figures(const Solution& solution)
-        : degrees_per_x_(solution.scene.motion.unit_angle() / degree) {}
+    explicit Figures(const Solution& solution) : solution_(solution) {}
 
-    void add(std::string name, const CamExtreme& extreme, double unit, std::string_view unit_name) {
-        if (std::isinf(extreme.value)) {
-            all_.push_back(
-                {std::move(name), no_contact_words, short_text(degrees_per_x_ * extreme.at, angle_digits)});
-            return;
-        }
-        all_.push_back(
-            {std::move(name),
-             fmt::format("{}{}{}", short_text(extreme.value / unit), unit_name.empty() ? "" : " ", unit_name),
-             short_text(degrees_per_x_ * extreme.at, angle_digits)});
+    void add(std::string name, const std::optional<CamExtreme>& extreme, double unit,
+             std::string_view unit_name) {
+        if (!extreme) return;
+        std::string value = no_contact_words;
+        if (!std::isinf(extreme->value))
+            value = fmt::format("{}{}{}", short_text(extreme->value / unit), unit_name.empty() ? "" : " ",
+                                unit_name);
+        all_.push_back({std::move(name), std::move(value), degrees_at(solution_, extreme->at)});
     }
     [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }
 
  private:
-    double degrees_per_x_;
+    const Solution& solution_;
     std::vector<CamFigure> all_;
 };
 
-void add_geometry(Figures& figures, const CamReport& cam, bool returns) {
+void add_geometry(Figures& figures, const CamReport& cam) {
     const CamSummary& summary = cam.summary;
     figures.add("largest pressure angle", summary.pressure_angle, degree, "deg");
-    if (returns) {
+    if (summary.return_pressure_angle && summary.return_pressure_angle->value > 0.0) {
         figures.add("on the rise", summary.rise_pressure_angle, degree, "deg");
         figures.add("on the return", summary.return_pressure_angle, degree, "deg");
     }
-    if (const auto radius = convex_radius(summary))
-        figures.add("least convex radius of the cam", *radius, millimetre, "mm");
-    if (summary.concave_radius)
-        figures.add("least concave radius of the cam", *summary.concave_radius, millimetre, "mm");
-    if (has_flat_face(cam.cam.follower))
-        figures.add("largest contact offset on the face", summary.contact_offset, millimetre, "mm");
-    if (!has_edge(cam.cam.follower))
+    figures.add("least convex radius of the cam", convex_radius(summary), millimetre, "mm");
+    figures.add("least concave radius of the cam", summary.concave_radius, millimetre, "mm");
+    figures.add("largest contact offset on the face", summary.contact_offset, millimetre, "mm");
+    if (!cam.cam.formulas->undercut_words().empty())
         figures.add("least regularity (0: undercut)", summary.regularity, 1.0, "");
 }
 
 void add_forces(Figures& figures, const CamReport& cam) {
     if (!cam.summary.forces) return;
     const ForceSummary& forces = *cam.summary.forces;
-    const bool swings = is_oscillating(cam.cam.follower);
+    const bool swings = cam.cam.formulas->swings();
     const char* const what = swings ? "moment on the follower" : "force on the follower";
     const char* const unit = swings ? "N m" : "N";
     figures.add(fmt::format("least {}", what), forces.least_force, 1.0, unit);
     figures.add(fmt::format("largest {}", what), forces.largest_force, 1.0, unit);
     figures.add("largest camshaft torque", forces.torque, 1.0, "N m");
-    if (forces.normal_force) figures.add("largest force along the normal", *forces.normal_force, 1.0, "N");
-    if (forces.hertz_pressure)
-        figures.add("largest Hertz pressure", *forces.hertz_pressure, units::megapascal, "MPa");
+    figures.add("largest force along the normal", forces.normal_force, 1.0, "N");
+    figures.add("largest Hertz pressure", forces.hertz_pressure, units::megapascal, "MPa");
 }
 
 }  // namespace
 
 std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
-    const auto follower = solution.scene.cam->follower;
+    const std::optional<MechanismSpec> cam = cam_of(solution.scene);
     std::vector<DimensionValue> all;
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        if (has_dimension(follower, which)) all.push_back({name_of(which), delivered(solution, which)});
+    if (!cam) return all;
+    for (std::size_t i = 0; i < cam->dimensions.size(); ++i) {
+        const MechanismDimension& dimension = cam->dimensions[i];
+        if (dimension.value.key.empty()) continue;  // this variant has no such dimension
+        std::optional<double> number;
+        if (!dimension.value.is_variable()) number = dimension.value.low;
+        if (solution.cam) number = solution.cam->cam.dimensions[i];
+        if (number) *number /= dimension.is_angle ? degree : millimetre;
+        all.push_back({dimension.name, dimension.is_angle, number});
     }
-    all.push_back({"prime_radius", prime_radius(solution)});
+    if (cam->formulas && cam->formulas->is_direct())
+        all.push_back({"prime_radius", false, prime_radius(all)});
     return all;
 }
 
 std::string dimensions_text(const Solution& solution) {
     std::string text;
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name),
-                            dimension.millimetres ? short_text(*dimension.millimetres) + " mm" : "free");
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name),
+            dimension.shown ? short_text(*dimension.shown) + (dimension.is_angle ? " deg" : " mm") : "free");
     return text;
 }
 
-std::string follower_text(const CamSpec& cam) {
-    return fmt::format("{}, the cam turning {}", words_of(name_of(cam.follower)), name_of(cam.rotation));
+std::string cam_text(const MechanismSpec& cam) {
+    const auto follower = cam.choices.find("follower");
+    if (cam.formulas && cam.formulas->is_direct())
+        return fmt::format("{}, the cam turning {}", words_of(follower->second), name_of(cam.rotation));
+    const auto linkage = cam.choices.find("linkage");
+    std::string parts = linkage == cam.choices.end() ? std::string{} : words_of(linkage->second);
+    std::ranges::replace(parts, ' ', '-');
+    if (follower != cam.choices.end()) parts = "a " + follower->second + " follower";
+    return fmt::format("{} cam{}, turning {}", words_of(cam.type), parts.empty() ? "" : " with " + parts,
+                       name_of(cam.rotation));
 }
 
 std::optional<CamExtreme> convex_radius(const CamSummary& summary) {
-    if (std::abs(summary.convex_radius.value) < no_radius) return summary.convex_radius;
+    if (summary.convex_radius && std::abs(summary.convex_radius->value) < no_radius)
+        return summary.convex_radius;
     return {};
 }
 
 std::vector<CamFigure> cam_figures(const Solution& solution) {
     Figures figures(solution);
-    add_geometry(figures, *solution.cam, solution.cam->summary.return_pressure_angle.value > 0.0);
+    add_geometry(figures, *solution.cam);
     add_forces(figures, *solution.cam);
     return figures.take();
 }

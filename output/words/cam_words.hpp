@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The cam of a solution in words: dimensions, figures, and what an engineer must know about it. mm, deg, N.
+// The cam of a solution in words, of whatever kind: dimensions and figures. mm, deg, N.
 #pragma once
 
+#include "scene/mechanism_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
@@ -10,20 +11,22 @@
 
 namespace camopt {
 
-/// Name, value and unit of a dimension, as shown: mm.
+/// Name and value of a dimension, as shown: mm, or deg.
 struct DimensionValue {
-    std::string name;                   ///< "base_radius"
-    std::optional<double> millimetres;  ///< none: free, and nothing was delivered
+    std::string name;  ///< "base_radius"
+    bool is_angle = false;
+    std::optional<double> shown;  ///< none: free, and nothing was delivered
 };
 
-/// The dimensions this follower has, then the prime radius (rollers: base + roller). For a scene with a cam.
+/// The dimensions this cam has, of a disk cam then the prime radius (base + roller). None without a cam.
 [[nodiscard]] std::vector<DimensionValue> cam_dimensions(const Solution& solution);
 
 /// "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm"
 [[nodiscard]] std::string dimensions_text(const Solution& solution);
 
-/// "translating roller, turning counterclockwise"
-[[nodiscard]] std::string follower_text(const CamSpec& cam);
+/// "translating roller, the cam turning counterclockwise", "remote cam with lever-coupler-slider, turning
+/// clockwise"
+[[nodiscard]] std::string cam_text(const MechanismSpec& cam);
 
 /// The least convex radius of the cam; none where it is nowhere convex, or straight where it is most so.
 [[nodiscard]] std::optional<CamExtreme> convex_radius(const CamSummary& summary);

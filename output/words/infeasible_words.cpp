@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -252,7 +253,7 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
 }
 
 bool is_told_in_words(const Scene& scene) {
-    return scene.cam.has_value() || scene.mechanism.has_value() || scene.motion.type == MotionType::program;
+    return has_cam(scene) || scene.motion.type == MotionType::program;
 }
 
 }  // namespace camopt

@@ -5,8 +5,8 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
@@ -85,33 +85,47 @@ std::string spline_line(const Scene& scene) {
                        spline.free_knots ? ", its breakpoints free" : "");
 }
 
-std::string range_text(const Dimension& dimension) {
-    const auto shown = [&](double value) { return short_text(value / dimension.unit); };
+/// A unit and its name.
+struct ShownIn {
+    double unit;
+    std::string name;
+};
+
+/// As the scene writes it.
+ShownIn written_unit(const Dimension& dimension) {
     const KeyWords key = key_words(dimension.key);
-    const std::string unit = key.unit.empty() ? "mm" : key.unit;
-    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), unit);
-    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), unit);
+    return {dimension.unit, key.unit.empty() ? "mm" : key.unit};
+}
+
+std::string range_text(const Dimension& dimension, const ShownIn& in) {
+    const auto shown = [&](double value) { return short_text(value / in.unit); };
+    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), in.name);
+    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), in.name);
+}
+
+/// Of a follower with a roller: base and roller as one range.
+std::optional<Dimension> prime_radius(const Scene& scene) {
+    if (!scene.cam || !has_roller(scene.cam->follower)) return {};
+    Dimension prime = (*scene.cam)[DimensionIndex::base_radius];
+    prime.low += (*scene.cam)[DimensionIndex::roller_radius].low;
+    prime.high += (*scene.cam)[DimensionIndex::roller_radius].high;
+    return prime;
 }
 
 std::string cam_line(const Scene& scene) {
-    if (scene.mechanism) {
-        Solution asked;
-        asked.scene = scene;
-        return fmt::format("Cam: {}, {}", mechanism_text(*scene.mechanism), mechanism_dimensions_text(asked));
+    const MechanismSpec cam = cam_of(scene).value();
+    std::string text = fmt::format("Cam: {}", cam_text(cam));
+    for (const MechanismDimension& dimension : cam.dimensions) {
+        if (dimension.value.key.empty()) continue;  // this variant has no such dimension
+        // Of a disk cam as written, of others in the units of their figures.
+        const ShownIn in = scene.cam            ? written_unit(dimension.value)
+                           : dimension.is_angle ? ShownIn{degree, "deg"}
+                                                : ShownIn{millimetre, "mm"};
+        append(text, fmt::format("{} {}", words_of(dimension.name), range_text(dimension.value, in)));
     }
-    std::string text = fmt::format("Cam: {}", follower_text(*scene.cam));
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        if (has_dimension(scene.cam->follower, which))
-            append(text, fmt::format("{} {}", words_of(name_of(which)), range_text((*scene.cam)[which])));
-    }
-    if (has_roller(scene.cam->follower)) {
-        Dimension prime = (*scene.cam)[DimensionIndex::base_radius];
-        prime.low += (*scene.cam)[DimensionIndex::roller_radius].low;
-        prime.high += (*scene.cam)[DimensionIndex::roller_radius].high;
-        append(text, fmt::format("prime radius {}", range_text(prime)));
-    }
-    if (scene.cam->face_half_width)
+    if (const std::optional<Dimension> prime = prime_radius(scene))
+        append(text, fmt::format("prime radius {}", range_text(*prime, written_unit(*prime))));
+    if (scene.cam && scene.cam->face_half_width)
         append(text, fmt::format("half width of the face {} mm",
                                  short_text(*scene.cam->face_half_width / millimetre)));
     return text;
@@ -179,7 +193,7 @@ std::vector<std::string> scene_lines(const Scene& given) {
     std::vector<std::string> lines = {motion_line(scene.motion)};
     if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene.motion));
     lines.push_back(spline_line(scene));
-    if (scene.cam || scene.mechanism) lines.push_back(cam_line(scene));
+    if (has_cam(scene)) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
     if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);
     lines.push_back(objective_line(scene.objective));

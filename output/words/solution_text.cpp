@@ -6,11 +6,11 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/mechanism_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/text_table.hpp"
+#include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -99,28 +99,16 @@ std::string segment_lines(const Solution& solution) {
     return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
 }
 
-std::string mechanism_lines(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
-    for (const CamFigure& figure : mechanism_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
-    std::string text = fmt::format("  cam: {}\n", mechanism_text(*solution.scene.mechanism));
-    text += wrapped_text("dimensions: " + mechanism_dimensions_text(solution), "  ", solution_line_width);
-    text += indented(aligned_text(table));
-    for (const std::string& remark : mechanism_remarks(solution))
-        text += wrapped_text(remark, "  ", solution_line_width);
-    return text;
-}
-
 std::string cam_lines(const Solution& solution) {
-    if (solution.mechanism) return mechanism_lines(solution);
     if (!solution.cam) return {};
+    const MechanismSpec cam = cam_of(solution.scene).value();
     TextTable table;
     table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
     for (const CamFigure& figure : cam_figures(solution))
         table.rows.push_back({figure.name, figure.value, figure.degrees});
-    std::string text = fmt::format("  cam: {}\n", follower_text(*solution.scene.cam));
-    text += fmt::format("  dimensions: {}\n", dimensions_text(solution));
+    const std::string dimensions = "dimensions: " + dimensions_text(solution);
+    std::string text = fmt::format("  cam: {}\n", cam_text(cam));
+    text += wrapped_text(dimensions, "  ", solution_line_width);
     text += indented(aligned_text(table));
     for (const std::string& remark : cam_remarks(solution))
         text += wrapped_text(remark, "  ", solution_line_width);

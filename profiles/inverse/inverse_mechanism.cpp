@@ -76,6 +76,13 @@ class InverseMechanism final : public CamMechanism {
  public:
     [[nodiscard]] std::string type() const override { return inverse_type; }
     [[nodiscard]] bool has_guide() const override { return true; }
+    [[nodiscard]] std::string undercut_words() const override {
+        return "a wall of the guide crosses itself there and does not lead the roller as designed. A smaller "
+               "roller or a longer stroke helps";
+    }
+    [[nodiscard]] std::string check_words(int points) const override {
+        return fmt::format("the roller pushes the body along {} points of the guide's walls", points);
+    }
     [[nodiscard]] bool swings() const override { return false; }
     [[nodiscard]] Rotation rotation() const override { return Rotation::counterclockwise; }
     [[nodiscard]] int stations() const override { return station_count; }

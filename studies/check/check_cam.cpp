@@ -6,6 +6,12 @@
 
 namespace camopt {
 
+namespace {
+
+constexpr int follower_points = 2000, linkage_points = 6000;
+
+}  // namespace
+
 MotionScale motion_scale(const Scene& scene) {
     return {scene.motion.lift, scene.motion.unit_angle()};
 }
@@ -19,12 +25,13 @@ MotionChain cam_motion(const Solution& solution) {
     return rests || !solution.motion ? whole_turn(solution) : *solution.motion;
 }
 
-ForwardCheckReport check_cam(const Solution& solution, int points) {
+ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points) {
     if (!solution.cam) throw InputError("the forward check needs a cam, and this solution has none");
+    const DrivenMechanism& cam = solution.cam->cam;
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const ForwardCheckResult result =
-        forward_check(forward_check_input(solution.cam->cam, motion, scale, points));
+    const int count = points.value_or(cam.formulas->is_direct() ? follower_points : linkage_points);
+    const ForwardCheckResult result = forward_check(forward_check_input(cam, motion, scale, count));
     return {result.deviation, result.relative, result.theta / scale.unit_angle, result.points,
             result.seconds};
 }

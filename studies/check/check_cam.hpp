@@ -7,6 +7,8 @@
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <optional>
+
 namespace camopt {
 
 /// lift and unit angle of the scene: what the points of a cam are made with.
@@ -19,9 +21,10 @@ namespace camopt {
 /// cam. A DRD motion stays the open sector of its rise. Throws InputError where the solution has no motion.
 [[nodiscard]] MotionChain cam_motion(const Solution& solution);
 
-/// Exports about `points` points of the cam, the motion's breakpoints among them, and runs a follower over
-/// them that knows nothing else (forward_check.hpp). Throws InputError where the solution has no cam, and
-/// where its points cannot be checked at all.
-[[nodiscard]] ForwardCheckReport check_cam(const Solution& solution, int points = 2000);
+/// Exports about `points` points of the cam, the motion's breakpoints among them, and runs a follower, or the
+/// lever and linkage, over them that knows nothing else (forward_check.hpp). points: default 2000, 6000 where
+/// a linkage magnifies. Throws InputError where the solution has no cam, or one that neither a follower nor a
+/// lever runs on, and where its points cannot be checked at all.
+[[nodiscard]] ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

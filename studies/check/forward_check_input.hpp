@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What a forward check is given about a cam that camopt has designed: the points it exports, and nothing of
 // how it made them.
+//
+// A disk cam is run by its follower. Where a lever carries the roller, profile points only -> lever ->
+// output: the lever is put down on the points as the arm of a disk cam (forward_check.hpp), which it is after
+// a turn and perhaps a mirror; its angle goes forwards through the linkage by positions alone.
 #pragma once
 
 #include "profiles/sampling.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "studies/check/forward_check.hpp"
-
-#include <Eigen/Core>
-
-#include <vector>
+#include "studies/delivered/driven_mechanism.hpp"
 
 namespace camopt {
 
 /// About `points` points evenly by cam angle, the motion's breakpoints among them. Closed where the motion
-/// takes a whole turn and the cam ends where it began. Keeps a reference to the motion.
-[[nodiscard]] ForwardCheckInput forward_check_input(const DiskCam& cam, const Motion& motion,
+/// takes a whole turn and the cam ends where it began. Of a linkage the deviation is that of the output, m or
+/// rad; relative: by the lift. Keeps a reference to the motion. Throws InputError for a mechanism that is
+/// neither a disk cam nor has such a lever.
+[[nodiscard]] ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Motion& motion,
                                                     const MotionScale& scale, int points = 2000);
-
-/// The same of points at hand, `breaks` the indices of those that lie on breakpoints: the cam a disk with the
-/// follower `cam`.
-[[nodiscard]] ForwardCheckInput forward_check_input(const DiskCam& cam, const Motion& motion,
-                                                    const MotionScale& scale,
-                                                    std::vector<Eigen::Vector2d> points,
-                                                    std::vector<int> breaks);
 
 }  // namespace camopt

@@ -6,12 +6,13 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
-#include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/solution_report.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <algorithm>
@@ -27,14 +28,15 @@ struct Bench {
     const Scene& scene;
     CamModel model;
     std::vector<LawStroke> strokes;
-    std::optional<DiskCam> cam;
-    bool limits_cam = false;
-    std::vector<double> mechanism_dimensions = {};
+    std::optional<std::vector<double>> dimensions = {};  ///< of the scene's cam
+    std::optional<DiskCam> disk = {};                    ///< the same of a disk cam
+    bool limits_disk = false;
 };
 
 double dimension_of(const Bench& bench, int parameter) {
     for (const CamVariables::Variable& variable : bench.model.cam->variables) {
-        if (variable.parameter == parameter) return (*bench.cam)[variable.dimension] / variable.reference;
+        if (variable.parameter == parameter)
+            return (*bench.dimensions)[static_cast<std::size_t>(variable.dimension)] / variable.reference;
     }
     return 0.0;
 }
@@ -85,23 +87,17 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
     const MotionFigures figures{*row.motion, row.peaks, motion_peaks};
     row.limits = motion_limits(bench.scene, figures);
     const std::size_t of_motion = row.limits.size();
-    if (bench.cam) {
-        const CamReport report = cam_report(bench.scene, *bench.cam, *row.motion);
+    if (bench.dimensions) {
+        const CamReport report = cam_report(bench.scene, *bench.dimensions, *row.motion);
         for (const ConstraintReport& reached : cam_constraints(bench.scene, report))
-            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
-    }
-    if (bench.scene.mechanism) {
-        const std::vector<double> dimensions = bench.mechanism_dimensions;
-        const MechanismReport report = mechanism_report(bench.scene, dimensions, *row.motion);
-        for (const ConstraintReport& reached : mechanism_constraints(bench.scene, report))
             row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     }
     for (const ConstraintReport& reached : own_constraints(bench.scene, *row.motion))
         row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
-    if (!bench.limits_cam) return;
+    if (!bench.limits_disk) return;
     std::string broken = broken_without_cam(row, of_motion);
-    row.base = broken.empty() ? needed_base(bench.scene, *bench.cam, *row.motion)
+    row.base = broken.empty() ? needed_base(bench.scene, *bench.disk, *row.motion)
                               : NeededBase{std::nullopt, std::move(broken)};
 }
 
@@ -149,14 +145,14 @@ Comparison compare(const Scene& given, const SolveControl& control) {
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
-    if (scene.cam) comparison.cam = solution.cam ? solution.cam->cam : middle_cam(*scene.cam);
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
-    const bool limits_cam = model.cam && !cam_limits(scene, model.cam).empty();
-    Bench bench{scene, std::move(model), std::move(strokes), comparison.cam, limits_cam};
-    if (scene.mechanism)
-        bench.mechanism_dimensions =
-            solution.mechanism ? solution.mechanism->mechanism.dimensions : scene.mechanism->middle();
+    Bench bench{scene, std::move(model), std::move(strokes)};
+    if (const std::optional<MechanismSpec> cam = cam_of(scene)) {
+        bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
+        bench.disk = comparison.cam = disk_cam({cam->formulas, *bench.dimensions});
+    }
+    bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));

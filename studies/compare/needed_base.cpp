@@ -4,6 +4,7 @@
 #include "core/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/rule_maxima.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +40,12 @@ class Judge {
 
     /// Empty: every limit is kept with this base radius; else what is not.
     [[nodiscard]] std::string broken_at(double base) {
-        auto variables = std::make_shared<CamVariables>();
-        variables->cam = cam_;
-        variables->cam.dimensions[static_cast<std::size_t>(base_radius)] = base;
-        variables->scale = {scene_.motion.lift, scene_.motion.unit_angle()};
-        if (std::string fault = geometry_fault(variables->cam, least_, most_); !fault.empty()) return fault;
+        DiskCam cam = cam_;
+        cam.dimensions[static_cast<std::size_t>(base_radius)] = base;
+        if (std::string fault = geometry_fault(cam, least_, most_); !fault.empty()) return fault;
+        CamVariables variables;
+        variables.cam = disk_mechanism(cam);
+        variables.scale = {scene_.motion.lift, scene_.motion.unit_angle()};
         const auto rules = cam_limits(scene_, variables);
         // The rule that spoke the last time is likely to speak again.
         if (last_ < rules.size() && is_broken(*rules[last_])) return rules[last_]->name();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The figures a cam is judged by: extremes over every cam angle, found between the samples too.
+// The figures a cam of any kind is judged by: extremes over every cam angle and all stations, found between
+// the samples too. What a kind has not, is absent.
 #pragma once
 
 #include "core/motion.hpp"
 #include "profiles/sampling.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/extremes_along.hpp"
 
@@ -21,24 +23,33 @@ struct ForceSummary {
 
 struct CamSummary {
     CamExtreme pressure_angle;  ///< largest |φ|
-    CamExtreme rise_pressure_angle,
-        return_pressure_angle;       ///< of the parts where s' > 0, s' < 0; 0 where none
-    CamExtreme rest_pressure_angle;  ///< where the follower is known to rest (rest_places.hpp)
-    /// Least, of the cam surface; <= 0 is undercut. −infinity where a flat face turns back.
-    CamExtreme convex_radius;
-    std::optional<CamExtreme> concave_radius;  ///< least, > 0; none where the cam is nowhere concave
+    /// Of a disk cam, of the parts where s' > 0, s' < 0; 0 where there are none.
+    std::optional<CamExtreme> rise_pressure_angle, return_pressure_angle;
+    /// Of a disk cam, where the follower is known to rest (rest_places.hpp).
+    std::optional<CamExtreme> rest_pressure_angle;
+    /// Least, of the surface of a planar cam; none where it is nowhere convex. <= 0: undercut. −infinity
+    /// where a flat face turns back.
+    std::optional<CamExtreme> convex_radius;
+    /// Least, > 0, of a planar cam with a pitch curve; none where it is nowhere concave.
+    std::optional<CamExtreme> concave_radius;
     /// Least; <= 0: undercut. Where an oscillating flat face turns back, 1 + σψ' in its place: not above 0
     /// either.
     CamExtreme regularity;
-    CamExtreme contact_offset;  ///< largest magnitude on a flat face, else 0; may be infinite
-    /// x of a place where the follower cannot touch the cam as designed: undercut, a face that turns back, a
-    /// contact below the cam's centre. None where it can everywhere.
+    double base_radius = 0.0;  ///< planar, m: the dimension, or the least distance of the cam from its centre
+    std::optional<CamExtreme> contact_offset;  ///< largest magnitude on a flat face; may be infinite
+    /// Of a disk cam: x of a place where the follower cannot touch it as designed: undercut, a face that
+    /// turns back, a contact below the cam's centre. None where it can everywhere.
     std::optional<double> no_contact;
-    std::optional<ForceSummary> forces;  ///< where the scene has forces and a speed
+    std::optional<ForceSummary> forces;  ///< of a disk cam where the scene has forces and a speed
 
     [[nodiscard]] bool undercut() const { return !(regularity.value > 0.0); }
 };
 
-[[nodiscard]] CamSummary cam_summary(const DiskCam& cam, const Motion& motion, const Scene& scene);
+/// What every cam has.
+[[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion,
+                                     const MotionScale& scale);
+
+/// And what only disk cams have: strokes, contact, forces.
+[[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const Scene& scene);
 
 }  // namespace camopt

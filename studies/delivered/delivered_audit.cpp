@@ -104,20 +104,15 @@ std::optional<Fault> condition_fault(const Solution& solution) {
 
 /// A cam whose figures would have no value: the follower does not reach all of its motion.
 std::optional<Fault> cam_fault(const Solution& solution) {
-    if (!solution.cam && !solution.mechanism) return {};
+    if (!solution.cam) return {};
     const FigureAlong displacement = [&](double x, Side side) {
         return solution.scene.motion.lift * solution.motion->at(x, side).derivative[0];
     };
     const std::vector<double> breakpoints = solution.motion->breakpoints();
     const double least = least_along(breakpoints, displacement).value;
     const double most = largest_along(breakpoints, displacement).value;
-    std::string fault;
-    if (solution.cam) {
-        fault = geometry_fault(solution.cam->cam, least, most);
-    } else {
-        const DrivenMechanism& mechanism = solution.mechanism->mechanism;
-        fault = mechanism.formulas->fault(mechanism.dimensions, least, most);
-    }
+    const DrivenMechanism& cam = solution.cam->cam;
+    const std::string fault = cam.formulas->fault(cam.dimensions, least, most);
     if (fault.empty()) return {};
     return Fault{Reason::cam_cannot_be_built, "the cam of this motion cannot be built: " + fault};
 }
@@ -134,9 +129,7 @@ double size_of_limit(const Solution& solution, const ConstraintReport& report) {
         case LimitRow::Size::itself:
             break;
         case LimitRow::Size::base_radius: {
-            const double base = solution.cam         ? solution.cam->cam[DimensionIndex::base_radius]
-                                : solution.mechanism ? solution.mechanism->summary.base_radius
-                                                     : 0.0;
+            const double base = solution.cam ? solution.cam->summary.base_radius : 0.0;
             return std::isfinite(base) ? std::max(size, base / unit) : size;
         }
         case LimitRow::Size::one:

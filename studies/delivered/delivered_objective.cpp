@@ -2,9 +2,9 @@
 #include "studies/delivered/delivered_objective.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace camopt {
@@ -12,22 +12,12 @@ namespace camopt {
 namespace {
 
 double weighted_dimensions(const Solution& solution) {
-    const std::array<double, dimension_count>& weights = solution.scene.objective.dimensions;
+    if (!solution.cam) return 0.0;
+    const MechanismSpec spec = cam_of(solution.scene).value();
+    const std::vector<double>& delivered = solution.cam->cam.dimensions;
     double sum = 0.0;
-    if (solution.cam) {
-        const double unit = dimension_unit(solution.scene);
-        for (int d = 0; d < dimension_count; ++d) {
-            const double weight = weights[static_cast<std::size_t>(d)];
-            if (weight > 0.0)
-                sum += weight / unit * std::abs(solution.cam->cam[static_cast<DimensionIndex>(d)]);
-        }
-    }
-    if (solution.mechanism) {
-        const std::vector<double>& delivered = solution.mechanism->mechanism.dimensions;
-        for (std::size_t d = 0; d < delivered.size(); ++d)
-            sum += mechanism_weight(solution.scene, solution.scene.mechanism->dimensions[d].name) *
-                   std::abs(delivered[d]);
-    }
+    for (std::size_t d = 0; d < delivered.size(); ++d)
+        sum += dimension_weight(solution.scene, spec.dimensions[d].name) * std::abs(delivered[d]);
     return sum;
 }
 

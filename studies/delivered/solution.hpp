@@ -10,7 +10,6 @@
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/cam_summary.hpp"
-#include "studies/delivered/mechanism_summary.hpp"
 
 #include <Eigen/Core>
 
@@ -109,18 +108,11 @@ struct ForwardCheckReport {
     double seconds = 0.0;
 };
 
-/// A cam that was made: its numbers and figures.
+/// A cam that was made, of any kind: its formulas and numbers, its figures.
 struct CamReport {
-    DiskCam cam;
+    DrivenMechanism cam;  ///< a disk cam as disk_cam() of profiles/disk/disk_mechanism.hpp gives it back
     CamSummary summary;
-    std::optional<SmallestCamReport> smallest;
-    std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
-};
-
-/// A cam of any other mechanism that was made.
-struct MechanismReport {
-    DrivenMechanism mechanism;
-    MechanismSummary summary;
+    std::optional<SmallestCamReport> smallest;        ///< of a disk cam, where it is known
     std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };
 
@@ -153,11 +145,10 @@ struct Solution {
     Certificate certificate;
     /// The delivered motion; none where nothing feasible was found.
     std::shared_ptr<const MotionChain> motion;
-    std::optional<SplineCurve> curve;          ///< the same as one spline: DRD and RR
-    std::vector<SegmentReport> segments;       ///< of a program
-    std::optional<CamReport> cam;              ///< where the scene has a disk cam and there is a motion
-    std::optional<MechanismReport> mechanism;  ///< the same for any other mechanism
-    Peaks peaks;                               ///< of the delivered motion, exact, normalised
+    std::optional<SplineCurve> curve;     ///< the same as one spline: DRD and RR
+    std::vector<SegmentReport> segments;  ///< of a program
+    std::optional<CamReport> cam;         ///< where the scene has a cam and there is a motion
+    Peaks peaks;                          ///< of the delivered motion, exact, normalised
     /// Of the motion in lifts and units of x: what physical peaks come from. The same but for a program.
     Peaks motion_peaks;
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_report.hpp"
 
-#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "objectives/rules/cam_limits.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
-#include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
-#include "studies/explain/smallest_of_any_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,80 +103,11 @@ void report_peak_limits(Solution& solution) {
     }
 }
 
-void report_cam(Solution& solution, Delivered&& delivered) {
-    if (delivered.mechanism) {
-        solution.mechanism =
-            mechanism_report(solution.scene, std::move(*delivered.mechanism), *solution.motion);
-        const auto limits = mechanism_constraints(solution.scene, *solution.mechanism);
-        solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
-    }
-    if (!delivered.cam) return;
-    solution.cam = cam_report(solution.scene, *delivered.cam, *solution.motion);
-    const std::vector<ConstraintReport> constraints = cam_constraints(solution.scene, *solution.cam);
-    solution.constraints.insert(solution.constraints.end(), constraints.begin(), constraints.end());
-}
-
-/// The key without its unit: "limits.pressure_angle_deg" → "pressure_angle".
-std::string plain_name(const std::string& key) {
-    const char* const name = limit_name_in(key);
-    return name != nullptr ? name : key;
-}
-
-const CamExtreme& larger(const CamExtreme& one, const CamExtreme& other) {
-    return one.value >= other.value ? one : other;
-}
-
-/// What the general limit on the pressure angle speaks of: all, or the stroke that has none of its own, and
-/// always where the follower rests.
-CamExtreme general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
-    const bool rise = limit_on(limits, LimitedFigure::rise_pressure_angle).has_value();
-    const bool back = limit_on(limits, LimitedFigure::return_pressure_angle).has_value();
-    if (!rise && !back) return summary.pressure_angle;
-    if (rise && back) return summary.rest_pressure_angle;
-    return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
-                  summary.rest_pressure_angle);
-}
-
-/// None where the scene has nothing it could be computed from.
-std::optional<CamExtreme> figure_of(LimitedFigure figure, const LimitSpec& limits,
-                                    const CamSummary& summary) {
-    const std::optional<ForceSummary>& forces = summary.forces;
-    if (limit_row(figure).needs_forces && !forces) return std::nullopt;
-    switch (figure) {
-        case LimitedFigure::pressure_angle:
-            return general_pressure_angle(limits, summary);
-        case LimitedFigure::rise_pressure_angle:
-            return larger(summary.rise_pressure_angle, summary.rest_pressure_angle);
-        case LimitedFigure::return_pressure_angle:
-            return larger(summary.return_pressure_angle, summary.rest_pressure_angle);
-        case LimitedFigure::convex_radius:
-            return summary.convex_radius;
-        case LimitedFigure::concave_radius:
-            return summary.concave_radius.value_or(CamExtreme{infinity, 0.0});
-        case LimitedFigure::regularity:
-            return summary.regularity;
-        case LimitedFigure::contact_force:
-            return forces->least_force;
-        case LimitedFigure::torque:
-            return forces->torque;
-        case LimitedFigure::hertz_pressure:
-            return forces->hertz_pressure;
-    }
-    return std::nullopt;
-}
-
-/// The limits that need forces, or those that do not.
-void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, const CamSummary& summary,
-                     bool of_forces) {
-    for (const LimitRow& row : limit_rows()) {
-        const auto& limit = row.in(scene.limits);
-        if (!limit || row.needs_forces != of_forces) continue;
-        const std::optional<CamExtreme> worst = figure_of(row.figure, scene.limits, summary);
-        if (!worst) continue;
-        all.push_back(limit_report(*limit, *worst, row.is_least() ? -1 : 1));
-        if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
-        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
-    }
+void report_cam(Solution& solution, std::vector<double> dimensions) {
+    if (!has_cam(solution.scene)) return;
+    solution.cam = cam_report(solution.scene, std::move(dimensions), *solution.motion);
+    const std::vector<ConstraintReport> limits = cam_constraints(solution.scene, *solution.cam);
+    solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
 }
 
 }  // namespace
@@ -195,33 +124,6 @@ SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double
             run.pieces().middleCols(first, last - first + 1)};
 }
 
-ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
-    const double slack = sign * (limit.value - worst.value);
-    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
-    return {plain_name(limit.key),          limit.key,  limit.given(),
-            worst.value / limit.unit_value, limit.unit, worst.at,
-            slack <= active_limit * size};
-}
-
-CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion) {
-    return {cam, cam_summary(cam, motion, scene), smallest_of_any_motion(scene, cam), {}};
-}
-
-std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report) {
-    const CamSummary& summary = report.summary;
-    std::vector<ConstraintReport> all;
-    add_constraints(all, scene, summary, false);
-    if (scene.cam->face_half_width) {
-        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
-                                 "mm"};
-        all.push_back(limit_report(width, summary.contact_offset, 1));
-        all.back().name = "face_half_width";
-        all.back().no_contact = summary.no_contact && std::isinf(all.back().worst);
-    }
-    add_constraints(all, scene, summary, true);
-    return all;
-}
-
 void report_delivered(Solution& solution, Delivered delivered) {
     solution.motion = std::move(delivered.motion);
     if (solution.scene.motion.type == MotionType::program) {
@@ -231,7 +133,7 @@ void report_delivered(Solution& solution, Delivered delivered) {
         solution.peaks = solution.motion_peaks = peaks_of(*solution.curve);
     }
     report_peak_limits(solution);
-    report_cam(solution, std::move(delivered));
+    report_cam(solution, std::move(delivered.dimensions));
     solution.own_terms = own_term_reports(solution.scene, *solution.motion);
     const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
@@ -240,9 +142,8 @@ void report_delivered(Solution& solution, Delivered delivered) {
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
-    Delivered delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}, {}};
-    if (model.cam) delivered.cam = model.cam->cam_at(parameters);
-    if (model.mechanism) delivered.mechanism = model.mechanism->dimensions_at(parameters);
+    Delivered delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
+    if (model.cam) delivered.dimensions = model.cam->dimensions_at(parameters);
     report_delivered(solution, std::move(delivered));
     const MotionFamily& design = model.design;
     const Eigen::VectorXd values = problem.design_values(x);

@@ -6,7 +6,6 @@
 #include "studies/delivered/solution.hpp"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -18,8 +17,7 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 /// DRD or RR scene one spline, of a program one part a segment.
 struct Delivered {
     std::shared_ptr<const MotionChain> motion;
-    std::optional<DiskCam> cam;                    ///< where the scene has a disk cam
-    std::optional<std::vector<double>> mechanism;  ///< dimensions of any other mechanism
+    std::vector<double> dimensions;  ///< of the scene's cam, in the order of cam_of(scene)
 };
 
 /// Fills motion, curve, segments, peaks, cam and constraints of a solution that has its scene.
@@ -30,14 +28,5 @@ void report_delivered(Solution& solution, Delivered delivered);
 
 /// Which limits fight and where, from the rows of the proof of infeasibility.
 void report_conflict(Solution& solution);
-
-/// A limit on a largest value (sign +1) or a least one (−1), and what was reached.
-[[nodiscard]] ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign);
-
-/// The cam of a motion with the figures of it, and the smallest any motion would allow where that is known.
-[[nodiscard]] CamReport cam_report(const Scene& scene, const DiskCam& cam, const Motion& motion);
-
-/// Every limit of the scene on the cam, as written and as kept by that cam.
-[[nodiscard]] std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamReport& report);
 
 }  // namespace camopt

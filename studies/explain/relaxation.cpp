@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/relaxation.hpp"
 
+#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/feasibility_question.hpp"
@@ -156,7 +157,7 @@ class Explainer {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
-        const bool in_space = scene_.cam || scene_.mechanism || in_time;
+        const bool in_space = has_cam(scene_) || in_time;
         if (in_space || !scene_.own_limits.empty()) others = adjustments(scene_);
         // A motion that is nothing but normalised has no dimensions and no speed that could help.
         if (!in_space) std::erase_if(others, [](const Adjustment& one) { return !one.limit; });

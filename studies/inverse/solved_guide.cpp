@@ -7,8 +7,7 @@
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
-#include "studies/delivered/mechanism_summary.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 
 #include <algorithm>
@@ -19,7 +18,8 @@ namespace camopt {
 namespace {
 
 constexpr int walls = 2;
-constexpr double margin = 1e-3;  // of the stroke: there the roller leaves the wall that is made
+constexpr int wall_points = 2000;  // of each
+constexpr double margin = 1e-3;    // of the stroke: there the roller leaves the wall that is made
 
 /// The machine of the solved scene and the motion it shall have.
 struct Machine {
@@ -49,7 +49,7 @@ struct Machine {
 };
 
 Machine machine_of(const Solution& solution, const Motion& motion) {
-    const std::vector<double>& numbers = solution.mechanism->mechanism.dimensions;
+    const std::vector<double>& numbers = solution.cam->cam.dimensions;
     return {linkage_of(numbers), stroke_of(numbers),
             numbers.at(static_cast<std::size_t>(InverseNumber::feeder_start)), &motion,
             motion_scale(solution.scene)};
@@ -57,23 +57,25 @@ Machine machine_of(const Solution& solution, const Motion& motion) {
 
 }  // namespace
 
-ForwardCheckReport check_inverse_cam(const Solution& solution, int points) {
-    if (!has_inverse_cam(solution)) throw InputError("an inverse cam is needed, and this solution has none");
+ForwardCheckReport check_inverse_cam(const Solution& solution, std::optional<int> points) {
+    if (!solution.cam || !solution.cam->cam.formulas->has_guide())
+        throw InputError("an inverse cam is needed, and this solution has none");
     const MotionChain motion = cam_motion(solution);
     const Machine machine = machine_of(solution, motion);
-    const std::vector<double>& numbers = solution.mechanism->mechanism.dimensions;
+    const std::vector<double>& numbers = solution.cam->cam.dimensions;
     const double begin = state_of(machine.stroke, machine.scale.unit_angle * motion.begin()).distance;
     const double end = state_of(machine.stroke, machine.scale.unit_angle * motion.end()).distance;
     GuideCheckInput input;
     input.designed = [&machine](double distance) { return machine.guide_angle(distance); };
     input.begin = begin + margin * (end - begin);
     input.end = end - margin * (end - begin);
-    input.places = points;
+    const int count = points.value_or(wall_points);
+    input.places = count;
     input.roller_radius = numbers.at(static_cast<std::size_t>(InverseNumber::roller_radius));
     ForwardCheckReport report;
     for (int wall = 0; wall < walls; ++wall) {
         const MechanismProfile profile =
-            mechanism_profile(solution.mechanism->mechanism, motion, machine.scale, points, wall);
+            mechanism_profile(solution.cam->cam, motion, machine.scale, count, wall);
         input.points.clear();
         for (const MechanismPoint& point : profile.points) input.points.push_back(point.contact.head<2>());
         input.breaks = profile.breaks;

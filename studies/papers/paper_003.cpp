@@ -2,7 +2,8 @@
 #include "studies/papers/paper_003.hpp"
 
 #include "core/units.hpp"
-#include "studies/check/mechanism_check.hpp"
+#include "studies/check/forward_check_input.hpp"
+#include "studies/delivered/cam_summary.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -44,9 +45,8 @@ DrivenMechanism mechanism_of(bool farther, PressurePoint where = PressurePoint::
     return {std::make_shared<RemoteCam>(spec), spec.middle()};
 }
 
-MechanismSummary summary_of(const CamRow& cam, PressurePoint where = PressurePoint::roller_center) {
-    return mechanism_summary(mechanism_of(cam.farther, where), tappet_motion(cam.law, cam.dwell),
-                             tappet_scale());
+CamSummary summary_of(const CamRow& cam, PressurePoint where = PressurePoint::roller_center) {
+    return cam_summary(mechanism_of(cam.farther, where), tappet_motion(cam.law, cam.dwell), tappet_scale());
 }
 
 std::string verdict_of(double angle) {
@@ -121,7 +121,7 @@ PaperTable radii_table() {
          {"regularity", "regularity (0: undercut)", "", 6}},
         {}};
     for (const CamRow& cam : cams) {
-        const MechanismSummary summary = summary_of(cam);
+        const CamSummary summary = summary_of(cam);
         PaperCell convex, convex_at, concave;
         if (summary.convex_radius) {
             convex = summary.convex_radius->value / millimetre;
@@ -149,7 +149,7 @@ PaperTable check_table() {
         const MotionChain motion = tappet_motion(cam.law, cam.dwell);
         for (const int points : {360, 1440, 6000}) {
             const ForwardCheckResult result =
-                forward_check(mechanism_check_input(mechanism, motion, tappet_scale(), points));
+                forward_check(forward_check_input(mechanism, motion, tappet_scale(), points));
             table.rows.push_back(
                 {std::string(cam.name), static_cast<double>(points), result.deviation / millimetre});
         }
@@ -190,13 +190,12 @@ PaperTable optima_table(const std::vector<Optimum>& all) {
         const Solution& solution = one.solution;
         std::vector<PaperCell> row = {one.dwell, std::string(name_of(solution.certificate.verdict))};
         row.resize(table.columns.size());
-        if (solution.mechanism) {
-            row[2] = solution.mechanism->summary.pressure_angle.value / degree;
+        if (solution.cam) {
+            row[2] = solution.cam->summary.pressure_angle.value / degree;
             row[3] = solution.peaks.velocity.value;
             row[4] = solution.peaks.acceleration.value;
             row[5] = solution.peaks.jerk.value;
-            if (const auto& radius = solution.mechanism->summary.convex_radius)
-                row[6] = radius->value / millimetre;
+            if (const auto& radius = solution.cam->summary.convex_radius) row[6] = radius->value / millimetre;
         }
         table.rows.push_back(std::move(row));
     }
@@ -273,11 +272,11 @@ PaperFigure optimized_figure(const std::vector<Optimum>& all) {
         const CamRow& cam = one.dwell == 75.0 ? cams[1] : cams[2];
         figure.series.push_back(series_of(cam.name, mechanism_of(false), tappet_motion(cam.law, cam.dwell),
                                           tappet_scale(), theta_of, angle_of));
-        if (!one.solution.mechanism) continue;
+        if (!one.solution.cam) continue;
         const MotionSpec& motion = one.solution.scene.motion;
-        figure.series.push_back(series_of(fmt::format("spline, {} deg", one.dwell),
-                                          one.solution.mechanism->mechanism, *one.solution.motion,
-                                          {motion.lift, motion.unit_angle()}, theta_of, angle_of));
+        figure.series.push_back(series_of(fmt::format("spline, {} deg", one.dwell), one.solution.cam->cam,
+                                          *one.solution.motion, {motion.lift, motion.unit_angle()}, theta_of,
+                                          angle_of));
     }
     return figure;
 }

@@ -7,7 +7,7 @@
 #include "profiles/remote/remote_cam.hpp"
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/mechanism_summary.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <string>
 

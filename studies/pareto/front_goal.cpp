@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -106,7 +107,7 @@ void scale_weights(Scene& scene, double factor) {
 
 double value_of(const Solution& solution, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
-    if (figure == nullptr) return solution.cam->cam[std::get<DimensionIndex>(goal)];
+    if (figure == nullptr) return disk_cam(solution.cam->cam).value()[std::get<DimensionIndex>(goal)];
     return cost_term(*figure).measured.of(solution.peaks);
 }
 

@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/scene_cam.hpp"
 #include "studies/delivered/solution_report.hpp"
 
 #include <fmt/format.h>
@@ -64,18 +65,7 @@ double dimension_of(const CamRecord& cam, const std::string& name, const Dimensi
     return found->second;
 }
 
-DiskCam disk_cam_of(const CamSpec& spec, const CamRecord& record) {
-    DiskCam cam = middle_cam(spec);
-    for (int d = 0; d < dimension_count; ++d) {
-        const auto index = static_cast<DimensionIndex>(d);
-        if (has_dimension(spec.follower, index))
-            cam.dimensions[static_cast<std::size_t>(d)] =
-                dimension_of(record, std::string(name_of(index)) + "_m", spec[index]);
-    }
-    return cam;
-}
-
-std::vector<double> mechanism_of(const MechanismSpec& spec, const CamRecord& record) {
+std::vector<double> dimensions_of(const MechanismSpec& spec, const CamRecord& record) {
     std::vector<double> numbers;
     for (const MechanismDimension& dimension : spec.dimensions)
         numbers.push_back(
@@ -84,13 +74,10 @@ std::vector<double> mechanism_of(const MechanismSpec& spec, const CamRecord& rec
 }
 
 Delivered delivered_of(const Scene& scene, const ResultRecord& record) {
-    Delivered delivered{chain_of(scene, record), {}, {}};
-    const bool has_cam = scene.cam || scene.mechanism;
-    if (has_cam != record.cam.has_value())
-        refuse(fmt::format("found {} cam; allowed: {}", record.cam ? "a" : "no", has_cam ? "one" : "none"));
-    if (scene.cam) delivered.cam = disk_cam_of(*scene.cam, *record.cam);
-    if (scene.mechanism) delivered.mechanism = mechanism_of(*scene.mechanism, *record.cam);
-    return delivered;
+    const std::optional<MechanismSpec> cam = cam_of(scene);
+    if (cam.has_value() != record.cam.has_value())
+        refuse(fmt::format("found {} cam; allowed: {}", record.cam ? "a" : "no", cam ? "one" : "none"));
+    return {chain_of(scene, record), cam ? dimensions_of(*cam, *record.cam) : std::vector<double>{}};
 }
 
 /// x of which shown(x) is the number that was written: division and multiplication do not always undo each
@@ -159,11 +146,8 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     solution.reference_peaks = reference_peaks(scene);
     report_delivered(solution, delivered_of(scene, record));
     tell_of_run(solution, record);
-    if (record.cam && record.cam->forward_check) {
-        const ForwardCheckReport check = forward_check_of(scene, *record.cam->forward_check);
-        if (solution.cam) solution.cam->forward_check = check;
-        if (solution.mechanism) solution.mechanism->forward_check = check;
-    }
+    if (record.cam && record.cam->forward_check)
+        solution.cam->forward_check = forward_check_of(scene, *record.cam->forward_check);
     return solution;
 }
 

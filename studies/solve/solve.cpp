@@ -5,6 +5,7 @@
 #include "motions/bounds/any_curve_limit.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/counting_solver.hpp"
@@ -97,8 +98,7 @@ std::string general_solver() {
 
 bool is_general(const Scene& scene, SceneModels& models) {
     const bool own = !scene.own_terms.empty() || !scene.own_limits.empty();
-    return (scene.cam || scene.mechanism || scene.objective.torque > 0.0 || own) &&
-           needs_starts(models.with_states());
+    return (has_cam(scene) || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
@@ -210,8 +210,6 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     solution.solver.proof_source = result.proof_source;
     solution.evaluations = solver.counts();
     if (problem.model().cam) solution.evaluations.profile_points = *problem.model().cam->profile_points;
-    if (problem.model().mechanism)
-        solution.evaluations.profile_points = *problem.model().mechanism->profile_points;
     if (result.x.size() > 0) report_motion(solution, problem, result.x);
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = watch.seconds();

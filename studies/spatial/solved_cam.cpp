@@ -2,6 +2,7 @@
 #include "studies/spatial/solved_cam.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/scene_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
@@ -10,6 +11,12 @@
 #include <algorithm>
 
 namespace camopt {
+
+namespace {
+
+constexpr int section_points = 2000;
+
+}  // namespace
 
 FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
     FollowerMotion result;
@@ -22,23 +29,24 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
 }
 
 bool has_spatial_cam(const Solution& solution) {
-    const auto& mechanism = solution.scene.mechanism;
-    return mechanism && is_spatial(*mechanism);
+    const std::optional<MechanismSpec> cam = cam_of(solution.scene);
+    return cam && is_spatial(*cam);
 }
 
 SpatialCam solved_spatial_cam(const Solution& solution) {
-    if (!has_spatial_cam(solution) || !solution.mechanism)
+    if (!has_spatial_cam(solution) || !solution.cam)
         throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
-    const MechanismSpec& spec = *solution.scene.mechanism;
-    return spatial_cam(spatial_follower(spec), spec.rotation, solution.mechanism->mechanism.dimensions);
+    const MechanismSpec spec = cam_of(solution.scene).value();
+    return spatial_cam(spatial_follower(spec), spec.rotation, solution.cam->cam.dimensions);
 }
 
-ForwardCheckReport check_spatial_cam(const Solution& solution, int points) {
+ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points) {
     const SpatialCam cam = solved_spatial_cam(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const MotionChain motion = whole_turn(solution);
     const FollowerMotion turn = follower_motion(motion, scale);
-    const FlankGrid grid = flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points});
+    const FlankGrid grid =
+        flank_grid(cam, turn, FlankSampling{.sections = 2, .angles = points.value_or(section_points)});
     SpatialForwardCheckInput input;
     input.sections = sections_of(grid);
     input.breaks = grid.breaks;

@@ -8,6 +8,8 @@
 #include "profiles/spatial/spatial_cam.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <optional>
+
 namespace camopt {
 
 /// The motion must outlive what is returned. Of a cam: its whole_turn (studies/check/check_cam.hpp).
@@ -19,8 +21,9 @@ namespace camopt {
 /// Of a solution whose scene has one, with the dimensions that were chosen. Throws InputError for another.
 [[nodiscard]] SpatialCam solved_spatial_cam(const Solution& solution);
 
-/// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` points a
-/// section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by the lift.
-[[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, int points = 2000);
+/// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` (2000)
+/// points a section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by
+/// the lift.
+[[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

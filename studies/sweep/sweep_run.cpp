@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_run.hpp"
 
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve_sequence.hpp"
 
 #include <fmt/format.h>
@@ -24,10 +25,11 @@ void set_figures(SweepRow& row, const Peaks& peaks) {
 }
 
 void set_dimensions(SweepRow& row, const Solution& solution) {
+    const std::optional<DiskCam> cam = disk_cam(solution.cam->cam);
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
-        if ((*solution.scene.cam)[index].is_variable())
-            row.dimensions[static_cast<std::size_t>(i)] = finite(solution.cam->cam[index]);
+        if (cam && (*solution.scene.cam)[index].is_variable())
+            row.dimensions[static_cast<std::size_t>(i)] = finite((*cam)[index]);
     }
 }
 

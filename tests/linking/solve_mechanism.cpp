@@ -5,6 +5,7 @@
 // Prints how often the cam was evaluated. Exit 0: solved, and by formulas of the wanted kind alone.
 #include "benchmarks/known_names.hpp"
 #include "input/scene_reader.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <cstdio>
@@ -39,9 +40,11 @@ bool solved_by_its_own_formulas(const char* file) {
     std::printf("%s, %ld points of a profile\n", name_of(solution.certificate.verdict),
                 solution.evaluations.profile_points);
 #ifdef FORMULAS
-    return solution.motion && solution.mechanism && !solution.cam && solution.evaluations.profile_points > 0;
+    return solution.motion && solution.cam && !disk_cam(solution.cam->cam) &&
+           solution.evaluations.profile_points > 0;
 #else
-    return solution.motion && solution.cam && !solution.mechanism && solution.evaluations.profile_points > 0;
+    return solution.motion && solution.cam && disk_cam(solution.cam->cam) &&
+           solution.evaluations.profile_points > 0;
 #endif
 }
 

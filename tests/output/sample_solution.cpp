@@ -3,6 +3,8 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "profiles/scene_cam.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/solution_report.hpp"
 
 #include <memory>
@@ -49,7 +51,7 @@ DualityProof small_proof() {
 
 /// The cam of the scene's dimensions on the motion the solution has.
 void add_cam(Solution& solution) {
-    solution.cam = cam_report(solution.scene, middle_cam(*solution.scene.cam), *solution.motion);
+    solution.cam = cam_report(solution.scene, cam_of(solution.scene)->middle(), *solution.motion);
     for (const ConstraintReport& row : cam_constraints(solution.scene, *solution.cam))
         solution.constraints.push_back(row);
 }

@@ -4,11 +4,8 @@
 #include "bindings/python/source/motion_values.hpp"
 #include "bindings/python/source/parts.hpp"
 #include "bindings/python/source/solved_scene.hpp"
-#include "output/csv/guide_files.hpp"
-#include "output/report/mechanism_files.hpp"
 #include "output/report/report.hpp"
 #include "output/words/display_scale.hpp"
-#include "studies/delivered/mechanism_report.hpp"
 
 #include <fmt/format.h>
 
@@ -83,9 +80,7 @@ py::dict table(const SolvedScene& solved) {
 }
 
 std::string profile_text(const SolvedScene& solved, std::optional<int> points) {
-    if (of(solved).cam) return cam_profile(of(solved), {.points = points}).csv;
-    if (has_inverse_cam(of(solved))) return guide_texts(of(solved), points).csv;
-    return mechanism_texts(of(solved), points).csv;
+    return cam_view(of(solved), CamView::table, {.points = points});
 }
 
 py::dict profile(const SolvedScene& solved, std::optional<int> points) {
@@ -93,19 +88,15 @@ py::dict profile(const SolvedScene& solved, std::optional<int> points) {
 }
 
 std::string dxf(const SolvedScene& solved, double tolerance_mm) {
-    const double tolerance = tolerance_mm * units::millimetre;
-    if (has_plane_mechanism(of(solved))) return mechanism_dxf(of(solved), tolerance).text;
-    return *cam_profile(of(solved), {.dxf_tolerance = tolerance, .dxf = true}).dxf;
+    return cam_dxf(of(solved), tolerance_mm * units::millimetre).text;
 }
 
 bool has_plane_cam(const SolvedScene& solved) {
-    return of(solved).cam || has_plane_mechanism(of(solved));
+    return of(solved).cam && of(solved).cam->cam.formulas->is_plane_curve();
 }
 
 std::string cam_picture(const SolvedScene& solved) {
-    if (of(solved).cam) return cam_profile(of(solved)).svg;
-    if (has_inverse_cam(of(solved))) return guide_texts(of(solved)).svg;
-    return mechanism_texts(of(solved)).svg;
+    return cam_view(of(solved), CamView::picture);
 }
 
 std::string picture(const SolvedScene& solved, const std::string& what) {

@@ -3,9 +3,10 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/profile_csv.hpp"
-#include "output/drawing/cam_profile.hpp"
-#include "output/drawing/mechanism_dxf.hpp"
+#include "output/drawing/cam_dxf.hpp"
 #include "output/json/certificate_json.hpp"
+#include "output/report/cam_files.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/bindings/c/c_face.hpp"
 
@@ -32,7 +33,7 @@ void expect_same_summary(const camopt_summary& c, const Solution& cpp) {
     EXPECT_STREQ(camopt_verdict_name(c.verdict), name_of(cpp.certificate.verdict));
     EXPECT_STREQ(c.reason, name_of(cpp.certificate.reason));
     EXPECT_EQ(c.has_motion, cpp.motion ? 1 : 0);
-    EXPECT_EQ(c.has_cam, cpp.cam || cpp.mechanism ? 1 : 0);
+    EXPECT_EQ(c.has_cam, cpp.cam ? 1 : 0);
     EXPECT_EQ(c.interrupted, 0);
     expect_same(c.objective, cpp.motion ? cpp.certificate.objective : std::nan(""));
     expect_same(c.lower_bound, cpp.certificate.lower_bound.value_or(std::nan("")));
@@ -192,7 +193,8 @@ TEST(CSolve, MakesTheCamOfCpp) {
     const Solution cpp = cpp_solved_file("cam_roller");
     ASSERT_TRUE(cpp.cam);
     const MotionChain motion = cam_motion(cpp);
-    const auto points = sampled_profile(cpp.cam->cam, motion, motion_scale(cpp.scene), {.count = 90});
+    const auto points =
+        sampled_profile(disk_cam(cpp.cam->cam).value(), motion, motion_scale(cpp.scene), {.count = 90});
     const auto shown = profile_of(c, 90);
     ASSERT_EQ(shown.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -209,10 +211,9 @@ TEST(CSolve, MakesTheCamOfCpp) {
         EXPECT_NEAR(std::abs(shown[i].pitch_radius_mm * points[i].pitch_curvature), 1e3, 1e-9);
     }
     EXPECT_GT(profile_of(c, 0).size(), 200U);  // within 1 µm
-    const CamProfileTexts texts = cam_profile(cpp, {.dxf = true});
-    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_CSV), texts.csv);
-    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_DXF), *texts.dxf);
-    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_SVG), texts.svg);
+    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_CSV), cam_view(cpp, CamView::table));
+    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_DXF), cam_dxf(cpp).text);
+    EXPECT_EQ(text_of(c, CAMOPT_PROFILE_SVG), cam_view(cpp, CamView::picture));
 }
 
 TEST(CSolve, NamesTheNumbersOfTheCam) {
@@ -250,14 +251,14 @@ TEST(CSolve, MakesCamsOfOtherKinds) {
     EXPECT_OK(camopt_unset(scene.get(), "limits.pressure_angle_deg"));
     const CSolution tappet = c_solved(scene);
     const Solution cpp = cpp_solved(toml_of(scene));
-    ASSERT_TRUE(cpp.mechanism);
+    ASSERT_TRUE(cpp.cam);
     const auto shown = profile_of(tappet, 180);
     const MechanismProfile profile =
-        mechanism_profile(cpp.mechanism->mechanism, cam_motion(cpp), motion_scale(cpp.scene), 180);
+        mechanism_profile(cpp.cam->cam, cam_motion(cpp), motion_scale(cpp.scene), 180);
     ASSERT_EQ(shown.size(), profile.points.size());
     for (std::size_t i = 0; i < shown.size(); ++i)
         EXPECT_EQ(shown[i].cam_mm[0], profile.points[i].contact.x() / units::millimetre);
-    EXPECT_EQ(text_of(tappet, CAMOPT_PROFILE_DXF), mechanism_dxf(cpp).text);
+    EXPECT_EQ(text_of(tappet, CAMOPT_PROFILE_DXF), cam_dxf(cpp).text);
     EXPECT_NE(text_of(tappet, CAMOPT_PROFILE_CSV).find("theta_deg,s_mm"), std::string::npos);
     EXPECT_NE(text_of(tappet, CAMOPT_PROFILE_SVG).find("</svg>"), std::string::npos);
     std::size_t count = 0;

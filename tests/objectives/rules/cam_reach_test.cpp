@@ -7,6 +7,7 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,8 @@ DiskCam cam_of(const Scene& scene, const std::array<double, dimension_count>& va
 bool keeps_rows(const CamModel& model, const DiskCam& cam) {
     Eigen::VectorXd parameters = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.parameters.size()));
     for (const CamVariables::Variable& variable : model.cam->variables)
-        parameters[variable.parameter] = cam[variable.dimension] / variable.reference;
+        parameters[variable.parameter] =
+            disk_mechanism(cam).dimensions[static_cast<std::size_t>(variable.dimension)] / variable.reference;
     return std::ranges::all_of(model.parameter_rows, [&](const ParameterRow& row) {
         double sum = 0.0;
         for (std::size_t i = 0; i < row.parameters.size(); ++i)

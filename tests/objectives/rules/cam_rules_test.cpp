@@ -2,6 +2,7 @@
 // One generic test for every limit of a cam: partials, and the shape (linear, convex) it claims.
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,14 +69,13 @@ Scene scene_of(const Case& which) {
 
 std::shared_ptr<const CamVariables> variables_of(const Scene& scene) {
     auto cam = std::make_shared<CamVariables>();
-    cam->cam = middle_cam(*scene.cam);
+    cam->cam = disk_mechanism(middle_cam(*scene.cam));
     cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
     int parameter = 0;
-    for (int d = 0; d < dimension_count; ++d) {
-        const auto which = static_cast<DimensionIndex>(d);
-        const Dimension& dimension = (*scene.cam)[which];
-        if (dimension.is_variable()) cam->variables.push_back({which, parameter++, dimension.high});
-    }
+    const std::vector<MechanismDimension> all = disk_spec(*scene.cam).dimensions;
+    for (std::size_t d = 0; d < all.size(); ++d)
+        if (all[d].value.is_variable())
+            cam->variables.push_back({static_cast<int>(d), parameter++, all[d].value.high});
     return cam;
 }
 
@@ -87,7 +87,8 @@ Eigen::VectorXd random_place(const CamVariables& cam, std::mt19937& random) {
         uniform(random, -20.0, 20.0);
     for (Eigen::Index k = 0; k < dimensions; ++k) {
         const CamVariables::Variable& variable = cam.variables[static_cast<std::size_t>(k)];
-        place[4 + k] = cam.cam[variable.dimension] / variable.reference * uniform(random, 0.96, 1.04);
+        place[4 + k] = cam.cam.dimensions[static_cast<std::size_t>(variable.dimension)] / variable.reference *
+                       uniform(random, 0.96, 1.04);
     }
     return place;
 }
@@ -101,7 +102,7 @@ class CamRules : public testing::TestWithParam<Case> {};
 TEST_P(CamRules, PartialsAgreeWithDifferences) {
     const Scene scene = scene_of(GetParam());
     const auto cam = variables_of(scene);
-    const auto rules = cam_limits(scene, cam);
+    const auto rules = cam_limits(scene, *cam);
     EXPECT_GE(rules.size(), 6u);
     std::mt19937 random(3);
     constexpr double step = 1e-5;
@@ -131,7 +132,7 @@ TEST_P(CamRules, AreAsLinearAndAsConvexAsTheyClaim) {
     const auto cam = variables_of(scene);
     std::mt19937 random(5);
     int linear = 0;
-    for (const auto& rule : cam_limits(scene, cam)) {
+    for (const auto& rule : cam_limits(scene, *cam)) {
         const Curvature claimed = rule->curvature(-0.1, 1.1);
         linear += claimed == Curvature::linear ? 1 : 0;
         EXPECT_EQ(rule->linear(), claimed == Curvature::linear) << rule->name();
@@ -174,7 +175,7 @@ TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {
         const double prime = std::sqrt(a * a + l * l - 2 * a * l * std::cos(start_degrees * units::degree));
         (*scene.cam)[base_radius] = prime - 10e-3;
         int convex = 0;
-        for (const auto& rule : cam_limits(scene, variables_of(scene))) {
+        for (const auto& rule : cam_limits(scene, *variables_of(scene))) {
             convex += rule->curvature(-0.2, 1.2) == Curvature::convex ? 1 : 0;
         }
         EXPECT_EQ(convex, start_degrees == 75.0 ? 2 : 1);

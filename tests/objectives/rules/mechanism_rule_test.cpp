@@ -94,7 +94,7 @@ TEST(MechanismRule, KeptJustWhereThePointOfTheCamKeepsTheLimit) {
     std::map<std::string, std::array<int, 2>> seen;
     for (int trial = 0; trial < 2000; ++trial) {
         const MotionPoint motion = random_point(generator);
-        const FollowerState state = state_of(motion, model.mechanism->scale);
+        const FollowerState state = state_of(motion, model.cam->scale);
         const MechanismPoint point = own.mechanism->formulas->point(0.0, {numbers, state}, 0);
         std::map<std::string, bool> kept;
         for (const PlacedRule& rule : model.rules) {

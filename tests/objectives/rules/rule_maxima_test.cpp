@@ -9,6 +9,7 @@
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/piece_maxima.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/quantity_along.hpp"
 
 #include <gtest/gtest.h>
@@ -97,7 +98,7 @@ TEST(RuleMaxima, EncloseTheFormulasOfEveryFollower) {
     for (const FollowerType follower : followers) {
         const Scene scene = small_cam(follower, Rotation::clockwise);
         auto variables = std::make_shared<CamVariables>();
-        variables->cam = middle_cam(*scene.cam);
+        variables->cam = disk_mechanism(middle_cam(*scene.cam));
         variables->scale = {scene.motion.lift, scene.motion.unit_angle()};
         // y = 0.3 + 0.5 x − 0.7 x² + 0.4 x³ on a stretch about 0.2.
         const auto derivatives = [](double x) {
@@ -110,7 +111,7 @@ TEST(RuleMaxima, EncloseTheFormulasOfEveryFollower) {
             const double a = derivatives(0.2 - half)[r], b = derivatives(0.2 + half)[r];
             over[r] = {std::min(a, b), std::max(a, b)};
         }
-        for (const auto& rule : cam_limits(scene, variables)) {
+        for (const auto& rule : cam_limits(scene, *variables)) {
             const auto range = rule->range_along(over, {});
             ASSERT_TRUE(range);
             const auto value = [&](double x) {

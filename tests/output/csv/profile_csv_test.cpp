@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -35,25 +36,20 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-struct Sample {
-    std::vector<ProfilePoint> points;
-    std::vector<double> displacements;
-};
+MechanismProfile sample(FollowerType follower) {
+    return mechanism_profile(disk_mechanism(test::sample_cam(follower)), test::turn_motion("modified_sine"),
+                             test::sample_scale(follower), 90);
+}
 
-Sample sample(FollowerType follower) {
-    const MotionChain motion = test::turn_motion("modified_sine");
-    const MotionScale scale = test::sample_scale(follower);
-    Sample result{sampled_profile(test::sample_cam(follower), motion, scale, {90, 1e-6}), {}};
-    for (const ProfilePoint& point : result.points)
-        result.displacements.push_back(scale.lift * motion.at(point.theta).derivative[0]);
-    return result;
+ProfileColumns columns_of(FollowerType follower) {
+    return {is_oscillating(follower), has_flat_face(follower)};
 }
 
 TEST(ProfileCsv, ColumnsFollowTheFollower) {
     for (const FollowerType follower : test::all_followers) {
-        const auto [points, displacements] = sample(follower);
-        const auto lines = lines_of(profile_csv(points, displacements, follower_of(follower)));
-        EXPECT_EQ(lines.size(), points.size() + 1);
+        const MechanismProfile profile = sample(follower);
+        const auto lines = lines_of(profile_csv(profile, columns_of(follower)));
+        EXPECT_EQ(lines.size(), profile.points.size() + 1);
         const std::string& header = lines.front();
         EXPECT_EQ(header.find("s_deg") != std::string::npos, is_oscillating(follower));
         EXPECT_EQ(header.find("contact_offset_mm") != std::string::npos, has_flat_face(follower));
@@ -64,8 +60,8 @@ TEST(ProfileCsv, ColumnsFollowTheFollower) {
 
 TEST(ProfileCsv, RowsAgreeWithEachOther) {
     const auto follower = FollowerType::translating_roller;
-    const auto [points, displacements] = sample(follower);
-    const auto lines = lines_of(profile_csv(points, displacements, follower_of(follower)));
+    const MechanismProfile profile = sample(follower);
+    const auto lines = lines_of(profile_csv(profile, columns_of(follower)));
     const auto first = numbers(lines[1]), last = numbers(lines.back());
     EXPECT_EQ(first[0], 0.0);
     EXPECT_NEAR(last[0], 360.0, 1e-12);
@@ -75,29 +71,27 @@ TEST(ProfileCsv, RowsAgreeWithEachOther) {
         const auto cells = numbers(lines[i]);
         EXPECT_NEAR(cells[2] - cells[4], 10.0 * cells[6], 1e-12);  // pitch − cam = roller radius · normal
         EXPECT_NEAR(cells[3] - cells[5], 10.0 * cells[7], 1e-12);
-        EXPECT_EQ(cells[1], displacements[i - 1] / units::millimetre);
+        EXPECT_EQ(cells[1], profile.outputs[i - 1] / units::millimetre);
     }
 }
 
 TEST(ProfileCsv, AnInfiniteRadiusStaysEmpty) {
-    auto [points, displacements] = sample(FollowerType::translating_knife);
-    points.resize(1);
-    displacements.resize(1);
-    points[0].pitch_curvature = 0.0;
-    points[0].cam_radius = HUGE_VAL;
-    const auto cells = numbers(
-        lines_of(profile_csv(points, displacements, follower_of(FollowerType::translating_knife)))[1]);
+    MechanismProfile profile = sample(FollowerType::translating_knife);
+    profile.points.resize(1);
+    profile.outputs.resize(1);
+    profile.points[0].pitch_curvature = 0.0;
+    profile.points[0].cam_radius = HUGE_VAL;
+    const auto cells =
+        numbers(lines_of(profile_csv(profile, columns_of(FollowerType::translating_knife)))[1]);
     EXPECT_TRUE(std::isnan(cells[9]));
     EXPECT_TRUE(std::isnan(cells[10]));
     EXPECT_EQ(cells[11], 1.0);
 }
 
 TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
-    auto [points, displacements] = sample(FollowerType::translating_flat);
-    displacements.pop_back();
-    EXPECT_EQ(refusal([&] {
-                  (void)profile_csv(points, displacements, follower_of(FollowerType::translating_flat));
-              }),
+    MechanismProfile profile = sample(FollowerType::translating_flat);
+    profile.outputs.pop_back();
+    EXPECT_EQ(refusal([&] { (void)profile_csv(profile, columns_of(FollowerType::translating_flat)); }),
               "profile.csv: 97 points and 96 displacements");
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
-#include "output/drawing/mechanism_dxf.hpp"
-
 #include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
+#include "output/drawing/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/support/refusal.hpp"
@@ -40,7 +40,7 @@ std::vector<test::DxfPolyline> on_layer(const std::string& text, const std::stri
 
 /// From exact points of a station to the polyline, m; the last bit before either end is left out.
 double largest_distance(const Solution& solution, int station, bool of_cam, const test::DxfPolyline& line) {
-    const MechanismProfile profile = mechanism_profile(solution.mechanism->mechanism, cam_motion(solution),
+    const MechanismProfile profile = mechanism_profile(solution.cam->cam, cam_motion(solution),
                                                        motion_scale(solution.scene), places, station);
     double largest = 0.0;
     for (std::size_t i = 3; i + 3 < profile.points.size(); ++i) {
@@ -53,8 +53,8 @@ double largest_distance(const Solution& solution, int station, bool of_cam, cons
 
 TEST(MechanismDxf, ARemoteCamIsOneClosedOutlineWithinAMicrometre) {
     const Solution solution = solved("tappet_75");
-    ASSERT_TRUE(has_plane_mechanism(solution));
-    const MechanismDxf dxf = mechanism_dxf(solution);
+    ASSERT_TRUE(solution.cam->cam.formulas->is_plane_curve());
+    const ProfileDxf dxf = cam_dxf(solution);
     const auto outlines = on_layer(dxf.text, "CAM"), pitches = on_layer(dxf.text, "PITCH");
     ASSERT_EQ(outlines.size(), 1U);
     ASSERT_EQ(pitches.size(), 1U);
@@ -67,7 +67,7 @@ TEST(MechanismDxf, ARemoteCamIsOneClosedOutlineWithinAMicrometre) {
 
 TEST(MechanismDxf, AGuideHasBothWalls) {
     const Solution solution = solved("inverse_feeder");
-    const MechanismDxf dxf = mechanism_dxf(solution);
+    const ProfileDxf dxf = cam_dxf(solution);
     const auto walls = on_layer(dxf.text, "WALLS"), middle = on_layer(dxf.text, "PITCH");
     ASSERT_EQ(walls.size(), 2U);
     ASSERT_EQ(middle.size(), 1U);
@@ -80,8 +80,8 @@ TEST(MechanismDxf, AGuideHasBothWalls) {
 
 TEST(MechanismDxf, ADrumIsRefused) {
     const Solution solution = solved("cylinder_slide");
-    EXPECT_FALSE(has_plane_mechanism(solution));
-    EXPECT_EQ(refusal([&] { (void)mechanism_dxf(solution); }),
+    EXPECT_FALSE(solution.cam->cam.formulas->is_plane_curve());
+    EXPECT_EQ(refusal([&] { (void)cam_dxf(solution); }),
               "a drawing needs the cam of a plane mechanism, and this solution has none");
 }
 

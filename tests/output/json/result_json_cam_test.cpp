@@ -2,6 +2,7 @@
 // result.json of scenes with a cam, of programs, and of scenes that have no motion.
 #include "output/json/result_json.hpp"
 #include "output/report/text_file.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/output/sample_solution.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(ResultJsonCam, CarriesTheFiguresInDisplayUnits) {
     EXPECT_NEAR(cam["pressure_angle_deg"]["value"].get<double>(),
                 summary.pressure_angle.value * 57.29577951308232, 1e-12);
     EXPECT_NEAR(cam["pressure_angle_deg"]["at_deg"].get<double>(), 90 * summary.pressure_angle.at, 1e-12);
-    EXPECT_NEAR(cam["convex_radius_mm"]["value"].get<double>(), 1e3 * summary.convex_radius.value, 1e-12);
+    EXPECT_NEAR(cam["convex_radius_mm"]["value"].get<double>(), 1e3 * summary.convex_radius->value, 1e-12);
     EXPECT_EQ(cam["undercut"], false);
     EXPECT_FALSE(cam.contains("contact_offset_mm"));
     EXPECT_DOUBLE_EQ(cam["smallest"]["given_mm"].get<double>(), 40.0);
@@ -85,7 +86,7 @@ TEST(ResultJsonCam, WhatDoesNotExistIsNull) {
     solution.cam->smallest.reset();
     solution.cam->summary.forces.reset();
     solution.cam->summary.concave_radius.reset();
-    solution.cam->summary.convex_radius.value = 1e300;
+    solution.cam->summary.convex_radius->value = 1e300;
     ConstraintReport concave;
     concave.key = "limits.concave_radius_min_mm";
     concave.worst = std::numeric_limits<double>::infinity();
@@ -99,7 +100,9 @@ TEST(ResultJsonCam, WhatDoesNotExistIsNull) {
 
 TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
     Solution solution = test::cam_solution();
-    solution.cam->cam.follower = solution.scene.cam->follower = FollowerType::oscillating_flat;
+    solution.scene.cam->follower = FollowerType::oscillating_flat;
+    solution.cam->cam = disk_mechanism(middle_cam(*solution.scene.cam));
+    solution.cam->summary.contact_offset = CamExtreme{2e-3, 0.5};
     solution.scene.motion.lift_is_angle = true;
     solution.cam->forward_check = ForwardCheckReport{1e-9, 1e-8, 0.5, 2001, 0.25};
     const Json json = json_of(solution);
@@ -108,7 +111,7 @@ TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
     EXPECT_TRUE(json["cam"]["forward_check"].contains("deviation_deg"));
     EXPECT_EQ(
         json["dimensions"].dump(),
-        R"({"base_radius_mm":30.0,"center_distance_mm":0.0,"face_offset_mm":0.0,"prime_radius_mm":40.0})");
+        R"({"base_radius_mm":30.0,"center_distance_mm":0.0,"face_offset_mm":0.0,"prime_radius_mm":30.0})");
 }
 
 TEST(ResultJsonCam, AnUndercutIsTold) {

@@ -2,11 +2,13 @@
 // Quantities against the points, and their partials against fourth-order central differences, at random
 // states.
 #include "core/errors.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/profiles/test_turn.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numeric>
 #include <random>
 
 namespace camopt {
@@ -187,6 +189,37 @@ TEST(ExtremeQuantities, StayFinite) {
                     ASSERT_TRUE(value.hessian.allFinite()) << cam.name << " " << theta;
                 }
         }
+}
+
+/// The same numbers behind the interface of any cam.
+TEST_P(QuantityOf, IsTheSameOfTheMechanism) {
+    std::mt19937 generator(20);
+    const auto [follower, rotation] = GetParam();
+    for (int again = 0; again < 20; ++again) {
+        const Situation situation = random_situation(follower, rotation, generator);
+        const DrivenMechanism mechanism = disk_mechanism(situation.cam);
+        ASSERT_TRUE(disk_cam(mechanism));
+        EXPECT_EQ(disk_cam(mechanism)->dimensions, situation.cam.dimensions);
+        const MechanismState state{mechanism.dimensions, situation.state};
+        const ProfilePoint own = profile_point(situation.cam, 0.7, situation.state);
+        const MechanismPoint point = mechanism.formulas->point(0.7, state, 0);
+        EXPECT_EQ(point.contact.head<2>(), own.contact);
+        EXPECT_EQ(point.pressure_angle, own.pressure_angle);
+        EXPECT_EQ(point.regularity, own.regularity);
+        std::vector<int> active(mechanism.dimensions.size()), columns = {0, 1, 2};
+        std::iota(active.begin(), active.end(), 0);
+        for (int i = 0; i < dimension_count; ++i)
+            if (has_dimension(follower, static_cast<DimensionIndex>(i))) columns.push_back(3 + i);
+        for (const auto& [which, all] :
+             {std::pair(MechanismQuantity::regularity, Quantity::regularity),
+              std::pair(MechanismQuantity::pressure_numerator, Quantity::pressure_numerator)}) {
+            const MechanismValue value = mechanism.formulas->quantity(which, state, 0, active);
+            const QuantityValue expected = quantity(situation.cam, situation.state, all);
+            EXPECT_EQ(value.value, expected.value);
+            EXPECT_EQ(value.gradient, expected.gradient(columns));
+            EXPECT_EQ(value.hessian, expected.hessian(columns, columns));
+        }
+    }
 }
 
 std::vector<Case> every_case() {

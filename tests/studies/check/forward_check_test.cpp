@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"
 #include "tests/studies/cam_samples.hpp"
@@ -67,8 +68,8 @@ TEST(ForwardCheck, EveryFollowerMovesAsDesigned) {
                 std::printf("[ forward  ] %-19s %-16s %-16s", name_of(follower), name_of(rotation),
                             law.c_str());
                 for (const int count : {250, 500, 1000, 2000}) {
-                    const ForwardCheckResult result =
-                        forward_check(forward_check_input(cam, motion, test::sample_scale(follower), count));
+                    const ForwardCheckResult result = forward_check(forward_check_input(
+                        disk_mechanism(cam), motion, test::sample_scale(follower), count));
                     std::printf("  %d: %.1e (%.2f s)", result.points, result.relative, result.seconds);
                     EXPECT_LT(result.relative, count == 2000 ? 1e-12 : 1e-6);
                     EXPECT_EQ(result.beyond, 0);
@@ -82,8 +83,8 @@ TEST(ForwardCheck, JumpsOfTheAccelerationAndShortStretchesDoNotMatter) {
     for (const std::string law : {"parabolic", "mcv_50", "double_harmonic"})
         for (const FollowerType follower : test::all_followers) {
             const MotionChain motion = test::turn_motion(law);
-            const auto input =
-                forward_check_input(test::sample_cam(follower), motion, test::sample_scale(follower), 2000);
+            const auto input = forward_check_input(disk_mechanism(test::sample_cam(follower)), motion,
+                                                   test::sample_scale(follower), 2000);
             EXPECT_LT(forward_check(input).relative, 1e-11) << law << " " << name_of(follower);
         }
 }
@@ -91,8 +92,8 @@ TEST(ForwardCheck, JumpsOfTheAccelerationAndShortStretchesDoNotMatter) {
 TEST(ForwardCheck, AWrongCamIsFound) {
     for (const FollowerType follower : test::all_followers) {
         const MotionChain motion = test::turn_motion("modified_sine");
-        ForwardCheckInput input =
-            forward_check_input(test::sample_cam(follower), motion, test::sample_scale(follower), 500);
+        ForwardCheckInput input = forward_check_input(disk_mechanism(test::sample_cam(follower)), motion,
+                                                      test::sample_scale(follower), 500);
         for (Vector2d& point : input.points) point *= 1.001;
         const ForwardCheckResult result = forward_check(input);
         EXPECT_GT(result.relative, 5e-4) << name_of(follower);
@@ -103,8 +104,8 @@ TEST(ForwardCheck, AWrongCamIsFound) {
 TEST(ForwardCheck, OneDisplacedPointAndTheWrongRotationAreFound) {
     for (const FollowerType follower : test::all_followers) {
         const MotionChain motion = test::turn_motion("modified_sine");
-        ForwardCheckInput input =
-            forward_check_input(test::sample_cam(follower), motion, test::sample_scale(follower), 500);
+        ForwardCheckInput input = forward_check_input(disk_mechanism(test::sample_cam(follower)), motion,
+                                                      test::sample_scale(follower), 500);
         ForwardCheckInput bump = input;
         bump.points[137] *= 1.0001;
         EXPECT_GT(forward_check(bump).relative, 5e-5) << name_of(follower);
@@ -121,7 +122,8 @@ TEST(ForwardCheck, UndercutCamsAreFound) {
     roller.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 6e-3;
     const DiskCam flat = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
     for (const auto& [cam, lift] : {std::pair(roller, 25e-3), std::pair(flat, 10 * units::degree)}) {
-        const auto result = forward_check(forward_check_input(cam, motion, {lift, 1.0}, 1000));
+        const auto result =
+            forward_check(forward_check_input(disk_mechanism(cam), motion, {lift, 1.0}, 1000));
         EXPECT_GT(result.relative, 1e-3);
         std::printf("[ forward  ] undercut %s: %.2e at %.1f deg\n", name_of(cam.follower), result.relative,
                     result.theta / units::degree);
@@ -134,7 +136,7 @@ TEST(ForwardCheck, ASectorIsCheckedBetweenItsEnds) {
         const DiskCam cam = test::sample_cam(follower);
         const MotionChain turn = test::turn_motion("modified_sine");
         const MotionChain rise({turn.parts()[1]});
-        ForwardCheckInput input = forward_check_input(cam, rise, scale, 600);
+        ForwardCheckInput input = forward_check_input(disk_mechanism(cam), rise, scale, 600);
         EXPECT_FALSE(input.closed);
         const ForwardCheckResult result = forward_check(input);
         EXPECT_LT(result.relative, 1e-7) << name_of(follower);

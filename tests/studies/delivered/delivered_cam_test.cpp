@@ -2,6 +2,7 @@
 // Random cams of every follower, rotation and kind of motion: whatever is delivered keeps every limit of its
 // scene, evaluated independently on 20,000 angles and closer about the worst. The limits are set near what
 // the motion without them reaches, so that many of them bite, among them where the cam would undercut.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
@@ -107,7 +108,7 @@ void set_limits(Scene& scene, const CamReport& free, Random& random) {
     if (random.chance(0.3))
         limits.return_pressure_angle = angle(reached.pressure_angle, "limits.return_pressure_angle_deg");
     if (random.chance(0.2)) {
-        const double radius = std::max(1e-3, reached.convex_radius.value);
+        const double radius = std::max(1e-3, reached.convex_radius->value);
         limits.cam_radius_min =
             millimetres(1e3 * std::min(radius, 0.2) * random.between(0.5, 1.2), "limits.cam_radius_min_mm");
     }
@@ -212,7 +213,7 @@ TEST_P(DeliveredCam, KeepsEveryLimitOfItsScene) {
     const Verdict verdict = solution.certificate.verdict;
     if (verdict == Verdict::infeasible || verdict == Verdict::failed) return;
     std::string which;
-    const double excess = worst_excess(scene, solution.cam->cam, *solution.motion, which);
+    const double excess = worst_excess(scene, *disk_cam(solution.cam->cam), *solution.motion, which);
     EXPECT_LE(excess, kept) << which << ", verdict " << name_of(verdict);
     std::printf(", worst %.2g %s\n", excess, which.c_str());
 }

@@ -200,7 +200,7 @@ TEST(OwnCamKind, IsReadByItsKeysAndSolvedByItsFormulas) {
     ASSERT_TRUE(expected.motion) << expected.certificate.reason;
     ASSERT_TRUE(found.motion) << found.certificate.reason;
     EXPECT_EQ(found.certificate.objective, expected.certificate.objective);
-    ASSERT_TRUE(found.mechanism);
+    ASSERT_TRUE(found.cam);
     EXPECT_EQ(found.constraints.front().worst, expected.constraints.front().worst);
     EXPECT_THROW(add_cam_kind(kind), InputError);  // taken
     kind.type = "another";

@@ -3,7 +3,7 @@
 // definitions, verdicts, forward checks.
 #include "studies/papers/paper_003.hpp"
 
-#include "studies/check/mechanism_check.hpp"
+#include "studies/check/forward_check_input.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
     const std::pair<int, double> rows[] = {{360, 2.9e-9}, {1440, 5.9e-12}, {6000, 1e-12}};
     for (const auto& [points, most] : rows) {
         const ForwardCheckResult result =
-            forward_check(mechanism_check_input(mechanism, motion, tappet_scale(), points));
+            forward_check(forward_check_input(mechanism, motion, tappet_scale(), points));
         EXPECT_LE(result.deviation, most) << points;
     }
 }
@@ -68,7 +68,7 @@ TEST(Paper003, ForwardCheckSeesACamThatIsNotTheDesignedOne) {
     const MechanismSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
     const MotionChain motion = tappet_motion("modified_trapezoid", 60);
-    ForwardCheckInput input = mechanism_check_input(mechanism, motion, tappet_scale(), 1440);
+    ForwardCheckInput input = forward_check_input(mechanism, motion, tappet_scale(), 1440);
     for (Eigen::Vector2d& point : input.points) point *= 1.001;  // 0.035 mm at the least radius
     EXPECT_GT(forward_check(input).deviation, 1e-5);
 }

@@ -7,7 +7,7 @@
 #include "core/units.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/delivered/mechanism_report.hpp"
+#include "studies/check/check_cam.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
@@ -105,7 +105,7 @@ TEST_P(TappetScene, KeepsThirtyDegreesRebuiltFromTheMotionAlone) {
     for (int i = 1; i < 3600; ++i)
         broken = std::max(broken, std::abs(pressure_angle(law, 2.0 * pi * i / 3600)));
     EXPECT_NEAR(broken, GetParam() == 75 ? 31.6169201862 : 35.5402136266, 1e-4);
-    EXPECT_LT(check_mechanism(solution, 6000).deviation, 1e-9);  // 1e-6 mm
+    EXPECT_LT(check_cam(solution, 6000).deviation, 1e-9);  // 1e-6 mm
 }
 
 INSTANTIATE_TEST_SUITE_P(Dwells, TappetScene, ::testing::Values(75, 90));
@@ -145,13 +145,12 @@ TEST(TappetScenes, AVariableDimensionIsUsed) {
     height.high = 0.0;
     scene.solver.starts = 2;
     const Solution fixed = solve(tappet_scene(90, 30)), free = solve(scene);
-    ASSERT_TRUE(fixed.motion && free.motion && free.mechanism);
+    ASSERT_TRUE(fixed.motion && free.motion && free.cam);
     EXPECT_LT(free.certificate.objective, fixed.certificate.objective - 0.05);
-    const double found =
-        free.mechanism->mechanism.dimensions[static_cast<std::size_t>(RemoteDimension::center_y)];
+    const double found = free.cam->cam.dimensions[static_cast<std::size_t>(RemoteDimension::center_y)];
     EXPECT_GE(found, -0.02);
     EXPECT_LT(found, -0.005);
-    EXPECT_LE(free.mechanism->summary.pressure_angle.value, 30.0 * units::degree + 1e-8);
+    EXPECT_LE(free.cam->summary.pressure_angle.value, 30.0 * units::degree + 1e-8);
 }
 
 TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {

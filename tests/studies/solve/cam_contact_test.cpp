@@ -2,6 +2,8 @@
 // Hertz pressure and torque speak of a follower that touches its cam: limits on them make the cam regular,
 // and what is reported of a cam that cannot be touched is not a number. Pressure angles where the follower
 // rests.
+#include "profiles/disk/disk_mechanism.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
@@ -104,7 +106,7 @@ void expect_hertz_kept(const Scene& scene) {
     const Verdict verdict = solution.certificate.verdict;
     ASSERT_TRUE(verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible)
         << name_of(verdict);
-    const IndependentCam independent(scene, solution.cam->cam);
+    const IndependentCam independent(scene, *disk_cam(solution.cam->cam));
     const double worst = densely_worst(*solution.motion, dense_points, [&](const MotionPoint& point) {
         return independent.at(point).hertz / scene.limits.hertz_pressure_max->value;
     });
@@ -181,8 +183,8 @@ TEST(CamFigures, OfAFlatFaceThatCannotTouchAreNoNumbers) {
         const CamSummary& summary = solution.cam->summary;
         EXPECT_TRUE(summary.undercut());
         EXPECT_TRUE(summary.no_contact);
-        for (const CamExtreme& figure : {summary.pressure_angle, summary.convex_radius, summary.regularity,
-                                         summary.contact_offset, summary.forces->torque})
+        for (const CamExtreme& figure : {summary.pressure_angle, *summary.convex_radius, summary.regularity,
+                                         *summary.contact_offset, summary.forces->torque})
             EXPECT_FALSE(std::isnan(figure.value));
         EXPECT_TRUE(std::isinf(summary.forces->hertz_pressure->value));
         EXPECT_TRUE(std::isinf(summary.forces->normal_force->value));
@@ -250,7 +252,7 @@ TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
     ASSERT_TRUE(solution.cam) << name_of(solution.certificate.verdict);
     for (const double x : {0.0, 1.0}) {
         const CamContact contact =
-            IndependentCam(scene, solution.cam->cam).at(solution.motion->at(x, Side::right));
+            IndependentCam(scene, *disk_cam(solution.cam->cam)).at(solution.motion->at(x, Side::right));
         EXPECT_LE(contact.pressure, scene.limits.pressure_angle->value * (1.0 + 1e-6)) << "at x = " << x;
     }
 }

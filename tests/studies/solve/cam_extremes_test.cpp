@@ -105,7 +105,7 @@ TEST_P(ExtremeCam, EndsInATrueVerdict) {
     EXPECT_LE(summary.pressure_angle.value, scene.limits.pressure_angle->value * (1 + 1e-6));
     if (scene.limits.cam_radius_min) {
         const double least = scene.limits.cam_radius_min->value;
-        EXPECT_GE(summary.convex_radius.value, least - 1e-6 * std::max(least, 1e-3 * scene.motion.lift));
+        EXPECT_GE(summary.convex_radius->value, least - 1e-6 * std::max(least, 1e-3 * scene.motion.lift));
     }
     for (int k = 0; k <= 1000; ++k) {
         const double x = solution.motion->end() * k / 1000.0;

@@ -78,7 +78,7 @@ const Beat beats[] = {
          return scene;
      },
      [](Scene& s, double v) { s.limits.rise_pressure_angle = written(v, "limits.rise_pressure_angle_deg"); },
-     [](const CamSummary& c) { return c.rise_pressure_angle.value; }, 1, 0.9},
+     [](const CamSummary& c) { return c.rise_pressure_angle->value; }, 1, 0.9},
     {"return_pressure_angle",
      [] {
          Scene scene = roller_scene();
@@ -89,10 +89,10 @@ const Beat beats[] = {
      [](Scene& s, double v) {
          s.limits.return_pressure_angle = written(v, "limits.return_pressure_angle_deg");
      },
-     [](const CamSummary& c) { return c.return_pressure_angle.value; }, 1, 0.9},
+     [](const CamSummary& c) { return c.return_pressure_angle->value; }, 1, 0.9},
     {"cam_radius_min", roller_scene,
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius.value; }, -1, 1.1},
+     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.1},
     {"concave_radius_min", roller_scene,
      [](Scene& s, double v) { s.limits.concave_radius_min = written(v, "limits.concave_radius_min_mm"); },
      [](const CamSummary& c) { return c.concave_radius ? c.concave_radius->value : 1e9; }, -1, 1.2},
@@ -108,7 +108,7 @@ const Beat beats[] = {
          return scene;
      },
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius.value; }, -1, 1.03},
+     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.03},
     {"flat_radius",
      [] {
          Scene s = flat_scene(40, 0);
@@ -116,7 +116,7 @@ const Beat beats[] = {
          return s;
      },
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius.value; }, -1, 1.1},
+     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.1},
     {"flat_margin",
      [] {
          Scene s = flat_scene(40, 0);
@@ -132,19 +132,19 @@ const Beat beats[] = {
          return s;
      },
      [](Scene& s, double v) { s.cam->face_half_width = v; },
-     [](const CamSummary& c) { return c.contact_offset.value; }, 1, 0.9},
+     [](const CamSummary& c) { return c.contact_offset->value; }, 1, 0.9},
     {"arm_pressure_angle", [] { return oscillating_scene(FollowerType::oscillating_roller); },
      [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
      [](const CamSummary& c) { return c.pressure_angle.value; }, 1, 0.95},
     {"arm_radius", [] { return oscillating_scene(FollowerType::oscillating_roller); },
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius.value; }, -1, 1.05},
+     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.05},
     {"arm_face_pressure_angle", [] { return oscillating_scene(FollowerType::oscillating_flat); },
      [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
      [](const CamSummary& c) { return c.pressure_angle.value; }, 1, 0.97},
     {"arm_face_radius", [] { return oscillating_scene(FollowerType::oscillating_flat); },
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
-     [](const CamSummary& c) { return c.convex_radius.value; }, -1, 1.05},
+     [](const CamSummary& c) { return c.convex_radius->value; }, -1, 1.05},
     {"contact_force",
      [] {
          Scene s = roller_scene();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cam in the loop: proved optima and smallest cams of docs/theory/pressure_angle.md, flat faces, what is
 // left out.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
@@ -17,7 +18,8 @@ using enum DimensionIndex;
 using namespace testing_support;
 
 double prime_radius_mm(const Solution& solution) {
-    return 1e3 * (solution.cam->cam[base_radius] + solution.cam->cam[roller_radius]);
+    const DiskCam cam = *disk_cam(solution.cam->cam);
+    return 1e3 * (cam[base_radius] + cam[roller_radius]);
 }
 
 struct Optimum {
@@ -172,10 +174,10 @@ TEST(FlatFace, UndercutIsLinearSoTheOptimumIsProved) {
     Scene scene = flat_scene(30, 8);
     const Solution limited = solve(scene);
     ASSERT_EQ(limited.certificate.verdict, Verdict::optimal);
-    EXPECT_GE(limited.cam->summary.convex_radius.value, 8e-3 * (1 - 1e-8));
+    EXPECT_GE(limited.cam->summary.convex_radius->value, 8e-3 * (1 - 1e-8));
     scene.limits = {};
     const Solution free = solve(scene);
-    EXPECT_LT(free.cam->summary.convex_radius.value, 8e-3);
+    EXPECT_LT(free.cam->summary.convex_radius->value, 8e-3);
     EXPECT_LT(free.certificate.objective, limited.certificate.objective);
     // With the base radius free the peaks cost what they cost without the limit, or the cam grows.
     scene = flat_scene(30, 8);
@@ -183,18 +185,18 @@ TEST(FlatFace, UndercutIsLinearSoTheOptimumIsProved) {
     scene.objective.dimensions[0] = 1e-3;
     const Solution large = solve(scene);
     ASSERT_EQ(large.certificate.verdict, Verdict::optimal);
-    EXPECT_LT(large.certificate.objective - 1e-3 * large.cam->cam[base_radius] / 14e-3,
+    EXPECT_LT(large.certificate.objective - 1e-3 * (*disk_cam(large.cam->cam))[base_radius] / 14e-3,
               limited.certificate.objective);
 }
 
 TEST(FlatFace, TheFaceWidthLimitsTheVelocity) {
     Scene scene = flat_scene(60, 0);
     const Solution free = solve(scene);
-    const double width = 0.9 * free.cam->summary.contact_offset.value;
+    const double width = 0.9 * free.cam->summary.contact_offset->value;
     scene.cam->face_half_width = width;
     const Solution narrow = solve(scene);
     ASSERT_EQ(narrow.certificate.verdict, Verdict::optimal);
-    EXPECT_NEAR(narrow.cam->summary.contact_offset.value, width, 1e-7 * width);
+    EXPECT_NEAR(narrow.cam->summary.contact_offset->value, width, 1e-7 * width);
     EXPECT_GT(narrow.certificate.objective, free.certificate.objective);
 }
 

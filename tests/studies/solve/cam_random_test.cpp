@@ -50,7 +50,7 @@ Scene random_scene(unsigned seed) {
     const Solution free = solve(scene);
     if (!free.motion) return scene;
     // A radius that the cam without this limit does not keep.
-    const double radius = std::max(free.cam->summary.convex_radius.value, 0.02 * prime);
+    const double radius = std::max(free.cam->summary.convex_radius->value, 0.02 * prime);
     scene.limits.cam_radius_min =
         millimetres(1e3 * radius * uniform(random, 1.02, 1.35), "limits.cam_radius_min_mm");
     return scene;

@@ -117,7 +117,7 @@ TEST(Threads, EvaluateOneModelAtOnceAndCountEveryPoint) {
     constexpr int points = 2000;
     for (const Scene& scene : {roller_scene(), linkage_scene()}) {
         const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
-        const auto& counted = model.cam ? *model.cam->profile_points : *model.mechanism->profile_points;
+        const auto& counted = *model.cam->profile_points;
         const double alone = evaluated(model, points);
         const long once = counted;
         ASSERT_GT(once, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A cam that cannot be built (an arm that does not reach) is never delivered under a verdict.
 #include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
@@ -50,7 +51,7 @@ std::string fault_of(const Solution& solution) {
         least = std::min(least, s);
         most = std::max(most, s);
     }
-    return geometry_fault(solution.cam->cam, least, most);
+    return geometry_fault(*disk_cam(solution.cam->cam), least, most);
 }
 
 bool stands(const Certificate& certificate) {
@@ -75,10 +76,13 @@ TEST(UnbuildableCam, EndsTheVerdictOfTheLastLook) {
     ASSERT_TRUE(solution.cam);
     audit_delivered(solution);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
-    solution.cam->cam.dimensions[static_cast<std::size_t>(offset)] = 59.9e-3;
+    DiskCam cam = *disk_cam(solution.cam->cam);
+    cam.dimensions[static_cast<std::size_t>(offset)] = 59.9e-3;
+    solution.cam->cam = disk_mechanism(cam);
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
-    solution.cam->cam.dimensions[static_cast<std::size_t>(offset)] = 60.1e-3;
+    cam.dimensions[static_cast<std::size_t>(offset)] = 60.1e-3;
+    solution.cam->cam = disk_mechanism(cam);
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, "cam_cannot_be_built");

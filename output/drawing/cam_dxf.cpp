@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/mechanism_dxf.hpp"
+#include "output/drawing/cam_dxf.hpp"
 
 #include "core/errors.hpp"
+#include "core/scalar_search.hpp"
+#include "core/whole_turn.hpp"
 #include "output/drawing/arc_chain.hpp"
 #include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/profile_shape.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <optional>
 
 namespace camopt {
 
@@ -17,7 +19,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double closing = 1e-9;    // of the largest radius: ends this close are one point
+constexpr double closing = 1e-9;  // of the largest radius: ends this close are one point
+constexpr int reversal_bisections = 60;
 constexpr int sign_samples = 3600;  // in which the reversals of an undercut outline are looked for
 
 /// The mechanism's cam at any x of the motion.
@@ -48,19 +51,16 @@ class Outline {
     }
     [[nodiscard]] std::vector<double> breakpoints() const { return motion_.breakpoints(); }
     [[nodiscard]] bool closed(double size) const {
-        const double turn = (motion_.end() - motion_.begin()) * scale_.unit_angle;
         const Vector2d gap = (at(motion_.end(), 0).contact - at(motion_.begin(), 0).contact).head<2>();
-        return std::abs(turn - 2.0 * std::numbers::pi) < closing && gap.norm() < closing * size;
+        return is_whole_turn((motion_.end() - motion_.begin()) * scale_.unit_angle) &&
+               gap.norm() < closing * size;
     }
 
  private:
     [[nodiscard]] double reversal(double left, double right, int station) const {
         const bool falling = at(left, station).regularity > 0.0;
-        for (int step = 0; step < 60; ++step) {
-            const double middle = 0.5 * (left + right);
-            ((at(middle, station).regularity > 0.0) == falling ? left : right) = middle;
-        }
-        return right;
+        const auto like_left = [&](double x) { return (at(x, station).regularity > 0.0) == falling; };
+        return bisected(like_left, {left, right}, reversal_bisections).without;
     }
 
     const DrivenMechanism& mechanism_;
@@ -80,21 +80,10 @@ ArcChain chain_of(const Outline& outline, int station, bool of_cam, bool closed,
     return arc_chain(curve, of_cam ? outline.knots(station) : outline.breakpoints(), closed, options);
 }
 
-}  // namespace
-
-bool has_plane_mechanism(const Solution& solution) {
-    return solution.mechanism &&
-           (solution.mechanism->mechanism.formulas->planar() || has_inverse_cam(solution));
-}
-
-MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
-    if (!has_plane_mechanism(solution))
-        throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
-    const DrivenMechanism& mechanism = solution.mechanism->mechanism;
-    const MotionChain motion = cam_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
+ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, const MotionScale& scale,
+                       double tolerance) {
     const Outline outline(mechanism, motion, scale);
-    const bool guide = has_inverse_cam(solution);
+    const bool guide = mechanism.formulas->has_guide();
     const char* const cam = guide ? "WALLS" : "CAM";
     DxfDrawing drawing({{cam, 7, DxfLine::continuous},
                         {"PITCH", 5, DxfLine::dashed},
@@ -102,7 +91,7 @@ MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
                         {"AXES", 1, DxfLine::center}});
     const double size = outline.at(motion.end(), 0).pitch.norm();
     const bool closed = !guide && outline.closed(size);
-    MechanismDxf result;
+    ProfileDxf result;
     double reach = 0.0;
     for (int station = 0; station < mechanism.formulas->stations(); ++station) {
         const ArcChain chain = chain_of(outline, station, true, closed, tolerance, scale.unit_angle);
@@ -113,12 +102,25 @@ MechanismDxf mechanism_dxf(const Solution& solution, double tolerance) {
     }
     const ArcChain pitch = chain_of(outline, 0, false, closed, tolerance, scale.unit_angle);
     drawing.polyline("PITCH", pitch.vertices, pitch.closed);
+    result.pitch_arcs = pitch.arcs;
+    result.pitch_deviation = pitch.deviation;
     const MechanismPoint first = outline.at(motion.begin(), 0);
     drawing.circle("ROLLER", first.pitch.head<2>(), (first.contact - first.pitch).norm());
     drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
     result.text = drawing.finish();
     return result;
+}
+
+}  // namespace
+
+ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
+    if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
+        throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
+    const MotionChain motion = cam_motion(solution);
+    if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
+        return profile_dxf(*shape, tolerance);
+    return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);
 }
 
 }  // namespace camopt

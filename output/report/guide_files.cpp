@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "output/csv/guide_files.hpp"
-
-#include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/chart/paper_figure_svg.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/drawing/mechanism_figures.hpp"
+#include "output/report/cam_texts.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/mechanism_report.hpp"
 
 namespace camopt {
 
@@ -22,7 +19,7 @@ struct Walls {
     MechanismProfile left, right;
 };
 
-std::string csv_of(const Walls& walls) {
+std::string csv_of_walls(const Walls& walls) {
     std::string text =
         "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
         "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
@@ -49,7 +46,7 @@ PaperSeries path(const std::string& title, const MechanismProfile& profile, cons
     return series;
 }
 
-std::string drawing(const Walls& walls, const std::string& title) {
+std::string drawing_of(const Walls& walls, const std::string& title) {
     PaperFigure figure{"guide", title + ": the guide in its body", "x (mm)", "y (mm)", {}};
     figure.equal_scales = true;
     const auto contact = [](const MechanismPoint& point) { return point.contact; };
@@ -63,17 +60,15 @@ std::string drawing(const Walls& walls, const std::string& title) {
 
 }  // namespace
 
-GuideTexts guide_texts(const Solution& solution, std::optional<int> points) {
-    if (!has_inverse_cam(solution))
-        throw InputError("a guide needs an inverse cam, and this solution has none");
+std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options) {
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const int count = points.value_or(default_profile_points(motion, scale));
-    const DrivenMechanism& mechanism = solution.mechanism->mechanism;
+    const int count = options.points.value_or(default_profile_points(motion, scale));
+    const DrivenMechanism& mechanism = solution.cam->cam;
     const Walls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
                       mechanism_profile(mechanism, motion, scale, count, right_wall)};
     const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
-    return {csv_of(walls), drawing(walls, title), pressure_angle_svg(solution, walls.left)};
+    return {csv_of_walls(walls), drawing_of(walls, title), pressure_angle_svg(solution, walls.left)};
 }
 
 }  // namespace camopt

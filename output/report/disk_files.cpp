@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/cam_profile.hpp"
-
-#include "core/errors.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
-#include "output/drawing/profile_dxf.hpp"
 #include "output/drawing/profile_svg.hpp"
+#include "output/report/cam_texts.hpp"
 #include "output/words/cam_words.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 
@@ -53,27 +51,26 @@ std::vector<PressureLimit> pressure_spans(const Scene& scene, const Motion& moti
 }
 
 std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
-                   const CamProfileOptions& options) {
-    const std::vector<ProfilePoint> points =
-        sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance});
-    std::vector<double> displacements;
-    for (const ProfilePoint& point : points) {
+                   const CamFileOptions& options) {
+    MechanismProfile profile;
+    for (const ProfilePoint& point :
+         sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance})) {
         const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
-        displacements.push_back(scale.lift * motion.at(x).derivative[0]);
+        profile.points.push_back(mechanism_point(point));
+        profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    return profile_csv(points, displacements, follower_of(cam.follower));
+    return profile_csv(profile, {is_oscillating(cam.follower), has_flat_face(cam.follower)});
 }
 
 /// Where the report says that the extremes are: one source, so that both name the same angle where a
 /// maximum is flat or is reached twice.
 ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summary, double unit_angle) {
     ProfileDiagramMarks marks;
-    const auto add_pressure = [&](const CamExtreme& extreme) {
-        const bool there = std::ranges::any_of(
-            marks.pressure, [&](const ProfileMark& mark) { return mark.theta == unit_angle * extreme.at; });
-        if (there || !(extreme.value > 0.0)) return;
-        const double theta = unit_angle * extreme.at;
-        marks.pressure.push_back({theta, std::copysign(extreme.value, shape.at(theta).pressure_angle)});
+    const auto add_pressure = [&](const std::optional<CamExtreme>& extreme) {
+        if (!extreme || !(extreme->value > 0.0)) return;
+        const double theta = unit_angle * extreme->at;
+        if (std::ranges::find(marks.pressure, theta, &ProfileMark::theta) != marks.pressure.end()) return;
+        marks.pressure.push_back({theta, std::copysign(extreme->value, shape.at(theta).pressure_angle)});
     };
     add_pressure(summary.pressure_angle);
     add_pressure(summary.rise_pressure_angle);
@@ -88,24 +85,18 @@ ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summar
 
 }  // namespace
 
-CamProfileTexts cam_profile(const Solution& solution, const CamProfileOptions& options) {
-    if (!solution.cam) throw InputError("a profile needs a cam, and this solution has none");
-    const DiskCam& cam = solution.cam->cam;
+std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options) {
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    ProfileShape shape = profile_shape(cam, motion, scale);
-    shape.face_half_width = solution.scene.cam->face_half_width;
+    const ProfileShape shape = disk_shape(solution, motion).value();
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
     const ProfileDiagramLimits limits{
         pressure_spans(solution.scene, motion),
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
-    CamProfileTexts texts{
-        csv_of(cam, motion, scale, options), profile_svg(shape, title),
-        profile_diagrams_svg(shape, limits, title, marks_of(shape, solution.cam->summary, scale.unit_angle)),
-        std::nullopt};
-    if (options.dxf) texts.dxf = profile_dxf(shape, options.dxf_tolerance).text;
-    return texts;
+    const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
+    return {csv_of(shape.cam, motion, scale, options), profile_svg(shape, title),
+            profile_diagrams_svg(shape, limits, title, marks)};
 }
 
 }  // namespace camopt

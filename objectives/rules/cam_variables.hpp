@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The cam of a problem, of whatever kind: which of its dimensions the optimizer moves, and the others at
+// their numbers.
+#pragma once
+
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/sampling.hpp"
+#include "scene/cam_mechanism.hpp"
+
+#include <Eigen/Core>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace camopt {
+
+struct CamVariables {
+    struct Variable {
+        int dimension = 0;       ///< its place among the cam's dimensions
+        int parameter = 0;       ///< index among the problem's parameters
+        double reference = 1.0;  ///< m or rad in one unit of the parameter
+    };
+    DrivenMechanism cam;
+    MotionScale scale;
+    std::vector<Variable> variables;
+    /// How many points of the cam were evaluated: shared by all rules of a problem; threads may count at
+    /// once.
+    std::shared_ptr<std::atomic<long>> profile_points = std::make_shared<std::atomic<long>>(0);
+
+    /// The dimensions for all parameters of a problem.
+    [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
+};
+
+/// The same of a disk cam, whose rules have an algebra of fixed size.
+struct DiskVariables {
+    DiskCam cam;
+    MotionScale scale;
+    struct Variable {
+        DimensionIndex dimension = DimensionIndex::base_radius;
+        int parameter = 0;
+        double reference = 1.0;
+    };
+    std::vector<Variable> variables;
+    std::shared_ptr<std::atomic<long>> profile_points;
+
+    /// Throws ModelError where the cam is no disk cam.
+    explicit DiskVariables(const CamVariables& all);
+
+    [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
+};
+
+}  // namespace camopt

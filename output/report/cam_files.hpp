@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The files of a delivered plane cam, of whatever kind, as texts: its points, its pictures, its drawing. A
+// new kind of plane cam is a row of cam_files.cpp.
+//
+//   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf
+//   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
+//   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
+// The columns of profile.csv stand in csv/profile_csv.hpp, the layers of profile.dxf in drawing/cam_dxf.hpp.
+//
+// guide.csv, in the frame of the body (origin: its pivot; x axis: through the roller where the body stands at
+// angle 0), has the columns theta_deg, s_mm (the feeder's), middle_x_mm, middle_y_mm (the roller's centre),
+// left_x_mm, left_y_mm, right_x_mm, right_y_mm (the walls, seen outwards), pressure_angle_deg,
+// middle_radius_mm (> 0: bent to the left), regularity_left, regularity_right.
+#pragma once
+
+#include "studies/delivered/solution.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// What a file shows.
+enum class CamView { table, picture, diagram, drawing };
+
+struct CamFile {
+    CamView view = CamView::table;
+    std::string name;   ///< "profile.svg"
+    std::string title;  ///< as the report names a picture: "The cam to scale"
+    std::string text;
+};
+
+struct CamFileOptions {
+    /// Of the table, evenly by cam angle; none: a disk cam by the chord tolerance, others one a tenth of a
+    /// degree.
+    std::optional<int> points = {};
+    double chord_tolerance = 1e-6;  ///< m: a polyline through the table's points stays this close to the cam
+    double dxf_tolerance = 1e-6;    ///< m: of the drawing's arcs
+    bool drawing = false;           ///< profile.dxf too
+};
+
+/// The whole cam: an RR motion is followed by its dwell, a DRD motion stays a sector. None of a cam that is
+/// no plane curve, and of a solution without a cam.
+[[nodiscard]] std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& options = {});
+
+/// The text of the one that shows this. Throws InputError where the solution has no plane cam.
+[[nodiscard]] std::string cam_view(const Solution& solution, CamView view, CamFileOptions options = {});
+
+/// The same without their texts, and without the drawing.
+[[nodiscard]] std::vector<CamFile> cam_file_list(const Solution& solution);
+
+/// The names of all kinds.
+[[nodiscard]] std::vector<std::string> cam_file_names();
+
+}  // namespace camopt

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_mechanism.hpp"
+
+#include "core/units.hpp"
+#include "profiles/disk/disk_kind.hpp"
+#include "profiles/disk/quantity_algebra.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace camopt {
+namespace {
+
+Quantity quantity_of(MechanismQuantity which) {
+    switch (which) {
+        case MechanismQuantity::pressure_numerator:
+            return Quantity::pressure_numerator;
+        case MechanismQuantity::pressure_denominator:
+            return Quantity::pressure_denominator;
+        case MechanismQuantity::pitch_curvature:
+            return Quantity::pitch_curvature;
+        case MechanismQuantity::regularity:
+            break;
+    }
+    return Quantity::regularity;
+}
+
+class DiskMechanism final : public CamMechanism {
+ public:
+    DiskMechanism(FollowerType follower, Rotation rotation)
+        : follower_(follower), rotation_(rotation), which_(dimensions_of(follower)) {}
+
+    [[nodiscard]] DiskCam cam(std::span<const double> dimensions) const {
+        DiskCam own{follower_, rotation_, {}};
+        for (std::size_t i = 0; i < which_.size(); ++i)
+            own.dimensions[static_cast<std::size_t>(which_[i])] = dimensions[i];
+        return own;
+    }
+
+    [[nodiscard]] std::string type() const override { return disk_type; }
+    [[nodiscard]] bool swings() const override { return is_oscillating(follower_); }
+    [[nodiscard]] Rotation rotation() const override { return rotation_; }
+    [[nodiscard]] int stations() const override { return 1; }
+    [[nodiscard]] std::string station_name(int) const override { return {}; }
+    [[nodiscard]] int roller_radius() const override {
+        return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
+    }
+    [[nodiscard]] bool planar() const override { return true; }
+    [[nodiscard]] bool is_direct() const override { return true; }
+    [[nodiscard]] bool has_pitch_curve() const override { return !has_flat_face(follower_); }
+    [[nodiscard]] std::optional<double> base_radius(std::span<const double> dimensions) const override {
+        return cam(dimensions)[DimensionIndex::base_radius];
+    }
+    /// What a swing is multiplied by to be a length.
+    [[nodiscard]] double length(std::span<const double> dimensions) const override {
+        return cam(dimensions)[swings() ? DimensionIndex::center_distance : DimensionIndex::base_radius];
+    }
+    [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
+                                    double most) const override {
+        return geometry_fault(cam(dimensions), least, most);
+    }
+    [[nodiscard]] std::string undercut_words() const override;
+    [[nodiscard]] std::string check_words(int points) const override {
+        return fmt::format("a follower run over {} points of the cam", points);
+    }
+    [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
+                                          std::span<const int> active) const override;
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int) const override {
+        return mechanism_point(profile_point(cam(state.dimensions), theta, state.output));
+    }
+    /// A follower is drawn from its pose, not from links.
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
+        return std::nullopt;
+    }
+
+ private:
+    [[nodiscard]] int place_of(DimensionIndex dimension) const {
+        return static_cast<int>(std::ranges::find(which_, dimension) - which_.begin());
+    }
+
+    FollowerType follower_;
+    Rotation rotation_;
+    std::vector<DimensionIndex> which_;
+};
+
+std::string DiskMechanism::undercut_words() const {
+    if (has_edge(follower_)) return {};
+    return fmt::format(
+        "the cam crosses itself there, the part that remains does not lead the follower as designed. A "
+        "larger "
+        "base radius{} {}",
+        has_roller(follower_) ? " or a smaller roller" : "",
+        is_oscillating(follower_) ? "may help" : "helps");
+}
+
+MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int,
+                                       std::span<const int> active) const {
+    const auto size = static_cast<Eigen::Index>(3 + active.size());
+    if (which == MechanismQuantity::pitch_curvature && !has_pitch_curve()) {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
+    }
+    const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, quantity_of(which));
+    std::vector<int> columns = {0, 1, 2};
+    for (const int dimension : active)
+        columns.push_back(column_of(which_[static_cast<std::size_t>(dimension)]));
+    return {all.value, all.gradient(columns), all.hessian(columns, columns)};
+}
+
+}  // namespace
+
+std::vector<DimensionIndex> dimensions_of(FollowerType follower) {
+    std::vector<DimensionIndex> all;
+    for (int d = 0; d < dimension_count; ++d)
+        if (has_dimension(follower, static_cast<DimensionIndex>(d)))
+            all.push_back(static_cast<DimensionIndex>(d));
+    return all;
+}
+
+MechanismPoint mechanism_point(const ProfilePoint& found) {
+    MechanismPoint point;
+    point.theta = found.theta;
+    point.pitch << found.pitch, 0.0;
+    point.contact << found.contact, 0.0;
+    point.normal << found.normal, 0.0;
+    point.pressure_angle = found.pressure_angle;
+    point.pitch_curvature = found.pitch_curvature;
+    point.cam_radius = found.cam_radius;
+    point.regularity = found.regularity;
+    point.contact_offset = found.contact_offset;
+    return point;
+}
+
+MechanismSpec disk_spec(const CamSpec& cam) {
+    MechanismSpec spec;
+    spec.type = disk_type;
+    spec.rotation = cam.rotation;
+    spec.choices["follower"] = name_of(cam.follower);
+    for (const DimensionIndex which : dimensions_of(cam.follower)) {
+        MechanismDimension dimension{name_of(which), cam[which], false};
+        if (dimension.value.key.empty()) {
+            dimension.value.key = fmt::format("cam.{}_mm", dimension.name);
+            dimension.value.unit = units::millimetre;
+        }
+        spec.dimensions.push_back(std::move(dimension));
+    }
+    spec.formulas = std::make_shared<DiskMechanism>(cam.follower, cam.rotation);
+    return spec;
+}
+
+DrivenMechanism disk_mechanism(const DiskCam& cam) {
+    DrivenMechanism mechanism{std::make_shared<DiskMechanism>(cam.follower, cam.rotation), {}};
+    for (const DimensionIndex which : dimensions_of(cam.follower)) mechanism.dimensions.push_back(cam[which]);
+    return mechanism;
+}
+
+std::optional<DiskCam> disk_cam(const DrivenMechanism& mechanism) {
+    const auto* const disk = dynamic_cast<const DiskMechanism*>(mechanism.formulas.get());
+    if (disk == nullptr) return std::nullopt;
+    return disk->cam(mechanism.dimensions);
+}
+
+}  // namespace camopt

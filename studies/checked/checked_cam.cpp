@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "studies/checked/checked_cam.hpp"
+
+#include "core/errors.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/inverse/solved_guide.hpp"
+#include "studies/spatial/solved_cam.hpp"
+
+#include <fmt/format.h>
+
+namespace camopt {
+
+ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> points) {
+    if (!solution.cam) return check_cam(solution, points);
+    if (has_spatial_cam(solution)) return check_spatial_cam(solution, points);
+    if (solution.cam->cam.formulas->has_guide()) return check_inverse_cam(solution, points);
+    return check_cam(solution, points);
+}
+
+void add_forward_check(Solution& solution) {
+    if (!solution.cam) return;
+    try {
+        solution.cam->forward_check = checked_cam(solution);
+    } catch (const InputError& error) {
+        solution.notes.push_back(fmt::format("the forward check could not run: {}", error.what()));
+    }
+}
+
+}  // namespace camopt

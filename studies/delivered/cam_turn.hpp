@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Private to studies/delivered: figures of a cam of any kind, and their extremes over the motion and over all
+// stations.
+#pragma once
+
+#include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/extremes_along.hpp"
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+/// A point of the cam and the state of the output that made it.
+struct CamPlace {
+    MechanismPoint point;
+    FollowerState state;
+};
+using CamPlaceFigure = std::function<double(const CamPlace&)>;
+
+/// Keeps references to the cam and the motion.
+class CamTurn {
+ public:
+    CamTurn(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale)
+        : cam_(cam), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
+
+    [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure) const {
+        std::optional<CamExtreme> best;
+        for (int station = 0; station < cam_.formulas->stations(); ++station) {
+            const CamExtreme one = largest_along(
+                points_, [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); });
+            if (!best || one.value > best->value) best = one;
+        }
+        return *best;
+    }
+    [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure) const {
+        CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); });
+        found.value = -found.value;
+        return found;
+    }
+    /// |φ| with s' = 0 put in, whatever rounding made of it.
+    [[nodiscard]] double pressure_angle_at_rest(double x) const {
+        FollowerState state = state_of(motion_.at(x, x < motion_.end() ? Side::right : Side::left), scale_);
+        state.velocity = 0.0;
+        const double theta = scale_.unit_angle * x;
+        return std::abs(cam_.formulas->point(theta, {cam_.dimensions, state}, 0).pressure_angle);
+    }
+
+ private:
+    [[nodiscard]] CamPlace place(const MotionPoint& motion, int station) const {
+        return {mechanism_point(cam_, motion, scale_, station), state_of(motion, scale_)};
+    }
+
+    const DrivenMechanism& cam_;
+    const Motion& motion_;
+    MotionScale scale_;
+    std::vector<double> points_;
+};
+
+}  // namespace camopt

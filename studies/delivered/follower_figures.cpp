@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/follower_figures.hpp"
+
+#include "core/infinity.hpp"
+#include "objectives/rules/rest_places.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "studies/delivered/cam_turn.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+// Of the mean velocity: what is slower rests.
+constexpr double at_rest = 1e-9;
+
+struct ForcedMotion {
+    const ForceSpec& forces;
+    double speed = 0.0;
+};
+
+ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const ForcedMotion& forced,
+                           const std::optional<double>& no_contact) {
+    const ForceSpec& forces = forced.forces;
+    const double speed = forced.speed;
+    const auto force = [&](const CamPlace& place) {
+        return forces.force(speed, place.state.s, place.state.acceleration);
+    };
+    const auto lever = [&](const CamPlace& place) {
+        return quantity(cam, place.state, Quantity::normal_lever).value;
+    };
+    ForceSummary summary;
+    summary.least_force = turn.least(force);
+    summary.largest_force = turn.largest(force);
+    summary.torque =
+        turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
+    const bool presses = forces.contact_width && !has_edge(cam.follower);
+    if (no_contact) {
+        // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
+        summary.normal_force = CamExtreme{infinity, *no_contact};
+        if (presses) summary.hertz_pressure = summary.normal_force;
+        return summary;
+    }
+    summary.normal_force = turn.largest([&](const CamPlace& place) { return force(place) / lever(place); });
+    if (!presses) return summary;
+    summary.hertz_pressure = turn.largest([&](const CamPlace& place) {
+        const double curvature = has_roller(cam.follower)
+                                     ? 1.0 / (cam[DimensionIndex::roller_radius] * place.point.regularity)
+                                     : 1.0 / place.point.cam_radius;
+        const double squared = force(place) / lever(place) * curvature /
+                               (forces.compliance() * std::numbers::pi * *forces.contact_width);
+        return squared > 0.0 ? std::sqrt(squared) : 0.0;
+    });
+    return summary;
+}
+
+/// Where 1 + σψ' of an oscillating flat face is least.
+CamExtreme least_turning(const DiskCam& cam, const CamTurn& turn) {
+    const double sense = sense_of(cam.rotation);
+    return turn.least([sense](const CamPlace& place) { return 1.0 + sense * place.state.velocity; });
+}
+
+/// A face that turns back has no radius and no place of contact there: the formulas pass through infinity.
+void set_turning_back(CamSummary& summary, const CamExtreme& turning) {
+    summary.regularity = turning;
+    summary.convex_radius = CamExtreme{-infinity, turning.at};
+    summary.contact_offset = CamExtreme{infinity, turning.at};
+}
+
+std::optional<double> place_without_contact(const DiskCam& cam, const CamTurn& turn,
+                                            const CamSummary& summary) {
+    if (summary.undercut()) return summary.regularity.at;
+    const CamExtreme height = turn.least([&](const CamPlace& place) {
+        return quantity(cam, place.state, Quantity::pressure_denominator).value;
+    });
+    if (!(height.value > 0.0)) return height.at;
+    return {};
+}
+
+CamExtreme rest_pressure(const CamTurn& turn, const Scene& scene) {
+    CamExtreme worst;
+    for (const double x : rest_places(scene)) {
+        const double angle = turn.pressure_angle_at_rest(x);
+        if (angle > worst.value) worst = {angle, x};
+    }
+    return worst;
+}
+
+}  // namespace
+
+void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const Motion& motion,
+                          const Scene& scene) {
+    const std::optional<DiskCam> cam = disk_cam(mechanism);
+    if (!cam) return;
+    const CamTurn turn(mechanism, motion, {scene.motion.lift, scene.motion.unit_angle()});
+    const auto angle = [](const CamPlace& place) { return std::abs(place.point.pressure_angle); };
+    const double still = at_rest * scene.motion.lift / scene.motion.unit_angle();
+    summary.rise_pressure_angle = turn.largest(
+        [&](const CamPlace& place) { return place.state.velocity > still ? angle(place) : 0.0; });
+    summary.return_pressure_angle = turn.largest(
+        [&](const CamPlace& place) { return place.state.velocity < -still ? angle(place) : 0.0; });
+    summary.rest_pressure_angle = rest_pressure(turn, scene);
+    if (has_turning_face(cam->follower)) {
+        const CamExtreme turning = least_turning(*cam, turn);
+        if (!(turning.value > 0.0)) set_turning_back(summary, turning);
+    }
+    summary.no_contact = place_without_contact(*cam, turn, summary);
+    if (scene.forces && scene.motion.speed)
+        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary.no_contact);
+}
+
+}  // namespace camopt
