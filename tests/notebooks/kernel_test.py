@@ -65,7 +65,9 @@ class KernelTest(unittest.TestCase):
             elif message["msg_type"] == "error":
                 answer.error = content
 
-        reply = self.client.execute_interactive(code, timeout=SECONDS, output_hook=hear, allow_stdin=False)
+        # A failing cell is wanted here: what is asked right after it must not be dropped as its follower.
+        reply = self.client.execute_interactive(code, timeout=SECONDS, output_hook=hear, allow_stdin=False,
+                                                stop_on_error=False)
         answer.status = reply["content"]["status"]
         return answer
 

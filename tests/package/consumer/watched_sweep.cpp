@@ -31,9 +31,7 @@ int main() {
     std::cout << swept.size() << " rows, progress " << (told ? "told" : "not told") << '\n';
 
     const Solution& last = swept.back().solution;
-    const MotionChain turn = last.whole_turn();
-    const MotionScale scale{scene.motion.lift, scene.motion.unit_angle()};
-    const ProfileDxf drawing = profile_dxf(profile_shape(last.cam->cam, turn, scale), 1e-6);
+    const ProfileDxf drawing = cam_dxf(last, 1e-6);
     std::cout << name_of(last.certificate.verdict) << ", cam of " << drawing.text.size() / 1000 << " kB\n";
     return drawing.text.find("EOF") == std::string::npos;
 }
