@@ -173,6 +173,8 @@ class Reference:
             lines = brought.read_text(encoding="utf-8").split("\n")
             if len(headers) > 1 or brought != header:
                 parts += [f"## From `{brought.relative_to(self.root)}`\n", prose(purpose_of(lines))]
+            else:
+                parts.append("## Names\n")
             parts += [part for entity in self.entities_of(brought, lines) for part in self.section(entity, lines, page)]
         return "\n".join(parts)
 
