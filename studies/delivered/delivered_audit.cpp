@@ -164,6 +164,13 @@ std::optional<Fault> objective_fault(double believed, double found) {
         fmt::format("the solver's objective {:.9g} is not that of the curve, {:.9g}", believed, found)};
 }
 
+/// A gap that the curve's own objective widens beyond solver.gap is no proof that it is optimal.
+void judge_gap(Certificate& certificate, double allowed) {
+    if (certificate.verdict != Verdict::optimal || !certificate.gap || *certificate.gap <= allowed) return;
+    certificate.verdict = Verdict::local;
+    certificate.reason = Reason::stationary;
+}
+
 /// The last word on bounds: one that passes the objective is none of this motion.
 void drop_passed_bound(Certificate& certificate, double tolerance) {
     if (!certificate.lower_bound || !bound_passes(certificate.objective, *certificate.lower_bound,
@@ -285,6 +292,7 @@ void audit_delivered(Solution& solution) {
     if (!fault) fault = limit_fault(solution);
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {
+        judge_gap(certificate, solution.scene.solver.gap);
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
         drop_idle_bound(certificate);
         return tell_of_rounding(solution);

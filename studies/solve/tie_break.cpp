@@ -54,6 +54,8 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         if (smoother.best.x.size() == 0 || control.ending()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
+        // What is proved of the motion before must be proved of this one too.
+        if (relative_gap(delivered.objective, *result.certificate.lower_bound) > scene.solver.gap) continue;
         if (mean_square_jerk(problem, delivered) > mean_square_jerk(problem, {result.x})) return;
         result.x = delivered.x;
         Certificate& certificate = result.certificate;

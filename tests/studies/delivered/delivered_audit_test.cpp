@@ -82,6 +82,17 @@ Solution solved_twelve() {
     return solve(paper_objective(MotionType::drd, 3, 12));
 }
 
+TEST(DeliveredAudit, AGapWiderThanAllowedIsNotCalledOptimal) {
+    Solution solution = solved_twelve();
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+    solution.scene.solver.gap = 1e-12;
+    solution.certificate.lower_bound = *solution.certificate.lower_bound - 1e-6;
+    audit_delivered(solution);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::local);
+    EXPECT_EQ(solution.certificate.reason, Reason::stationary);
+    EXPECT_TRUE(solution.certificate.lower_bound);
+}
+
 void expect_failed(Solution solution, const char* reason) {
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
