@@ -4,7 +4,7 @@
 //
 // CSV on the standard output, a line a scene. Ends with code 1 where a scene without a cam evaluated a point
 // of a profile, or could not be solved at all.
-#include "benchmarks/known_names.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"

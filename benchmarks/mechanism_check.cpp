@@ -6,8 +6,8 @@
 // the output (m or rad), relative (as the check of that mechanism counts it), theta_deg of the largest
 // deviation, seconds to make the points and to look up the design, seconds of the contact simulation. The
 // motion is the scene's optimum from one start.
-#include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
 #include "profiles/factory/mechanism_factory.hpp"

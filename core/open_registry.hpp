@@ -4,10 +4,12 @@
 // handed out stays as it was.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <deque>
 #include <mutex>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,8 @@ class OpenRegistry {
         std::vector<Maker> makers;  ///< of each
     };
 
-    explicit OpenRegistry(Lists first) {
+    /// `name`: of a description, what no two may share.
+    OpenRegistry(std::string Description::*name, Lists first) : name_(name) {
         versions_.push_back(std::move(first));
         newest_ = &versions_.back();
     }
@@ -29,12 +32,13 @@ class OpenRegistry {
     [[nodiscard]] const Lists& lists() const { return *newest_.load(); }
     [[nodiscard]] std::span<const Description> descriptions() const { return lists().descriptions; }
 
-    /// `check` is called with what there is before the entry is added, and throws where it may not be.
-    template <class Check>
-    void add(Description description, Maker maker, const Check& check) {
+    /// `refuse` is called where the name is taken, and throws.
+    template <class Refuse>
+    void add(Description description, Maker maker, const Refuse& refuse) {
         const std::lock_guard lock(mutex_);
         Lists next = versions_.back();
-        check(std::as_const(next));
+        const std::string& name = description.*name_;
+        if (std::ranges::find(next.descriptions, name, name_) != next.descriptions.end()) refuse();
         next.descriptions.push_back(std::move(description));
         next.makers.push_back(std::move(maker));
         versions_.push_back(std::move(next));
@@ -42,6 +46,7 @@ class OpenRegistry {
     }
 
  private:
+    std::string Description::*name_;
     std::mutex mutex_;
     std::deque<Lists> versions_;  ///< readers may hold any of them
     std::atomic<const Lists*> newest_{nullptr};

@@ -147,9 +147,12 @@ double dimension_unit(const Scene& scene) {
 }
 
 double dimension_weight(const Scene& scene, const std::string& name) {
-    for (int d = 0; d < dimension_count; ++d)
-        if (name == name_of(static_cast<DimensionIndex>(d)))
-            return scene.objective.dimensions[static_cast<std::size_t>(d)] / dimension_unit(scene);
+    for (int d = 0; d < dimension_count; ++d) {
+        const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)];
+        // The unit takes the whole cam to make: only where it is asked for.
+        if (weight > 0.0 && name == name_of(static_cast<DimensionIndex>(d)))
+            return weight / dimension_unit(scene);
+    }
     return 0.0;
 }
 

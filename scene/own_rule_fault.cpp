@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "core/text/plain_name.hpp"
 #include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
 namespace camopt {
 namespace {
-
-bool is_plain_name(const std::string& name) {
-    return !name.empty() && std::ranges::all_of(name, [](char letter) {
-        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '_';
-    });
-}
 
 /// What terms and limits have in common.
 template <class Rule>

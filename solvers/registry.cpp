@@ -41,7 +41,7 @@ constexpr std::array<Backend, 10> backends = {{
 using Solvers = OpenRegistry<SolverEntry, SolverMaker>;
 
 Solvers& solvers() {
-    static Solvers all([] {
+    static Solvers all(&SolverEntry::name, [] {
         Solvers::Lists built_in;
         for (const Backend& backend : backends) {
             built_in.descriptions.push_back(backend.entry());
@@ -78,10 +78,9 @@ void add_solver(SolverEntry entry, const SolverMaker& make) {
                         entry.name, solver->name()));
     entry.available = true;
     const std::string name = entry.name;
-    solvers().add(std::move(entry), make, [&](const Solvers::Lists& known) {
-        if (std::ranges::find(known.descriptions, name, &SolverEntry::name) != known.descriptions.end())
-            throw InputError(fmt::format(
-                "add_solver: found the name \"{}\", which another solver has; allowed: a new one", name));
+    solvers().add(std::move(entry), make, [&] {
+        throw InputError(fmt::format(
+            "add_solver: found the name \"{}\", which another solver has; allowed: a new one", name));
     });
 }
 

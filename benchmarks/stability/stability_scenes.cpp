@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/stability_scenes.hpp"
 
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 

@@ -3,6 +3,7 @@
 // own among them. What comes back can be solved.
 #pragma once
 
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 
 #include <filesystem>
@@ -11,9 +12,6 @@
 #include <string_view>
 
 namespace camopt {
-
-/// Every law and solver there is: what input::SceneDocument and input::read_scene ask for.
-[[nodiscard]] input::KnownNames known_names();
 
 /// `settings`: "KEY=VALUE" as `--set` takes them, on top of the file. Throws InputError
 /// "FILE:LINE:COLUMN: key: found …; allowed: …".

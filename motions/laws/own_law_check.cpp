@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/quadrature.hpp"
+#include "core/text/plain_name.hpp"
 
 #include <fmt/format.h>
 
@@ -24,11 +25,7 @@ constexpr std::array<const char*, 4> derivative_words = {"y", "y'", "y''", "y'''
 }
 
 void check_key(const Law& law) {
-    const std::string& key = law.key();
-    const bool plain = !key.empty() && std::ranges::all_of(key, [](char letter) {
-        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '_';
-    });
-    if (!plain) refuse_law(law, "this key", "lower case letters, digits and _");
+    if (!is_plain_name(law.key())) refuse_law(law, "this key", "lower case letters, digits and _");
 }
 
 void check_end(const Law& law, double x, std::size_t order, double wanted) {

@@ -21,7 +21,8 @@ struct NoMaker {};
 using Kinds = OpenRegistry<CamKind, NoMaker>;
 
 Kinds& kinds() {
-    static Kinds all({{disk_kind(), remote_kind(), barrel_kind(), cylindrical_kind(), inverse_kind()}, {}});
+    static Kinds all(&CamKind::type,
+                     {{disk_kind(), remote_kind(), barrel_kind(), cylindrical_kind(), inverse_kind()}, {}});
     return all;
 }
 
@@ -42,14 +43,13 @@ void add_cam_kind(CamKind kind) {
             refuse_kind(kind, fmt::format("the variant \"{}\" without a spec", variant.word), "one for each");
     if (!kind.formulas) refuse_kind(kind, "no formulas", "a function that makes a CamMechanism of a spec");
     const std::string type = kind.type;
-    kinds().add(std::move(kind), {}, [&](const Kinds::Lists& known) {
-        if (type.empty() ||
-            std::ranges::find(known.descriptions, type, &CamKind::type) != known.descriptions.end())
-            throw InputError(
-                fmt::format("add_cam_kind: found the type \"{}\"; allowed: one that no other "
-                            "kind has: not {}",
-                            type, quoted_choices(cam_types())));
-    });
+    const auto refuse_type = [&] {
+        throw InputError(
+            fmt::format("add_cam_kind: found the type \"{}\"; allowed: one that no other kind has: not {}",
+                        type, quoted_choices(cam_types())));
+    };
+    if (type.empty()) refuse_type();
+    kinds().add(std::move(kind), {}, refuse_type);
 }
 
 const CamKind* cam_kind(std::string_view type) {

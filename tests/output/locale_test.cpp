@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A program that embeds camopt may have set a locale in which 1234.5 is written 1.234,5: what camopt reads,
 // solves and writes is the same to the last byte.
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/paper_report_json.hpp"

@@ -2,8 +2,8 @@
 // Scene files that the tests of the tables make for any row, so that a new row is tested without an edit.
 #pragma once
 
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
+#include "input/loading/known_names.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The drawings of remote and inverse cams, read back by the tests' own small reader and held against exact
 // points between their knots.
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/drawing/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"

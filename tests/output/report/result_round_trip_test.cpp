@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Results of every kind of cam, of random scenes, written and read back: every number is the same, and what
 // was changed afterwards is refused.
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"

@@ -3,7 +3,7 @@
 // itself is found.
 #include "studies/check/scene_check.hpp"
 
-#include "benchmarks/known_names.hpp"
+#include "input/loading/known_names.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/factory/mechanism_factory.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The optimised scene of an inverse cam, rebuilt from the delivered motion alone: rocker, pin and body from
 // positions with own formulas, the guide's tangent and curvature by differences.
-#include "benchmarks/known_names.hpp"
 #include "core/units.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/factory/mechanism_factory.hpp"

@@ -2,9 +2,9 @@
 // What the paper could not do: the tappets' dwells within 30 deg. The delivered motion alone makes the cam
 // again here: own dyads by the law of cosines, the roller's path differentiated numerically, none of the
 // formulas that the optimizer saw.
-#include "benchmarks/known_names.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check/check_cam.hpp"

@@ -2,7 +2,7 @@
 // solver.max_seconds is the time of everything: search, proof, tie-break, explanation. Told without a watch:
 // the clock of these tests moves on by a second whenever it is asked, and whoever works asks it once an
 // iteration.
-#include "benchmarks/known_names.hpp"
+#include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/solve/solve.hpp"

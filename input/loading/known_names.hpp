@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every law and solver of this build, for programs and tests that read scene files.
+// Every law and solver there is, the program's own among them: what input::read_scene is told of names.
 #pragma once
 
 #include "input/scene_reader.hpp"
