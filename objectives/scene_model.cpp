@@ -355,9 +355,12 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
 
 CamModel convex_part(const CamModel& model, ConvexOver range) {
     CamModel part = model;
-    const bool sensible = range == ConvexOver::sensible_motion;
-    const double least = sensible ? model.least_displacement : -infinity;
-    const double most = sensible ? model.most_displacement : infinity;
+    double least = -infinity;
+    double most = infinity;
+    if (range == ConvexOver::sensible_motion) {
+        least = model.least_displacement;
+        most = model.most_displacement;
+    }
     std::erase_if(part.rules,
                   [&](const PlacedRule& rule) { return rule->curvature(least, most) == Curvature::general; });
     return part;

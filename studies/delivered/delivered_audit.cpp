@@ -246,13 +246,13 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
     for (int order = 0; order <= std::min(curve.continuity(), 3); ++order) {
         double largest = 0.0;
         JointJump jump{0.0, 0.0, order};
-        for (int joint = 0; joint < static_cast<int>(breakpoints.size()); ++joint) {
-            const double left = curve.derivative(breakpoints[joint], order, Side::left);
-            const double right = curve.derivative(breakpoints[joint], order, Side::right);
+        for (const double joint : breakpoints) {
+            const double left = curve.derivative(joint, order, Side::left);
+            const double right = curve.derivative(joint, order, Side::right);
             largest = std::max({largest, std::abs(left), std::abs(right)});
             // NaN counts as the worst.
             if (!(std::abs(left - right) <= jump.relative))
-                jump = {std::abs(left - right), breakpoints[joint], order};
+                jump = {std::abs(left - right), joint, order};
         }
         // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
         // between.
