@@ -31,6 +31,17 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
     return allocated(size);
 }
+// Those that do not throw too: a sanitizer's own would not fit the delete below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return allocated(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept {
+    return operator new(size, tag);
+}
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
