@@ -55,6 +55,12 @@ void operator delete[](void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
+// Eigen 3.4 loses the first of a sparse matrix's arrays where there is no memory for the second, while it
+// copies.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:Eigen::SparseMatrix<double, 1, int>::resize\n";
+}
+
 namespace camopt {
 namespace {
 
