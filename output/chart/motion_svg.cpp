@@ -5,8 +5,8 @@
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/motion_panel.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
@@ -33,7 +33,7 @@ const char* page_style =
 struct Picture {
     const Solution& solution;
     ReferenceMotion reference;
-    DisplayScale scale;
+    ShownUnits shown;
     std::vector<PeakRow> peaks;
 };
 
@@ -77,9 +77,10 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical =
-        fmt::format("{} {}", short_text(content.factor * row.motion.value, 5), content.unit);
+    const std::string physical = row.first_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
+    if (const std::string beside = row.beside_text(5); !beside.empty())
+        content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
     content.peak_words = program ? physical : normalised + " · " + physical;
     if (program) content.caption_right = normalised + " of the spline segments";
@@ -107,17 +108,18 @@ std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) 
 }
 
 PanelContent panel_content(const Picture& picture, int order) {
-    static constexpr std::array<const char*, 4> captions = {"Displacement s", "Velocity ds/dθ",
-                                                            "Acceleration d²s/dθ²", "Jerk d³s/dθ³"};
+    static constexpr std::array<const char*, 4> captions = {"Displacement", "Velocity", "Acceleration",
+                                                            "Jerk"};
     const auto index = static_cast<std::size_t>(order);
     PanelContent content;
     content.order = order;
     content.optimum = picture.solution.motion.get();
     content.reference = picture.reference.motion.get();
-    content.caption = captions[index];
-    content.factor = picture.scale.by_angle.factor[index];
-    content.unit = picture.scale.by_angle.unit[index];
-    content.degrees_per_x = picture.scale.degrees_per_x;
+    const MotionUnit& unit = picture.shown.motion[index].first;
+    content.caption = fmt::format("{} {}", captions[index], unit.symbol);
+    content.factor = unit.per_normalised;
+    content.unit = unit.name;
+    content.degrees_per_x = picture.shown.degrees_per_x;
     content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
     content.angle_labels = order == 3;
     content.segments = panel_segments(picture.solution, order == 0);
@@ -163,8 +165,7 @@ std::string motion_svg(const Solution& solution) {
     if (!solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
     ReferenceMotion reference = reference_motion(solution.scene);
     std::vector<PeakRow> peaks = peak_comparison(solution, reference);
-    const Picture picture{solution, std::move(reference), display_scale(solution.scene.motion),
-                          std::move(peaks)};
+    const Picture picture{solution, std::move(reference), shown_units(solution.scene), std::move(peaks)};
 
     const std::string title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
     SvgCanvas canvas(page_width, page_height, std::string(panel_style()) + page_style, title);

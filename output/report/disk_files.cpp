@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/infinity.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
@@ -50,8 +51,27 @@ std::vector<PressureLimit> pressure_spans(const Scene& scene, const Motion& moti
     return spans;
 }
 
-std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
+/// Of each point; none where the scene has no forces. What does not exist is not finite.
+std::vector<FollowerLoad> loads_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
+                                   const MechanismProfile& profile) {
+    if (!solution.cam->summary.forces) return {};
+    const FollowerLoads loads(cam, *solution.scene.forces, *solution.scene.motion.speed);
+    const MotionScale scale = motion_scale(solution.scene);
+    std::vector<FollowerLoad> all;
+    for (const MechanismPoint& point : profile.points) {
+        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
+        all.push_back(
+            loads.at(state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale), point));
+        if (!solution.cam->summary.no_contact) continue;
+        all.back().normal_force = infinity;
+        all.back().hertz_pressure = std::nullopt;
+    }
+    return all;
+}
+
+std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
                    const CamFileOptions& options) {
+    const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
     for (const ProfilePoint& point :
          sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance})) {
@@ -59,7 +79,10 @@ std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& 
         profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    return profile_csv(profile, {is_oscillating(cam.follower), has_flat_face(cam.follower)});
+    ProfileColumns columns{.swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower)};
+    columns.loads = loads_of(solution, cam, motion, profile);
+    columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
+    return profile_csv(profile, columns);
 }
 
 /// Where the report says that the extremes are: one source, so that both name the same angle where a
@@ -95,7 +118,7 @@ std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptio
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    return {csv_of(shape.cam, motion, scale, options), profile_svg(shape, title),
+    return {csv_of(solution, shape.cam, motion, options), profile_svg(shape, title),
             profile_diagrams_svg(shape, limits, title, marks)};
 }
 

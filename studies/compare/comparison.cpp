@@ -106,6 +106,7 @@ ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
     row.title = "optimum";
     row.motion = solution.motion;
     row.peaks = solution.peaks;
+    row.motion_peaks = solution.motion_peaks;
     row.objective = solution.certificate.objective;
     judge_limits(row, bench, solution.motion_peaks);
     // The certificate knows better than a second look at limits that are just reached.
@@ -131,6 +132,7 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     }
     row.motion = std::move(placed.motion);
     row.peaks = placed.peaks;
+    row.motion_peaks = placed.motion_peaks;
     row.objective = objective_of(bench, *row.motion, row.peaks);
     if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
         row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);

@@ -5,9 +5,9 @@
 #include "objectives/rules/rest_places.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam_turn.hpp"
+#include "studies/delivered/follower_load.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -16,43 +16,24 @@ namespace {
 // Of the mean velocity: what is slower rests.
 constexpr double at_rest = 1e-9;
 
-struct ForcedMotion {
-    const ForceSpec& forces;
-    double speed = 0.0;
-};
-
-ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const ForcedMotion& forced,
+ForceSummary force_summary(const FollowerLoads& loads, const CamTurn& turn,
                            const std::optional<double>& no_contact) {
-    const ForceSpec& forces = forced.forces;
-    const double speed = forced.speed;
-    const auto force = [&](const CamPlace& place) {
-        return forces.force(speed, place.state.s, place.state.acceleration);
-    };
-    const auto lever = [&](const CamPlace& place) {
-        return quantity(cam, place.state, Quantity::normal_lever).value;
-    };
+    const auto force = [&](const CamPlace& place) { return loads.force(place.state); };
     ForceSummary summary;
     summary.least_force = turn.least(force);
     summary.largest_force = turn.largest(force);
-    summary.torque =
-        turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
-    const bool presses = forces.contact_width && !has_edge(cam.follower);
+    summary.torque = turn.largest([&](const CamPlace& place) { return std::abs(loads.torque(place.state)); });
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
-        if (presses) summary.hertz_pressure = summary.normal_force;
+        if (loads.has_pressure()) summary.hertz_pressure = summary.normal_force;
         return summary;
     }
-    summary.normal_force = turn.largest([&](const CamPlace& place) { return force(place) / lever(place); });
-    if (!presses) return summary;
-    summary.hertz_pressure = turn.largest([&](const CamPlace& place) {
-        const double curvature = has_roller(cam.follower)
-                                     ? 1.0 / (cam[DimensionIndex::roller_radius] * place.point.regularity)
-                                     : 1.0 / place.point.cam_radius;
-        const double squared = force(place) / lever(place) * curvature /
-                               (forces.compliance() * std::numbers::pi * *forces.contact_width);
-        return squared > 0.0 ? std::sqrt(squared) : 0.0;
-    });
+    summary.normal_force =
+        turn.largest([&](const CamPlace& place) { return loads.normal_force(place.state); });
+    if (loads.has_pressure())
+        summary.hertz_pressure = turn.largest(
+            [&](const CamPlace& place) { return loads.hertz_pressure(place.state, place.point); });
     return summary;
 }
 
@@ -108,7 +89,7 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism,
     }
     summary.no_contact = place_without_contact(*cam, turn, summary);
     if (scene.forces && scene.motion.speed)
-        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary.no_contact);
+        summary.forces = force_summary({*cam, *scene.forces, *scene.motion.speed}, turn, summary.no_contact);
 }
 
 }  // namespace camopt
