@@ -9,7 +9,7 @@
 #include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/follower_load.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ constexpr int mark_digits = 4;
 
 struct LoadPoint {
     double theta_deg = 0.0;
-    FollowerLoad load;
+    FollowerLoads load;
 };
 using LoadPieces = std::vector<std::vector<LoadPoint>>;
 
@@ -45,7 +45,8 @@ struct LoadPicture {
 /// The forces jump where the acceleration does: each piece between two breakpoints is seen from inside.
 LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
     const DiskCam cam = disk_cam(solution.cam->cam).value();
-    const FollowerLoads loads(cam, *solution.scene.forces, *solution.scene.motion.speed);
+    const ForceSpec& forces = *solution.scene.forces;
+    const double speed = *solution.scene.motion.speed;
     const MotionScale scale = motion_scale(solution.scene);
     const std::vector<double> places = motion.breakpoints();
     LoadPieces pieces;
@@ -60,13 +61,14 @@ LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
             const FollowerState state = state_of(motion.at(x, k == count ? Side::left : Side::right), scale);
             const double theta = scale.unit_angle * x;
             piece.push_back(
-                {theta / degree, loads.at(state, mechanism_point(profile_point(cam, theta, state)))});
+                {theta / degree, follower_loads(cam, forces, speed, state,
+                                                mechanism_point(profile_point(cam, theta, state)))});
         }
     }
     return pieces;
 }
 
-using LoadFigure = double (*)(const FollowerLoad&);
+using LoadFigure = double (*)(const FollowerLoads&);
 
 /// One quantity as its panel shows it.
 struct LoadQuantity {
@@ -128,13 +130,13 @@ std::vector<LoadQuantity> quantities_of(const LoadPicture& picture) {
     std::vector<LoadQuantity> all = {{swings ? "Moment that presses the follower on the cam M"
                                              : "Force that presses the follower on the cam F",
                                       swings ? "M" : "F",
-                                      [](const FollowerLoad& load) { return load.force; },
+                                      [](const FollowerLoads& load) { return load.force; },
                                       shown.load,
                                       {{forces.largest_force, false}, {forces.least_force, true}},
                                       limit_on(limits, LimitedFigure::contact_force)},
                                      {"Torque of the camshaft T (> 0: the shaft drives)",
                                       "T",
-                                      [](const FollowerLoad& load) { return load.torque; },
+                                      [](const FollowerLoads& load) { return load.torque; },
                                       shown.torque,
                                       {{forces.torque, false}},
                                       limit_on(limits, LimitedFigure::torque),
@@ -143,14 +145,14 @@ std::vector<LoadQuantity> quantities_of(const LoadPicture& picture) {
     if (forces.normal_force)
         all.push_back({"Force along the normal N",
                        "N",
-                       [](const FollowerLoad& load) { return load.normal_force; },
+                       [](const FollowerLoads& load) { return load.normal_force; },
                        shown.force,
                        {{*forces.normal_force, false}},
                        unlimited});
     if (forces.hertz_pressure)
         all.push_back({"Hertz pressure p",
                        "p",
-                       [](const FollowerLoad& load) { return load.hertz_pressure.value_or(0.0); },
+                       [](const FollowerLoads& load) { return load.hertz_pressure.value_or(0.0); },
                        shown.pressure,
                        {{*forces.hertz_pressure, false}},
                        limit_on(limits, LimitedFigure::hertz_pressure)});

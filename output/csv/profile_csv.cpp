@@ -24,7 +24,7 @@ std::string header(const ProfileColumns& columns) {
         columns.pressure ? ",hertz_pressure_mpa" : "");
 }
 
-void add_load(CsvLine& line, const FollowerLoad& load, bool pressure) {
+void add_load(CsvLine& line, const FollowerLoads& load, bool pressure) {
     line.number(load.force).number(load.torque).number(load.normal_force);
     if (pressure)
         line.number(load.hertz_pressure ? std::optional(*load.hertz_pressure / units::megapascal)

@@ -5,7 +5,7 @@
 #include "objectives/rules/rest_places.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam_turn.hpp"
-#include "studies/delivered/follower_load.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <cmath>
 
@@ -16,24 +16,35 @@ namespace {
 // Of the mean velocity: what is slower rests.
 constexpr double at_rest = 1e-9;
 
-ForceSummary force_summary(const FollowerLoads& loads, const CamTurn& turn,
+struct ForcedMotion {
+    const ForceSpec& forces;
+    double speed = 0.0;
+};
+
+ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const ForcedMotion& forced,
                            const std::optional<double>& no_contact) {
-    const auto force = [&](const CamPlace& place) { return loads.force(place.state); };
+    const ForceSpec& forces = forced.forces;
+    const double speed = forced.speed;
+    const auto force = [&](const CamPlace& place) {
+        return forces.force(speed, place.state.s, place.state.acceleration);
+    };
+    const auto normal = [&](const CamPlace& place) { return normal_force(cam, place.state, force(place)); };
     ForceSummary summary;
     summary.least_force = turn.least(force);
     summary.largest_force = turn.largest(force);
-    summary.torque = turn.largest([&](const CamPlace& place) { return std::abs(loads.torque(place.state)); });
+    summary.torque =
+        turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
+    const bool presses = has_hertz_pressure(cam, forces);
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
-        if (loads.has_pressure()) summary.hertz_pressure = summary.normal_force;
+        if (presses) summary.hertz_pressure = summary.normal_force;
         return summary;
     }
-    summary.normal_force =
-        turn.largest([&](const CamPlace& place) { return loads.normal_force(place.state); });
-    if (loads.has_pressure())
-        summary.hertz_pressure = turn.largest(
-            [&](const CamPlace& place) { return loads.hertz_pressure(place.state, place.point); });
+    summary.normal_force = turn.largest(normal);
+    if (!presses) return summary;
+    summary.hertz_pressure = turn.largest(
+        [&](const CamPlace& place) { return hertz_pressure(cam, forces, place.point, normal(place)); });
     return summary;
 }
 
@@ -89,7 +100,7 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism,
     }
     summary.no_contact = place_without_contact(*cam, turn, summary);
     if (scene.forces && scene.motion.speed)
-        summary.forces = force_summary({*cam, *scene.forces, *scene.motion.speed}, turn, summary.no_contact);
+        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary.no_contact);
 }
 
 }  // namespace camopt
