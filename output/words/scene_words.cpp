@@ -55,24 +55,28 @@ std::string motion_line(const Scene& scene) {
 }
 
 /// A closed program comes back: what moves last ends at 0 where it does not say so.
-std::string end_text(const MotionSpec& motion, std::size_t index) {
+std::string end_text(const Scene& scene, std::size_t index) {
+    const MotionSpec& motion = scene.motion;
     const ProgramSegment& segment = motion.segments[index];
     if (segment.kind == SegmentKind::dwell) return "";
     bool last = motion.closed;
     for (std::size_t i = index + 1; i < motion.segments.size(); ++i)
         last = last && motion.segments[i].kind == SegmentKind::dwell;
     if (!segment.to && !last) return " to where it is best";
-    return fmt::format(" to {} of the lift", short_text(segment.to.value_or(0.0)));
+    const double to = segment.to.value_or(0.0);
+    return fmt::format(" to {} ({} of the lift)", shown_units(scene).motion[0].first.normalised_text(to),
+                       short_text(to));
 }
 
-std::string segment_line(const MotionSpec& motion) {
+std::string segment_line(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
     std::string text;
     for (std::size_t i = 0; i < motion.segments.size(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
         append(text,
-               fmt::format("{} {} deg{}", kind, short_text(segment.angle / degree), end_text(motion, i)));
+               fmt::format("{} {} deg{}", kind, short_text(segment.angle / degree), end_text(scene, i)));
     }
     return "Segments: " + text;
 }
@@ -240,7 +244,7 @@ std::string solver_line(const SolverSpec& solver) {
 std::vector<std::string> scene_lines(const Scene& given) {
     const Scene scene = with_written_limits(given);
     std::vector<std::string> lines = {motion_line(scene)};
-    if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene.motion));
+    if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene));
     if (!scene.motion.via.empty()) lines.push_back(via_line(scene));
     lines.push_back(spline_line(scene));
     if (has_cam(scene)) lines.push_back(cam_line(scene));

@@ -41,7 +41,7 @@ def short(value, digits=6):
     """As people read a number: significant digits without trailing zeros, a typographic minus."""
     if not math.isfinite(value):
         return "–"
-    return f"{value:.{digits}g}".replace("-", "−", 1) if value else "0"
+    return re.sub("^-", "−", f"{value:.{digits}g}") if value else "0"
 
 
 def section(report, title):
