@@ -59,7 +59,9 @@ void add_words(PanelContent& content, const Picture& picture, const PeakRow& row
     if (const std::string beside = row.beside_text(5); !beside.empty())
         content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program ? physical : physical + " · " + normalised;
+    content.peak_words = program                 ? physical
+                         : picture.shown.in_time ? physical + " · " + normalised
+                                                 : normalised + " · " + physical;
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(

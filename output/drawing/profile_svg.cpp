@@ -113,7 +113,7 @@ void draw_frame(const ProfileCanvas& drawing, const ShownUnit& length) {
                       top + height, top};
     frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
     frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 8);
-    frame.horizontal_title = "x, y in " + length.name + " (cam frame)";
+    frame.horizontal_title = "x, y (" + length.name + "), cam frame";
     draw_plot_frame(drawing.canvas, frame);
 }
 

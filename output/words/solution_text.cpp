@@ -21,8 +21,8 @@ namespace camopt {
 namespace {
 
 constexpr int solution_line_width = 110;
-// Of a peak in its unit, and by the cam angle beside it: the widest are "−123456 mm/rad³".
-constexpr int width_of_first = 16, width_of_beside = 17;
+// Of a peak in its unit, and by the cam angle beside it: "−123456 mm/rad³", "(0.00287425 deg/deg³)".
+constexpr int width_of_first = 15, width_of_beside = 21;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {

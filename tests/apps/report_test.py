@@ -10,6 +10,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -94,7 +95,7 @@ def check_keys(name, scene_text, report, known):
     asked = section(report, "What was asked")
     numbers = set(re.findall(r"[−\d][\d.e+−-]*", asked.replace(",", " ")))
     for key, value in found.items():
-        if key.startswith(("motion.", "cam.", "linkage.", "forces.", "limits.", "spline.", "objective.", "solver.")):
+        if "." in key:
             for number in numbers_in(value):
                 check(is_said(number, key, numbers), name, key, number, "does not stand in words:", asked)
 
@@ -130,9 +131,9 @@ def largest(folder, column):
 
 def check_peaks(name, folder, report, swings, inches):
     """What the table of peaks says first and beside is what the CSV holds."""
-    first = ({"velocity": ("v_rad_s", "rad/s"), "acceleration": ("a_rad_s2", "rad/s²"), "jerk": ("j_rad_s3", "rad/s³")}
-             if swings else
-             {"velocity": ("v_mm_s", "mm/s"), "acceleration": ("a_m_s2", "m/s²"), "jerk": ("j_m_s3", "m/s³")})
+    length = ("rad", "rad") if swings else ("mm", "m")
+    first = {"velocity": (f"v_{length[0]}_s", f"{length[0]}/s"),
+             "acceleration": (f"a_{length[1]}_s2", f"{length[1]}/s²"), "jerk": (f"j_{length[1]}_s3", f"{length[1]}/s³")}
     beside = {"velocity": "ds_deg_deg" if swings else "ds_mm_rad",
               "acceleration": "dds_deg_deg2" if swings else "dds_mm_rad2",
               "jerk": "ddds_deg_deg3" if swings else "ddds_mm_rad3"}
@@ -278,13 +279,15 @@ def check_forces():
                                    ("hertz_pressure_mpa", "largest Hertz pressure", "p"),
                                    ("normal_force_n", "largest force along the normal", "N")):
         most = max(abs(float(row[column])) for row in profile)
-        check(math.isclose(most, float(figures[figure]), rel_tol=2e-3), figure, figures[figure], "and in the table", most)
-        check(re.search(rf"{symbol} = −?{re.escape(short(float(figures[figure]), 4))} ", picture), "forces.svg does not name",
-              symbol, figures[figure])
+        told = float(figures[figure])
+        check(math.isclose(most, told, rel_tol=2e-3), figure, told, "and in the table", most)
+        check(re.search(rf"{symbol} = −?{re.escape(short(told, 4))} ", picture), "forces.svg does not name", symbol,
+              told)
 
 
 def main():
-    FOLDER.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
     check_scenes(known_keys())
     check_inches()
     check_swinging()
