@@ -159,6 +159,7 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
+        if (!info.rests) continue;  // no rise by itself
         if (control.progress) {
             const std::string line = "compares with " + info.title;
             control.progress(line);
