@@ -207,7 +207,7 @@ SceneCheck check_scene(const Scene& given) {
     // Peaks measured by a displacement that is free: convex for given ones only.
     check.free_displacements =
         static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
-    check.convex = shape.convex && check.free_displacements == 0;
+    check.convex = shape.convex && check.free_displacements == 0 && !searches_angles(scene);
     check.free_breakpoints = free.has_value();
     if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());

@@ -13,6 +13,7 @@
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <algorithm>
@@ -141,10 +142,11 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
 }  // namespace
 
 Comparison compare(const Scene& given, const SolveControl& control) {
-    const Scene scene = with_written_limits(given);
+    Scene scene = with_written_limits(given);
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
+    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
     Bench bench{scene, std::move(model), std::move(strokes)};
