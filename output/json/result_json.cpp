@@ -6,6 +6,7 @@
 #include "output/json/json_text.hpp"
 #include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
+#include "output/json/verdict_json.hpp"
 #include "output/words/display_scale.hpp"
 #include "scene/cost_table.hpp"
 
@@ -16,14 +17,10 @@ namespace camopt {
 
 namespace {
 
-Json bound_json(const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    return {{"lower", number_json(certificate.lower_bound)},
-            {"gap", number_json(certificate.gap)},
-            {"proof", name_of(certificate.proof_kind)},
-            {"any_curve_limit",
-             solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr)},
-            {"source", words_json(solution.solver.proof_source)}};
+void add_proof_of_any_curve(Json& bound, const Solution& solution) {
+    bound["any_curve_limit"] =
+        solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr);
+    bound["source"] = words_json(solution.solver.proof_source);
 }
 
 /// The peaks in the units of the drawing, named like the columns of motion.csv.
@@ -146,10 +143,8 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["scene"] = words_json(origin.scene_file);
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
-    json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(name_of(certificate.reason));
-    json["objective"] = number_json(certificate.objective);
-    json["bound"] = bound_json(solution);
+    add_verdict(json, certificate);
+    add_proof_of_any_curve(json["bound"], solution);
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
     json["reference"] = reference_json(solution);
