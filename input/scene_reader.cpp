@@ -36,7 +36,12 @@ class SceneReader {
     Scene read() const {
         Scene scene;
         read_text("", "title", scene.title);
+<<<<<<< HEAD
         scene.motion = read_motion(source_, known_);
+=======
+        scene.length_unit = written_length_unit();
+        scene.motion = read_motion(source_, known_.laws);
+>>>>>>> units
         scene.spline = read_spline();
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion);
@@ -61,6 +66,17 @@ class SceneReader {
 
     void read_text(std::string_view table, std::string_view name, std::string& target) const {
         if (const auto given = source_.find(table, name)) target = given->value().text;
+    }
+
+    /// Of the first length in the order of the documentation: the lift, or what follows where it is an angle.
+    LengthUnit written_length_unit() const {
+        for (const KeyRow& row : scene_keys())
+            if (const auto given = source_.find(row.table, row.name)) {
+                if (given->spelling->unit == name_of(LengthUnit::inch)) return LengthUnit::inch;
+                if (given->spelling->unit == "mm" || given->spelling->unit == "m")
+                    return LengthUnit::millimetre;
+            }
+        return LengthUnit::millimetre;
     }
 
     SplineSpec read_spline() const {
