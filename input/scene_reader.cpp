@@ -36,12 +36,8 @@ class SceneReader {
     Scene read() const {
         Scene scene;
         read_text("", "title", scene.title);
-<<<<<<< HEAD
-        scene.motion = read_motion(source_, known_);
-=======
         scene.length_unit = written_length_unit();
-        scene.motion = read_motion(source_, known_.laws);
->>>>>>> units
+        scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion);
