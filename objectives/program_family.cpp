@@ -21,10 +21,9 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
                         "on both sides, which join with its velocity",
                         index, motion.segments[index].law, beside));
     };
-    for (const std::size_t step : {count - 1, std::size_t{1}}) {
-        const bool open = !motion.closed && index == (step == 1 ? count - 1 : 0);
-        if (open) refuse("the open end of the program");
-        const std::size_t other = (index + step) % count;
+    for (const bool after : {false, true}) {
+        if (!motion.closed && index == (after ? count - 1 : 0)) refuse("the open end of the program");
+        const std::size_t other = (index + (after ? 1 : count - 1)) % count;
         if (motion.segments[other].kind != SegmentKind::spline)
             refuse(fmt::format("motion.segments[{}] of kind \"{}\"", other,
                                name_of(motion.segments[other].kind)));

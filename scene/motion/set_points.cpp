@@ -78,8 +78,8 @@ std::string place_words(const MotionSpec& motion, const PlacedPoint& point, doub
     const double angle = x * motion.unit_angle() - begin;  // rad
     const char* const of = segment ? " of the segment" : "";
     if (point.units.place.empty())
-        return fmt::format("{}{:.6g}{}", segment ? "" : "x = ", segment ? angle / own_angle(motion, point) : x,
-                           of);
+        return fmt::format("{}{:.6g}{}",
+                           segment ? "" : "x = ", segment ? angle / own_angle(motion, point) : x, of);
     const double unit = point.units.place == "deg" ? units::degree : 1.0;
     return fmt::format("{:.6g} {}{}", angle / unit, point.units.place, of);
 }

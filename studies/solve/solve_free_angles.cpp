@@ -29,7 +29,7 @@ constexpr int most_angle_moves = 400;
 // Angles tried at random where those at hand allow no motion.
 constexpr int random_angles = 24;
 // Part of the gap that a box may keep when it is closed.
-constexpr double closing_part = 0.5;
+constexpr double closing_part_of_gap = 0.5;
 // Of a turn: a box narrower than this has nothing left to gain but rounding.
 constexpr double narrowest_box = 1e-12;
 
@@ -108,8 +108,8 @@ class AngleSearch {
     }
     [[nodiscard]] double objective() const { return best_.motion ? best_.certificate.objective : infinity; }
     [[nodiscard]] bool is_closed(const AngleBox& box) const {
-        return box.infeasible ||
-               box.bound >= objective() - closing_part * scene_.solver.gap * std::max(1.0, objective());
+        return box.infeasible || box.bound >= objective() - closing_part_of_gap * scene_.solver.gap *
+                                                                std::max(1.0, objective());
     }
     [[nodiscard]] bool proved() const {
         return !boxes_.empty() &&
