@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
+#include "output/csv/pareto_csv.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/page/study_parts.hpp"
 #include "output/words/comparison_words.hpp"
@@ -39,7 +40,8 @@ Json column_of(const std::vector<Row>& rows, const Value& value) {
 /// The motions of all laws by the cam angle, in the units of the scene.
 Json overlay_of(const Comparison& comparison) {
     const ShownUnits units = shown_units(comparison.optimum.scene);
-    const auto longest = std::ranges::find_if(comparison.rows, [](const ComparisonRow& row) { return row.motion != nullptr; });
+    const auto longest =
+        std::ranges::find_if(comparison.rows, [](const ComparisonRow& row) { return row.motion != nullptr; });
     if (longest == comparison.rows.end()) return nullptr;
     const double begin = longest->motion->begin(), end = longest->motion->end();
     const auto place = [&](int i) { return begin + (end - begin) * i / overlay_steps; };
@@ -56,10 +58,12 @@ Json overlay_of(const Comparison& comparison) {
             Json line = Json::array();
             for (int i = 0; i <= overlay_steps; ++i) {
                 const Side side = i < overlay_steps ? Side::right : Side::left;
-                const double value = shown.first.per_normalised * row.motion->at(place(i), side).derivative[order];
+                const double value =
+                    shown.first.per_normalised * row.motion->at(place(i), side).derivative[order];
                 constexpr int drawn_digits = 5;
-                line.push_back(std::isfinite(value) ? Json(std::stod(fmt::format("{:.{}g}", value, drawn_digits)))
-                                                    : Json(nullptr));
+                line.push_back(std::isfinite(value)
+                                   ? Json(std::stod(fmt::format("{:.{}g}", value, drawn_digits)))
+                                   : Json(nullptr));
             }
             lines.push_back(std::move(line));
         }
@@ -82,16 +86,20 @@ const char* tone_of(Verdict verdict) {
 std::string comparison_html(const Comparison& comparison, const RunOrigin& origin) {
     const std::vector<ComparisonRow>& rows = comparison.rows;
     StudyPage page("Comparison", comparison.optimum.scene.title);
-    page.set_verdict(tone_of(comparison.optimum.certificate.verdict), "The classical laws on this scene",
-                     {comparison_sentence(comparison),
-                      fmt::format("Objective: {}.", objective_words(comparison)),
-                      verdict_sentence(comparison.optimum)});
+    page.set_verdict(
+        tone_of(comparison.optimum.certificate.verdict), "The classical laws on this scene",
+        {comparison_sentence(comparison), fmt::format("Objective: {}.", objective_words(comparison)),
+         verdict_sentence(comparison.optimum)});
     Settings settings;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ComparisonRow& row = rows[i];
-        page.add_item(row_title(row), static_cast<int>(i), row.is_optimum() ? "good" : row.feasible ? "" : "bad");
-        settings.push_back(row.is_optimum() ? std::vector<std::string>{}
-                                            : std::vector<std::string>{fmt::format("objective.reference=\"{}\"", row.key)});
+        page.add_item(row_title(row), static_cast<int>(i),
+                      row.is_optimum() ? "good"
+                      : row.feasible   ? ""
+                                       : "bad");
+        settings.push_back(
+            row.is_optimum() ? std::vector<std::string>{}
+                             : std::vector<std::string>{fmt::format("objective.reference=\"{}\"", row.key)});
     }
     const auto number = [&](const std::function<double(const ComparisonRow&)>& value) {
         return column_of(rows, [&](const ComparisonRow& row) {
@@ -99,19 +107,28 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
         });
     };
     page.add_column("objective", "objective", number([](const ComparisonRow& row) { return row.objective; }));
-    page.add_column("loss", "loss (%)", column_of(rows, [](const ComparisonRow& row) { return cell_json(row.loss_percent); }));
-    page.add_column("velocity", "V", number([](const ComparisonRow& row) { return row.peaks.velocity.value; }));
-    page.add_column("acceleration", "A", number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
+    page.add_column("loss", "loss (%)",
+                    column_of(rows, [](const ComparisonRow& row) { return cell_json(row.loss_percent); }));
+    page.add_column("velocity", "V",
+                    number([](const ComparisonRow& row) { return row.peaks.velocity.value; }));
+    page.add_column("acceleration", "A",
+                    number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
     page.add_column("jerk", "J", number([](const ComparisonRow& row) { return row.peaks.jerk.value; }));
     if (has_bases(comparison))
         page.add_column("base", "needed base radius (mm)", column_of(rows, [](const ComparisonRow& row) {
-                            return row.base && row.base->radius ? cell_json(*row.base->radius / units::millimetre)
-                                                                : words_json(base_words(row));
+                            return row.base && row.base->radius
+                                       ? cell_json(*row.base->radius / units::millimetre)
+                                       : words_json(base_words(row));
                         }));
-    page.add_column("breaks", "breaks", column_of(rows, [](const ComparisonRow& row) {
-                        return words_json(row.misfit.empty() ? fmt::format("{}", fmt::join(broken_limits(row), "; "))
-                                                             : "does not fit: " + row.misfit);
-                    }), true);
+    page.add_column(
+        "breaks", "breaks",
+        column_of(rows,
+                  [](const ComparisonRow& row) {
+                      return words_json(row.misfit.empty()
+                                            ? fmt::format("{}", fmt::join(broken_limits(row), "; "))
+                                            : "does not fit: " + row.misfit);
+                  }),
+        true);
     page.set_axes("acceleration", "velocity");
     page.set_overlay(overlay_of(comparison));
     page.set_scenes(origin, settings);
@@ -126,8 +143,9 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     const auto on_front = std::ranges::count(table.rows, true, &SweepRow::on_front);
     std::vector<std::string> sentences = {
         fmt::format("{} solves over {}.", table.rows.size(), fmt::join(identity.axes, ", ")),
-        fmt::format("{} have a motion that keeps every limit, {} of them proved optimal; {} are on the Pareto front.",
-                    feasible, optimal, on_front)};
+        fmt::format(
+            "{} have a motion that keeps every limit, {} of them proved optimal; {} are on the Pareto front.",
+            feasible, optimal, on_front)};
     page.set_verdict(feasible > 0 ? "good" : "bad", "What the sweep found", sentences);
     Settings settings;
     const bool with_scenes = table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
@@ -136,28 +154,42 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
         for (std::size_t k = 0; k < table.columns.keys.size(); ++k)
             own.push_back(setting_text(table.columns.keys[k], row.settings[k]));
         page.add_item(fmt::format("row {}: {}", row.number, fmt::join(own, ", ")), row.number,
-                      !row.is_feasible() ? "bad" : row.on_front ? "good" : "");
+                      !row.is_feasible() ? "bad"
+                      : row.on_front     ? "good"
+                                         : "");
         own.insert(own.begin(), identity.settings.begin(), identity.settings.end());
         settings.push_back(with_scenes ? std::optional(std::move(own)) : std::nullopt);
     }
-    page.add_column("row", "row", column_of(table.rows, [](const SweepRow& row) { return Json(row.number); }));
+    page.add_column("row", "row",
+                    column_of(table.rows, [](const SweepRow& row) { return Json(row.number); }));
     for (std::size_t k = 0; k < table.columns.keys.size(); ++k)
-        page.add_column(table.columns.keys[k], table.columns.keys[k],
-                        column_of(table.rows, [&](const SweepRow& row) { return rounded_json(row.settings[k]); }));
+        page.add_column(
+            table.columns.keys[k], table.columns.keys[k],
+            column_of(table.rows, [&](const SweepRow& row) { return rounded_json(row.settings[k]); }));
     const std::vector<SweepQuantity> quantities = drawn_quantities(table);
     for (const SweepQuantity& quantity : quantities)
-        page.add_column(quantity.symbol, quantity.title,
-                        column_of(table.rows, [&](const SweepRow& row) { return cell_json(quantity.value(row)); }));
-    page.add_column("verdict", "verdict",
-                    column_of(table.rows, [](const SweepRow& row) { return Json(std::string(name_of(row.verdict))); }), true);
-    page.add_column("front", "Pareto front",
-                    column_of(table.rows, [](const SweepRow& row) { return words_json(row.on_front ? "yes" : ""); }), true);
-    page.add_column("active", "limits that shape it", column_of(table.rows, [](const SweepRow& row) {
-                        return words_json(fmt::format("{}", fmt::join(row.active_limits, "; ")));
-                    }), true);
-    page.add_column("reason", "reason", column_of(table.rows, [](const SweepRow& row) { return words_json(row.reason); }), true);
+        page.add_column(quantity.symbol, quantity.title, column_of(table.rows, [&](const SweepRow& row) {
+                            return cell_json(quantity.value(row));
+                        }));
+    page.add_column(
+        "verdict", "verdict",
+        column_of(table.rows, [](const SweepRow& row) { return Json(std::string(name_of(row.verdict))); }),
+        true);
+    page.add_column(
+        "front", "Pareto front",
+        column_of(table.rows, [](const SweepRow& row) { return words_json(row.on_front ? "yes" : ""); }),
+        true);
+    page.add_column("active", "limits that shape it",
+                    column_of(table.rows,
+                              [](const SweepRow& row) {
+                                  return words_json(fmt::format("{}", fmt::join(row.active_limits, "; ")));
+                              }),
+                    true);
+    page.add_column("reason", "reason",
+                    column_of(table.rows, [](const SweepRow& row) { return words_json(row.reason); }), true);
     const std::string by = table.columns.keys.empty() ? "row" : table.columns.keys.front();
-    page.set_axes(is_weight_sweep(table) ? "A" : by, is_weight_sweep(table) ? "V" : quantities.front().symbol);
+    page.set_axes(is_weight_sweep(table) ? "A" : by,
+                  is_weight_sweep(table) ? "V" : quantities.front().symbol);
     page.set_picture(sweep_svg(picture));
     page.set_scenes({identity.scene_file, "", identity.scene_text}, settings);
     return page.html();
@@ -175,7 +207,8 @@ std::vector<std::string> front_settings(const FrontPoint& point, const FrontRequ
     }
     for (int d = 0; d < dimension_count; ++d)
         if (const double weight = scene.objective.dimensions[static_cast<std::size_t>(d)]; weight > 0.0)
-            settings.push_back(setting_text(fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(d))), weight));
+            settings.push_back(
+                setting_text(fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(d))), weight));
     if (!point.cap) return settings;
     const FrontGoal& capped = request.goals[static_cast<std::size_t>(1 - point.minimized)];
     if (const auto* const figure = std::get_if<FrontFigure>(&capped)) {
@@ -208,8 +241,12 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
                      sentences);
     Settings settings;
     for (const FrontPoint& point : front.points) {
-        page.add_item(fmt::format("solve {}{}", point.number, point.place >= 0 ? fmt::format(", point {}", point.place) : ""),
-                      point.number, !point.is_feasible() ? "bad" : point.place >= 0 ? "good" : "");
+        page.add_item(fmt::format("solve {}{}", point.number,
+                                  point.place >= 0 ? fmt::format(", point {}", point.place) : ""),
+                      point.number,
+                      !point.is_feasible() ? "bad"
+                      : point.place >= 0   ? "good"
+                                           : "");
         settings.push_back(front_settings(point, front.request));
     }
     const auto number = [&](const std::function<double(const FrontPoint&)>& value) {
@@ -221,17 +258,29 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
         const bool length = std::holds_alternative<DimensionIndex>(front.request.goals[goal]);
         const std::string name = words_of(name_of(front.request.goals[goal]));
         page.add_column(goal == 0 ? "first" : "second", length ? name + " (mm)" : name,
-                        number([&](const FrontPoint& point) { return point.value[goal] / (length ? units::millimetre : 1.0); }));
+                        number([&](const FrontPoint& point) {
+                            return point.value[goal] / (length ? units::millimetre : 1.0);
+                        }));
     }
-    page.add_column("velocity", "V", number([](const FrontPoint& point) { return point.solution.peaks.velocity.value; }));
-    page.add_column("acceleration", "A", number([](const FrontPoint& point) { return point.solution.peaks.acceleration.value; }));
-    page.add_column("jerk", "J", number([](const FrontPoint& point) { return point.solution.peaks.jerk.value; }));
-    page.add_column("verdict", "verdict", column_of(front.points, [](const FrontPoint& point) {
-                        return Json(std::string(name_of(point.solution.certificate.verdict)));
-                    }), true);
-    page.add_column("end", "end of the front", column_of(front.points, [](const FrontPoint& point) {
-                        return words_json(point.end == FrontEnd::none ? "" : std::string(name_of(point.end)));
-                    }), true);
+    page.add_column("velocity", "V",
+                    number([](const FrontPoint& point) { return point.solution.peaks.velocity.value; }));
+    page.add_column("acceleration", "A",
+                    number([](const FrontPoint& point) { return point.solution.peaks.acceleration.value; }));
+    page.add_column("jerk", "J",
+                    number([](const FrontPoint& point) { return point.solution.peaks.jerk.value; }));
+    page.add_column("verdict", "verdict",
+                    column_of(front.points,
+                              [](const FrontPoint& point) {
+                                  return Json(std::string(name_of(point.solution.certificate.verdict)));
+                              }),
+                    true);
+    page.add_column(
+        "end", "end of the front",
+        column_of(front.points,
+                  [](const FrontPoint& point) {
+                      return words_json(point.end == FrontEnd::none ? "" : std::string(name_of(point.end)));
+                  }),
+        true);
     page.set_axes("first", "second");
     page.set_picture(pareto_svg(picture));
     page.set_scenes(origin, settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages of many motions: comparison.html, sweep.html, pareto.html. A pointer on a mark or a curve names what it is
-// and says its numbers; a click, or Enter, hands out its scene as TOML.
+// Pages of many motions: comparison.html, sweep.html, pareto.html. A pointer on a mark or a curve names what
+// it is and says its numbers; a click, or Enter, hands out its scene as TOML.
 //
 // Their data, beside what every page has (page_data.hpp: page = "study", camopt, title, verdict, scene):
 //   kind       "Comparison", "Sweep", "Front"
@@ -8,9 +8,11 @@
 //   columns[]  key, title, left, values[]: numbers, texts or null, by item
 //   axes       x, y: keys of the columns that are drawn first
 //   picture    null, or an SVG as text
-//   overlay    null, or angle { unit, values[] } and curves[]: key, title, symbol, unit, lines[] (by item values[]
+//   overlay    null, or angle { unit, values[] } and curves[]: key, title, symbol, unit, lines[] (by item
+//   values[]
 //              or null)
-//   scenes     null, or base (a scene in TOML), edits[] by item: null (none), or pairs of a line of base, from 0,
+//   scenes     null, or base (a scene in TOML), edits[] by item: null (none), or pairs of a line of base,
+//   from 0,
 //              and the text in its place; names[]: of the files
 #pragma once
 
@@ -27,7 +29,8 @@ namespace camopt {
 /// The scene of a law is that of the comparison with this law as its reference.
 [[nodiscard]] std::string comparison_html(const Comparison& comparison, const RunOrigin& origin = {});
 
-/// The scene of a row is that of the sweep with the row's settings. More rows than `most_scenes_of_page` have none.
+/// The scene of a row is that of the sweep with the row's settings. More rows than `most_scenes_of_page` have
+/// none.
 [[nodiscard]] std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identity);
 inline constexpr int most_scenes_of_page = 5000;
 

@@ -25,7 +25,8 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// What stands otherwise in a text of as many lines; a text of other length replaces the whole by its first line.
+/// What stands otherwise in a text of as many lines; a text of other length replaces the whole by its first
+/// line.
 Json edits_between(const std::vector<std::string>& base, const std::string& text) {
     const std::vector<std::string> lines = lines_of(text);
     Json edits = Json::array();
@@ -51,7 +52,8 @@ StudyPage::StudyPage(std::string_view kind, std::string_view title) {
              {"scene", nullptr}};
 }
 
-void StudyPage::set_verdict(std::string_view tone, std::string_view headline, const std::vector<std::string>& sentences) {
+void StudyPage::set_verdict(std::string_view tone, std::string_view headline,
+                            const std::vector<std::string>& sentences) {
     page_["verdict"] = {{"key", tone}, {"tone", tone}, {"headline", headline}, {"sentences", sentences}};
 }
 
@@ -62,7 +64,8 @@ void StudyPage::add_item(std::string_view name, int number, std::string_view ton
 }
 
 void StudyPage::add_column(std::string_view key, std::string_view title, Json values, bool left) {
-    page_["columns"].push_back({{"key", key}, {"title", title}, {"left", left}, {"values", std::move(values)}});
+    page_["columns"].push_back(
+        {{"key", key}, {"title", title}, {"left", left}, {"values", std::move(values)}});
 }
 
 void StudyPage::set_axes(std::string_view x, std::string_view y) {
@@ -74,7 +77,8 @@ void StudyPage::set_picture(std::string_view svg) {
     page_["picture"] = svg;
 }
 
-void StudyPage::set_scenes(const RunOrigin& origin, std::span<const std::optional<std::vector<std::string>>> settings) {
+void StudyPage::set_scenes(const RunOrigin& origin,
+                           std::span<const std::optional<std::vector<std::string>>> settings) {
     if (origin.scene_text.empty()) return;
     page_["scene"] = {{"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", Json::array()}};
     std::vector<std::string> base;
@@ -85,7 +89,8 @@ void StudyPage::set_scenes(const RunOrigin& origin, std::span<const std::optiona
             continue;
         }
         const std::string text =
-            item->empty() ? origin.scene_text : input::scene_with_overrides(origin.scene_text, origin.scene_file, *item);
+            item->empty() ? origin.scene_text
+                          : input::scene_with_overrides(origin.scene_text, origin.scene_file, *item);
         if (base.empty()) {
             base = lines_of(text);
             page_["scenes"]["base"] = text;

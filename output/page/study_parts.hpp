@@ -19,16 +19,18 @@ class StudyPage {
     StudyPage(std::string_view kind, std::string_view title);
 
     /// headline, and sentences below it; tone as in page_data.hpp.
-    void set_verdict(std::string_view tone, std::string_view headline, const std::vector<std::string>& sentences);
+    void set_verdict(std::string_view tone, std::string_view headline,
+                     const std::vector<std::string>& sentences);
     void add_item(std::string_view name, int number, std::string_view tone);
     /// One value an item, in their order.
     void add_column(std::string_view key, std::string_view title, Json values, bool left = false);
     void set_axes(std::string_view x, std::string_view y);
     void set_picture(std::string_view svg);
     void set_overlay(Json overlay) { page_["overlay"] = std::move(overlay); }
-    /// The scene as text, and of every item the settings KEY=VALUE that make its own of it; none: it has none.
-    /// Nothing where there is no text.
-    void set_scenes(const RunOrigin& origin, std::span<const std::optional<std::vector<std::string>>> settings);
+    /// The scene as text, and of every item the settings KEY=VALUE that make its own of it; none: it has
+    /// none. Nothing where there is no text.
+    void set_scenes(const RunOrigin& origin,
+                    std::span<const std::optional<std::vector<std::string>>> settings);
     /// The whole page.
     [[nodiscard]] std::string html() const;
 
