@@ -7,6 +7,7 @@
 #include "input/cam_reader.hpp"
 #include "input/document_reader.hpp"
 #include "input/document_text.hpp"
+#include "input/drawing_reader.hpp"
 #include "input/keys/key_check.hpp"
 #include "input/mechanism_reader.hpp"
 #include "input/motion_reader.hpp"
@@ -43,6 +44,7 @@ class SceneReader {
         scene.forces = read_forces(source_, scene);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);
+        scene.drawing = read_drawing(source_);
         scene.solver = read_solver();
         if (const std::optional<SceneFault> fault = find_fault(scene))
             source_.fail_member(fault->member,

@@ -46,6 +46,8 @@ Rows top_level() {
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
+        {"", "drawing", table, plain, any, {}, "no bore",
+         "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
     };
 }
@@ -204,8 +206,9 @@ namespace {
 
 Rows all_rows() {
     Rows all;
-    for (const Rows& part : {top_level(), motion(), spline(), objective(), dimension_weight_rows(),
-                             reference(), cam_rows(), rows_of_kinds(), force_rows(), limits(), solver()})
+    for (const Rows& part :
+         {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
+          rows_of_kinds(), force_rows(), limits(), drawing_rows(), solver()})
         all.insert(all.end(), part.begin(), part.end());
     for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
     return all;

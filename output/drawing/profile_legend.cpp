@@ -51,9 +51,10 @@ void add_lines(Column& column, const ProfileShape& shape, bool undercut) {
     if (has_roller(shape.cam.follower)) column.sample("pitch", "pitch curve (roller centre)");
     column.sample("circle", "base circle");
     if (has_roller(shape.cam.follower)) column.sample("prime", "prime circle");
-    column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.begin() / degree)));
+    column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.start / degree)));
     column.sample("ghost", "follower every 60°");
     column.sample("mark", "contact every 30°");
+    if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: nothing given");
     if (undercut) column.sample("undercut", "undercut");
 }
 
@@ -82,9 +83,15 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, const Pro
             column.words("face: no width given, drawn as needed");
     }
     column.words(fmt::format("turns {}", name_of(shape.cam.rotation)));
-    if (!shape.closed)
-        column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
-                                 short_text(shape.end() / degree)));
+    if (!shape.closed) {
+        column.words(fmt::format("OPEN: drawn from θ = {}° to {}°", short_text(shape.begin() / degree),
+                                 short_text(shape.end() / degree)),
+                     "warning");
+        const std::string& why = shape.open_because;
+        const std::size_t colon = why.find(": ");
+        column.words(why.substr(0, colon));
+        if (colon != std::string::npos) column.words("(" + why.substr(colon + 2) + ")");
+    }
     if (!legend.undercut) return;
     column.words("UNDERCUT where it is red:", "warning");
     column.words("the follower cannot move as", "warning");

@@ -45,7 +45,7 @@ const char* page_style =
     ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
     ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
     "width:3px}"
-    ".bare{stroke:#fff}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
+    ".bare{stroke:#fff}.open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
     ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
     ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}.warning{fill:#d00000;font-weight:600}";
 
@@ -125,6 +125,8 @@ void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pie
             pitch.push_back(point.pitch);
         }
     drawing.polyline(outline, shape.closed, shape.closed ? "cam" : "sector");
+    if (!shape.closed && !shape.open_because.empty())
+        drawing.line(shape.at(shape.begin()).contact, shape.at(shape.end()).contact, "open");
     const double base = shape.cam[DimensionIndex::base_radius];
     drawing.circle({0.0, 0.0}, base, "circle");
     if (!has_roller(shape.cam.follower)) return;
@@ -156,6 +158,12 @@ bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
     return found;
 }
 
+/// From 0 to 360: a dwell arc may lie before the motion.
+double turned_degrees(double theta) {
+    const double turns = std::floor(theta / units::turn + 1e-9);
+    return theta == 0.0 ? 0.0 : std::abs((theta - turns * units::turn) / degree);
+}
+
 /// Where marks crowd, on a sharp nose, the later labels stay away.
 void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
     std::vector<Vector2d> labels;
@@ -171,7 +179,7 @@ void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
         };
         if (std::ranges::any_of(labels, covers)) return;
         labels.push_back(place);
-        drawing.text(place, fmt::format("{:.0f}°", std::abs(theta / degree)),
+        drawing.text(place, fmt::format("{:.0f}°", turned_degrees(theta)),
                      shape.closed ? "mark-label" : "mark-label bare");
     });
 }
@@ -207,7 +215,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
     draw_frame(drawing);
     for_each_angle(shape, ghost_step, [&](double theta) {
-        if (theta > shape.begin()) follower.draw_ghost(drawing, theta);
+        if (std::abs(theta - shape.start) > 1e-9) follower.draw_ghost(drawing, theta);
     });
     draw_cam(drawing, shape, pieces);
     const bool undercut = draw_undercut(drawing, pieces);

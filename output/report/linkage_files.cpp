@@ -8,7 +8,7 @@
 namespace camopt {
 
 std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = drawn_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
