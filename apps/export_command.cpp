@@ -66,8 +66,7 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
             fmt::format("{}: export is for disk, barrel and cylindrical cams, remote and inverse "
                         "ones, and this scene has none",
                         request.scene));
-    if (!request.sheet.empty() && request.sheet == "pdf" && !pdf_available())
-        static_cast<void>(sheet_pdf({}));
+    if (request.sheet == "pdf") require_pdf();
     if (!cam_kind(cam->type)->is_plane_curve) {
         if (!request.sheet.empty())
             throw InputError(

@@ -16,6 +16,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int radius_samples = 1440, radius_bisections = 60;
+constexpr double through_an_end = 1e-9;  // rad
 
 double side_of(const Vector2d& ray, const Vector2d& point) {
     return ray.x() * point.y() - ray.y() * point.x();
@@ -34,23 +35,35 @@ Vector2d ray_at(const DiskCam& cam, double cam_angle) {
 
 std::optional<double> radius_along(const ProfileShape& shape, const Vector2d& ray, bool of_cam) {
     std::optional<double> outermost;
+    const auto crossing_between = [&](double left, double right, bool above_first) {
+        for (int i = 0; i < radius_bisections; ++i) {
+            const double middle = 0.5 * (left + right);
+            const bool here = side_of(ray, point_of(shape.at(middle), of_cam)) > 0.0;
+            (here == above_first ? left : right) = middle;
+        }
+        return 0.5 * (left + right);
+    };
     const auto take = [&](double theta) {
         const double along = ray.dot(point_of(shape.at(theta), of_cam));
         if (along > 0.0 && (!outermost || along > *outermost)) outermost = along;
     };
+    // Over the joints of pieces too: a ray may pass through a knot.
+    std::optional<ProfilePoint> last;
     for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, radius_samples))
-        for (std::size_t k = 1; k < piece.size(); ++k) {
-            double left = piece[k - 1].theta, right = piece[k].theta;
-            const double before = side_of(ray, point_of(piece[k - 1], of_cam)),
-                         after = side_of(ray, point_of(piece[k], of_cam));
-            if ((before > 0.0) == (after > 0.0)) continue;
-            for (int i = 0; i < radius_bisections; ++i) {
-                const double middle = 0.5 * (left + right);
-                const double here = side_of(ray, point_of(shape.at(middle), of_cam));
-                ((here > 0.0) == (before > 0.0) ? left : right) = middle;
+        for (const ProfilePoint& point : piece) {
+            const double after = side_of(ray, point_of(point, of_cam));
+            if (last) {
+                const double before = side_of(ray, point_of(*last, of_cam));
+                if ((before > 0.0) != (after > 0.0))
+                    take(crossing_between(last->theta, point.theta, before > 0.0));
             }
-            take(0.5 * (left + right));
+            last = point;
         }
+    // Where the end is the beginning, a ray may pass between the two.
+    for (const double theta : {shape.begin(), shape.end()})
+        if (const Vector2d end = point_of(shape.at(theta), of_cam);
+            std::abs(side_of(ray, end)) < through_an_end * end.norm())
+            take(theta);
     return outermost;
 }
 

@@ -27,7 +27,7 @@ constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A
 constexpr double outline_tolerance = 1e-6;  // m: of the arcs
 
 // m on the paper: what dimensions and words beside the views need.
-constexpr double beside_cam = 27e-3, above_cam = 16e-3, before_section = 8e-3, after_section = 27e-3,
+constexpr double beside_cam = 24e-3, above_cam = 16e-3, before_section = 6e-3, after_section = 22e-3,
                  block_distance = 4e-3;
 constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.5e-3, keyway_line = 5e-3,
                  thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
@@ -41,6 +41,14 @@ Vector2d unit_vector(double angle) {
 
 double direction_angle(const Vector2d& direction) {
     return std::atan2(direction.y(), direction.x());
+}
+
+/// "cam radius" of cam_radius_min: the sign beside it says the rest.
+std::string limit_words(const LimitRow& row) {
+    std::string words = words_of(row.name);
+    for (const std::string_view ending : {" min", " max"})
+        if (words.ends_with(ending)) words.resize(words.size() - ending.size());
+    return words;
 }
 
 struct ModelBox {
@@ -278,7 +286,8 @@ class CamSheetMaker {
         SheetDimension dimension;
         dimension.kind = kind;
         dimension.second = radius * unit_vector(angle);
-        dimension.place = sheet_.view.on_paper((box_.exit(unit_vector(angle)) + paper(leader_reach)) * unit_vector(angle));
+        dimension.place =
+            sheet_.view.on_paper((box_.exit(unit_vector(angle)) + paper(leader_reach)) * unit_vector(angle));
         sheet_.dimensions.push_back(dimension);
     }
     void add_dimensions() {
@@ -291,7 +300,8 @@ class CamSheetMaker {
     }
     void add_keyway() {
         const Keyway& keyway = *drawing_.keyway;
-        const double radius = 0.5 * *drawing_.bore, floor = radius + keyway.depth, way = direction_angle(cut_);
+        const double radius = 0.5 * *drawing_.bore, floor = radius + keyway.depth,
+                     way = direction_angle(cut_);
         const Vector2d left(-cut_.y(), cut_.x());
         SheetDimension width;
         width.direction = way + 90 * degree;
@@ -339,7 +349,7 @@ class CamSheetMaker {
         std::vector<std::string> notes;
         if (!shape_.closed)
             notes.push_back(
-                fmt::format("OPEN: {}. The dashed line closes nothing.",
+                fmt::format("OPEN: {}. Dwell arcs end at the dashed line.",
                             shape_.open_because.empty() ? "not a whole turn" : shape_.open_because));
         if (solution_.cam->summary.undercut())
             notes.emplace_back("UNDERCUT: the outline crosses itself; this cam cannot be made as designed.");
@@ -354,7 +364,7 @@ class CamSheetMaker {
         std::string limits;
         for (const LimitRow& row : limit_rows())
             if (const auto& limit = row.in(solution_.scene.limits); limit && !row.needs_forces)
-                limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", words_of(row.name),
+                limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", limit_words(row),
                                       row.is_least() ? "≥" : "≤", short_text(limit->given()),
                                       limit->unit.empty() ? "" : " " + limit->unit);
         if (!limits.empty()) notes.push_back("Limits of form: " + limits + ".");

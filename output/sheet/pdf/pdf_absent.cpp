@@ -9,11 +9,15 @@ bool pdf_available() {
     return false;
 }
 
-std::string sheet_pdf(const Sheet& /*sheet*/) {
+void require_pdf() {
     throw UnavailableError(
         "PDF drawings need cairo, which this build of camopt does not have: install libcairo2-dev and "
-        "configure "
-        "again, or take --drawing svg, which prints to the same scale");
+        "configure again, or take --drawing svg, which prints to the same scale");
+}
+
+std::string sheet_pdf(const Sheet& /*sheet*/) {
+    require_pdf();
+    return {};
 }
 
 }  // namespace camopt

@@ -17,9 +17,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double points_a_metre = 72.0 / 0.0254;
+constexpr double points_a_metre = 72.0 / 0.0254, points_a_mm = 72.0 / 25.4;
+// cairo counts in mm here: it takes gaps of a dash pattern below 1/512 of its unit for none.
+constexpr double mm_a_metre = 1e3;
 constexpr double capital_height = 0.729;  // of the font's size
-constexpr double halo = 0.8e-3;           // m: the white rim of words
+constexpr double halo = 0.8;              // mm: the white rim of words
 constexpr const char* font = "DejaVu Sans";
 
 struct CloseSurface {
@@ -50,7 +52,7 @@ class PdfSheet final : public SheetPainter {
         // A date would make two files of one drawing differ.
         cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00");
         context_.reset(cairo_create(surface_.get()));
-        cairo_scale(context_.get(), points_a_metre, points_a_metre);
+        cairo_scale(context_.get(), points_a_mm, points_a_mm);
         cairo_select_font_face(context_.get(), font, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
     }
@@ -74,7 +76,7 @@ class PdfSheet final : public SheetPainter {
     }
     void circle(const SheetCircle& circle) override {
         cairo_new_path(context_.get());
-        cairo_arc(context_.get(), circle.center.x(), height_ - circle.center.y(), circle.radius, 0.0,
+        cairo_arc(context_.get(), x_of(circle.center), y_of(circle.center), mm_a_metre * circle.radius, 0.0,
                   2.0 * M_PI);
         black();
         stroke(circle.pen);
@@ -82,9 +84,9 @@ class PdfSheet final : public SheetPainter {
     void text(const SheetText& text) override {
         cairo_t* const at = context_.get();
         cairo_save(at);
-        cairo_translate(at, text.at.x(), height_ - text.at.y());
+        cairo_translate(at, x_of(text.at), y_of(text.at));
         cairo_rotate(at, -text.turn);
-        cairo_set_font_size(at, text.height / capital_height);
+        cairo_set_font_size(at, mm_a_metre * text.height / capital_height);
         cairo_text_extents_t size;
         cairo_text_extents(at, text.words.c_str(), &size);
         const double part = text.anchor == TextAnchor::start    ? 0.0
@@ -112,27 +114,26 @@ class PdfSheet final : public SheetPainter {
 
  private:
     void black() const { cairo_set_source_rgb(context_.get(), 0.0, 0.0, 0.0); }
-    void move_to(const Vector2d& point) const {
-        cairo_move_to(context_.get(), point.x(), height_ - point.y());
-    }
+    [[nodiscard]] double x_of(const Vector2d& point) const { return mm_a_metre * point.x(); }
+    [[nodiscard]] double y_of(const Vector2d& point) const { return mm_a_metre * (height_ - point.y()); }
+    void move_to(const Vector2d& point) const { cairo_move_to(context_.get(), x_of(point), y_of(point)); }
+    void line_to(const Vector2d& point) const { cairo_line_to(context_.get(), x_of(point), y_of(point)); }
     void stroke(SheetPen pen) const {
         const PenLook look = look_of(pen);
-        cairo_set_line_width(context_.get(), look.width);
-        cairo_set_dash(context_.get(), look.dashes.data(), static_cast<int>(look.dashes.size()), 0.0);
+        std::vector<double> dashes;
+        for (const double length : look.dashes) dashes.push_back(mm_a_metre * length);
+        cairo_set_line_width(context_.get(), mm_a_metre * look.width);
+        cairo_set_dash(context_.get(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
         cairo_stroke(context_.get());
     }
     void step(const ArcVertex& from, const Vector2d& to) const {
-        if (from.bulge == 0.0) return cairo_line_to(context_.get(), to.x(), height_ - to.y());
-        // y points down here, so that what turns to the left runs against cairo's sense.
+        constexpr double nearly_straight = 1e3;  // m
+        if (from.bulge == 0.0) return line_to(to);
         const BulgeArc arc = bulge_arc(from.position, to, from.bulge);
-        if (!std::isfinite(arc.radius) || arc.radius > 1e3)
-            return cairo_line_to(context_.get(), to.x(), height_ - to.y());
-        if (from.bulge > 0.0)
-            cairo_arc_negative(context_.get(), arc.center.x(), height_ - arc.center.y(), arc.radius,
-                               -arc.from, -arc.to);
-        else
-            cairo_arc(context_.get(), arc.center.x(), height_ - arc.center.y(), arc.radius, -arc.from,
-                      -arc.to);
+        if (!(arc.radius < nearly_straight)) return line_to(to);
+        // y points down here: what turns to the left runs against cairo's sense.
+        const auto draw = from.bulge > 0.0 ? cairo_arc_negative : cairo_arc;
+        draw(context_.get(), x_of(arc.center), y_of(arc.center), mm_a_metre * arc.radius, -arc.from, -arc.to);
     }
 
     std::string bytes_;
@@ -146,6 +147,8 @@ class PdfSheet final : public SheetPainter {
 bool pdf_available() {
     return true;
 }
+
+void require_pdf() {}
 
 std::string sheet_pdf(const Sheet& sheet) {
     PdfSheet painter(sheet);

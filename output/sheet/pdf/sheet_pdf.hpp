@@ -11,6 +11,8 @@ namespace camopt {
 
 /// False in a build without cairo.
 [[nodiscard]] bool pdf_available();
+/// Throws UnavailableError in a build without cairo.
+void require_pdf();
 
 /// The same bytes for the same sheet and fonts. Throws UnavailableError in a build without cairo, InputError
 /// where cairo fails.
