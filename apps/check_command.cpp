@@ -88,7 +88,8 @@ std::string derivative_line(const DerivativeError& error) {
 }  // namespace
 
 ExitCode check_command(const CheckRequest& request) {
-    const Scene scene = load_scene(request.scene, request.settings);
+    Scene scene = load_scene(request.scene, request.settings);
+    show_in(scene, request.units);
     const SceneCheck check = check_scene(scene);
     std::string text = fmt::format("{}: the scene is valid\n", request.scene);
     for (const std::string& line : scene_lines(scene)) text += wrapped_text(line, "  ", line_width);

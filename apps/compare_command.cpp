@@ -34,7 +34,8 @@ Comparison compare_with_progress(const Scene& scene) {
 ExitCode compare_command(const CompareRequest& request) {
     const Scene scene = load_scene(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
-    const Comparison comparison = compare_with_progress(scene);
+    Comparison comparison = compare_with_progress(scene);
+    show_in(comparison.optimum.scene, request.units);
     const RunOrigin origin{request.scene, request.command};
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);

@@ -20,6 +20,11 @@ LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::
     return {load_scene(given, settings), input::scene_with_overrides(given.text, file, settings)};
 }
 
+void show_in(Scene& scene, std::string_view units) {
+    for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::inch})
+        if (units == name_of(unit)) scene.length_unit = unit;
+}
+
 SceneText read_scene_text(const std::string& file) {
     return {file, read_text_file(file)};
 }

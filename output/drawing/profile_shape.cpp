@@ -58,6 +58,7 @@ std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& m
     ProfileShape shape = profile_shape(*cam, motion, motion_scale(solution.scene));
     shape.face_half_width = solution.scene.cam->face_half_width;
     if (!shape.closed) shape.open_because = open_because(solution);
+    shape.length = shown_units(solution.scene).length;
     return shape;
 }
 

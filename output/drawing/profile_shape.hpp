@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/units.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/solution.hpp"
@@ -26,6 +28,7 @@ struct ProfileShape {
     std::string open_because = {};  ///< what is missing where it is open; empty: nothing is said of it
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
+    ShownUnit length = {"mm", 1.0 / units::millimetre};  ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }

@@ -7,6 +7,7 @@
 #include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
 #include "output/words/display_scale.hpp"
+#include "output/words/shown_units.hpp"
 #include "scene/cost_table.hpp"
 
 #include <optional>
@@ -38,7 +39,11 @@ Json physical_peaks_json(const Solution& solution) {
             json[derivatives.column[r]] = number_json(derivatives.factor[r] * values[r - 1]);
     };
     add(scale.by_angle);
-    if (scale.by_time) add(*scale.by_time);
+    if (!scale.by_time) return json;
+    add(*scale.by_time);
+    for (const ShownDerivative& shown : shown_units(solution.scene.motion).motion)
+        if (const MotionUnit& unit = shown.first; unit.order > 0 && !json.contains(unit.column))
+            json[unit.column] = number_json(unit.per_normalised * values[unit.order - 1]);
     return json;
 }
 

@@ -21,6 +21,8 @@ namespace camopt {
 namespace {
 
 constexpr int solution_line_width = 110;
+// Of a peak in its unit, and by the cam angle beside it: the widest are "−123456 mm/rad³".
+constexpr int width_of_first = 16, width_of_beside = 17;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
@@ -38,13 +40,13 @@ std::string indented(const std::string& lines) {
     return text;
 }
 
-std::string peak_line(const PeakRow& row, const std::string& reference_name) {
+std::string peak_line(const PeakRow& row, const std::string& reference_name, bool in_time) {
     std::string line =
         fmt::format("  {:<12} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
-    if (row.factor > 0.0)
-        line += fmt::format("  {:>10} {:<8}", short_text(row.factor * row.motion.value), row.unit);
-    else if (row.reference)
-        line += std::string(21, ' ');
+    const std::string beside = row.beside_text();
+    line += fmt::format("  {:<{}}", row.first_text(), width_of_first);
+    if (in_time)
+        line += fmt::format("  {:<{}}", beside.empty() ? "" : fmt::format("({})", beside), width_of_beside);
     if (row.reference)
         line += fmt::format("  {} {} ({})", reference_name, short_text(*row.reference),
                             change_text(row.optimum.value, *row.reference));
@@ -56,7 +58,7 @@ std::string peak_lines(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
     std::string text;
     for (const PeakRow& row : peak_comparison(solution, reference))
-        text += peak_line(row, reference_title(reference));
+        text += peak_line(row, reference_title(reference), solution.scene.motion.speed.has_value());
     return text;
 }
 

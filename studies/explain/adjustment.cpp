@@ -190,13 +190,19 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
-    const double given = as_written(*scene.cam->face_half_width / units::millimetre);
-    Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
-                          farthest_change * given,  {}};
+    const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
+    Adjustment adjustment{std::string("cam.face_half_width_") + name_of(scene.length_unit),
+                          given,
+                          first_change * given,
+                          true,
+                          false,
+                          given,
+                          farthest_change * given,
+                          {}};
     adjustment.limit = true;
-    adjustment.with = [](const Scene& one, double value) {
+    adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
-        changed.cam->face_half_width = value * units::millimetre;
+        changed.cam->face_half_width = value * unit;
         return changed;
     };
     all.push_back(std::move(adjustment));

@@ -78,13 +78,18 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
-    const double given = as_written(*scene.forces->contact_width / units::millimetre);
-    Adjustment adjustment{
-        "forces.contact_width_mm",         given, first_operating_change * given, true, false, given,
-        farthest_operating_change * given, {}};
-    adjustment.with = [](const Scene& one, double value) {
+    const double unit = metres_of(scene.length_unit), given = as_written(*scene.forces->contact_width / unit);
+    Adjustment adjustment{std::string("forces.contact_width_") + name_of(scene.length_unit),
+                          given,
+                          first_operating_change * given,
+                          true,
+                          false,
+                          given,
+                          farthest_operating_change * given,
+                          {}};
+    adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
-        changed.forces->contact_width = value * units::millimetre;
+        changed.forces->contact_width = value * unit;
         return changed;
     };
     all.push_back(std::move(adjustment));
