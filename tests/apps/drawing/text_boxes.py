@@ -6,13 +6,17 @@ A box is as wide as DejaVu Sans draws the words or a little wider (a table of wi
 letters, turned as the picture turns it. Two boxes of one picture must not overlap, and every box must lie in the
 view box. Reads the pictures as a browser would: classes and the rules of their <style>, in order.
 
-    text_boxes.py PICTURE.svg …      exit status 1 where a picture has a fault
-    text_boxes.py --self-test        pictures with a fault are found, one without is not
+    text_boxes.py PICTURE.svg …                  exit status 1 where a picture has a fault
+    text_boxes.py --scenes CAMOPT SCENES FOLDER  solves every scene of the folder SCENES into FOLDER, draws it, and looks
+                                                 at every picture that comes out
+    text_boxes.py --self-test                    pictures with a fault are found, those without are not
 """
 
 import math
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 import xml.etree.ElementTree
 
@@ -150,10 +154,33 @@ def self_test():
     print(f"self test: {len(cases)} pictures judged rightly")
 
 
+QUICK = ["--set", "solver.max_seconds=6", "--set", "solver.starts=1"]
+FOUND = (0, 1, 3)  # a scene without an optimum has pictures too
+
+
+def pictures_of(program, scenes, folder):
+    """Solves and draws; the pictures of all scenes."""
+    shutil.rmtree(folder, ignore_errors=True)
+    for scene in sorted(pathlib.Path(scenes).glob("*.toml")):
+        result = pathlib.Path(folder) / scene.stem
+        solved = subprocess.run([program, "solve", scene, "--out", result] + QUICK, capture_output=True, text=True)
+        if solved.returncode not in FOUND:
+            raise SystemExit(f"{scene}: exit status {solved.returncode}: {solved.stderr}")
+        if (result / "profile.svg").exists():
+            drawn = subprocess.run([program, "export", result, "--out", result / "drawn", "--drawing", "svg"],
+                                   capture_output=True, text=True)
+            if drawn.returncode not in FOUND or not (result / "drawn" / "drawing.svg").exists():
+                raise SystemExit(f"{scene}: no drawing: {drawn.stderr}")
+    return sorted(pathlib.Path(folder).rglob("*.svg"))
+
+
 def main():
     if sys.argv[1:] == ["--self-test"]:
         return self_test()
-    pictures = [pathlib.Path(name) for name in sys.argv[1:]]
+    if sys.argv[1:2] == ["--scenes"]:
+        pictures = pictures_of(*sys.argv[2:])
+    else:
+        pictures = [pathlib.Path(name) for name in sys.argv[1:]]
     wrong = words = 0
     for picture in pictures:
         count, faults = faults_of(picture.read_text(encoding="utf-8"))
