@@ -49,7 +49,10 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
             column.words("face: no width given, drawn as needed");
     }
     column.words(fmt::format("turns {}", name_of(shape.cam.rotation)));
-    if (!shape.closed) {
+    if (!shape.closed && shape.open_because.empty())
+        column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
+                                 short_text(shape.end() / degree)));
+    if (!shape.closed && !shape.open_because.empty()) {
         column.words(fmt::format("OPEN: drawn from θ = {}° to {}°", short_text(shape.begin() / degree),
                                  short_text(shape.end() / degree)),
                      "warning");

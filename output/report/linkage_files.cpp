@@ -13,7 +13,7 @@ std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOp
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
-    return {profile_csv(profile, {.swings = mechanism.formulas->swings()}), mechanism_svg(solution, motion),
+    return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}), mechanism_svg(solution, motion),
             pressure_angle_svg(solution, profile), curvature_svg(solution, profile)};
 }
 
