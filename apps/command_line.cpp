@@ -196,8 +196,16 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         "--csv", request.csv,
         "Points of the cam: profile.csv, guide.csv; of spatial cams flanks.csv, both flanks with normals");
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
-    command.add_flag("--step", request.step,
-                     "flanks.step: both flanks of a spatial cam as B-spline surfaces");
+    command
+        .add_option("--drawing", request.sheet,
+                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a disk cam, to scale on "
+                    "A4 or A3, "
+                    "with what [drawing] says")
+        ->type_name("FORMAT")
+        ->check(one_of(drawing_formats()));
+    command.add_flag(
+        "--step", request.step,
+        "Solid of a disk cam, cam.step; both flanks of a spatial cam as B-spline surfaces, flanks.step");
     command.add_flag("--stl", request.stl,
                      "Solids: cam.stl of a disk cam; groove.stl and, of an indexing cam, cam.stl");
     command.add_flag("--obj", request.obj, "cam.obj: spatial cams for viewing");
@@ -212,12 +220,16 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                     "Points over the turn; default: 361, of a plane cam's table as many as it needs")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
-    command.add_option("--thickness-mm", request.thickness_mm, "Thickness of a disk cam")
+    command
+        .add_option("--thickness-mm", request.thickness_mm,
+                    "Thickness of a disk cam; default: drawing.thickness_mm, else 20")
         ->type_name("NUMBER")
-        ->capture_default_str();
-    command.add_option("--bore-mm", request.bore_mm, "Diameter of a disk cam's bore, for --stl")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--bore-mm", request.bore_mm,
+                    "Diameter of a disk cam's bore; default: drawing.bore_mm, else no bore")
         ->type_name("NUMBER")
-        ->capture_default_str();
+        ->check(CLI::PositiveNumber);
     add_nc(command, request);
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");

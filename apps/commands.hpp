@@ -41,17 +41,20 @@ struct ExportRequest {
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
-    int sections = 9;                            ///< of a flank along the roller
-    std::optional<int> points = {};              ///< over the turn
-    double thickness_mm = 20.0, bore_mm = 10.0;  ///< of disk cams: not in the scene, chosen
-    std::string post;                            ///< file of the post-processor; empty: the generic one
-    std::optional<double> cutter_mm;             ///< none: the roller's diameter; disk cams: 16
+    std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
+    int sections = 9;                             ///< of a flank along the roller
+    std::optional<int> points = {};               ///< over the turn
+    std::optional<double> thickness_mm, bore_mm;  ///< of disk cams, in place of the scene's [drawing]
+    std::string post;                             ///< file of the post-processor; empty: the generic one
+    std::optional<double> cutter_mm;              ///< none: the roller's diameter; disk cams: 16
     double stock_mm = 0.0, z_offset_mm = 0.0, chord_mm = 1e-3, gouge_mm = 1e-2;
     std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
     double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;
     double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
 };
 [[nodiscard]] ExitCode export_command(const ExportRequest& request);
+/// Of a workshop drawing: "svg", "pdf", "dxf".
+[[nodiscard]] std::vector<std::string> drawing_formats();
 
 struct ReportRequest {
     std::string folder;  ///< a result folder

@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/disk/disk_solid.hpp"
 #include "output/nc/plane_cutter_path.hpp"
 
 #include <fmt/format.h>
@@ -20,12 +21,6 @@ constexpr int checked_points = 1440;
 
 void require(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("plane cam: {}, found {:g}", what, found));
-}
-
-void check_closed(const ProfileShape& shape) {
-    if (!shape.closed)
-        throw InputError(
-            "plane cam: it is an open sector; only a cam of a whole turn can be milled or made a solid");
 }
 
 std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
@@ -94,25 +89,6 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine, const PostProcessor& post,
                        const DiskNcOptions& options) {
     return checked_program(machine, post, disk_nc_work(shape, options));
-}
-
-TriangleMesh disk_solid(const ProfileShape& shape, const DiskSolid& solid) {
-    check_closed(shape);
-    require(std::isfinite(solid.thickness) && solid.thickness > 0.0, "the thickness must be > 0 m",
-            solid.thickness);
-    require(solid.bore_radius > 0.0, "the bore's radius must be > 0 m", solid.bore_radius);
-    require(solid.points >= 16, "there must be 16 points or more", solid.points);
-    std::vector<std::vector<Eigen::Vector3d>> sections;
-    for (const Eigen::Vector2d& point : contour(shape, solid.points)) {
-        require(point.norm() > solid.bore_radius, "the bore's radius must be below the cam's least radius, m",
-                solid.bore_radius);
-        const Eigen::Vector2d bore = solid.bore_radius * point.normalized();
-        sections.push_back({{bore.x(), bore.y(), 0.0},
-                            {bore.x(), bore.y(), -solid.thickness},
-                            {point.x(), point.y(), -solid.thickness},
-                            {point.x(), point.y(), 0.0}});
-    }
-    return swept_solid(sections, true);
 }
 
 }  // namespace camopt

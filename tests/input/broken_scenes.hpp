@@ -30,6 +30,7 @@ std::vector<BrokenScene> broken_mechanisms();
 std::vector<BrokenScene> broken_spatial();
 std::vector<BrokenScene> broken_inverse();
 std::vector<BrokenScene> broken_forces();
+std::vector<BrokenScene> broken_drawings();
 std::vector<BrokenScene> broken_overrides();
 
 }  // namespace camopt::input
