@@ -133,7 +133,8 @@ def check_peaks(name, folder, report, swings, inches):
     """What the table of peaks says first and beside is what the CSV holds."""
     length = ("rad", "rad") if swings else ("mm", "m")
     first = {"velocity": (f"v_{length[0]}_s", f"{length[0]}/s"),
-             "acceleration": (f"a_{length[1]}_s2", f"{length[1]}/s²"), "jerk": (f"j_{length[1]}_s3", f"{length[1]}/s³")}
+             "acceleration": (f"a_{length[1]}_s2", f"{length[1]}/s²"),
+             "jerk": (f"j_{length[1]}_s3", f"{length[1]}/s³")}
     beside = {"velocity": "ds_deg_deg" if swings else "ds_mm_rad",
               "acceleration": "dds_deg_deg2" if swings else "dds_mm_rad2",
               "jerk": "ddds_deg_deg3" if swings else "ddds_mm_rad3"}
@@ -167,7 +168,8 @@ def check_pictures(name, folder, inches):
                  if node.firstChild]
         for text in texts:
             if BY_ANGLE.search(text):
-                check("by the cam angle" in text, name, picture.name, "labels by the cam angle:", text)
+                beside = re.search(r"\((?:peak )?[−\d.e+]+ [^()]+\)$", text)
+                check(beside, name, picture.name, "tells it by the cam angle:", text)
             if inches:
                 check(not re.search(r"\bmm\b", text), name, picture.name, "speaks of mm:", text)
 
