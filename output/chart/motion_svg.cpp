@@ -56,14 +56,16 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical = row.first_text(5);
+    const std::string physical = row.first_text(5), beside = row.beside_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
-    if (const std::string beside = row.beside_text(5); !beside.empty())
-        content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program                 ? physical
-                         : picture.shown.in_time ? physical + " · " + normalised
-                                                 : normalised + " · " + physical;
+    if (program)
+        content.peak_words = beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
+    else if (picture.shown.in_time)
+        content.peak_words = physical + " · " + normalised;
+    else
+        content.peak_words = normalised + " · " + physical;
+    if (!program && !beside.empty()) content.caption += fmt::format(" (peak {})", beside);
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(
