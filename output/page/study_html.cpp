@@ -262,12 +262,14 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
                             return point.value[goal] / (length ? units::millimetre : 1.0);
                         }));
     }
-    page.add_column("velocity", "V",
-                    number([](const FrontPoint& point) { return point.solution.peaks.velocity.value; }));
-    page.add_column("acceleration", "A",
-                    number([](const FrontPoint& point) { return point.solution.peaks.acceleration.value; }));
-    page.add_column("jerk", "J",
-                    number([](const FrontPoint& point) { return point.solution.peaks.jerk.value; }));
+    const auto is_goal = [&](FrontFigure figure) {
+        return std::ranges::find(front.request.goals, FrontGoal(figure)) != front.request.goals.end();
+    };
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::peak && !is_goal(term.figure))
+            page.add_column(term.name(), term.symbol, number([&term](const FrontPoint& point) {
+                                return term.measured.of(point.solution.peaks);
+                            }));
     page.add_column("verdict", "verdict",
                     column_of(front.points,
                               [](const FrontPoint& point) {
