@@ -3,7 +3,7 @@
 'use strict';
 (function (camopt) {
   const { element, numberText, colour } = camopt;
-  const chartHeight = 168, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
+  const chartHeight = 168, printHeight = 128, printWidth = 322, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
   const font = '11px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
   /** Value range with room; a limit far beyond the curve stays out of sight. */
@@ -197,7 +197,7 @@
       const axis = { font, stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 },
         ticks: { stroke: () => colour('grid'), size: 4, width: 1 } };
       const plot = new uPlot({
-        width: all.width(), height: chartHeight, pxAlign: 0.5, padding: [6, 20, 0, 0],
+        width: all.width(), height: all.height(), pxAlign: 0.5, padding: [6, 20, 0, 0],
         legend: { show: false },
         cursor: { y: false, sync: { key: all.syncKey, setSeries: false }, drag: { x: true, y: false },
           points: { size: 7, fill: () => colour('curve') } },
@@ -260,7 +260,8 @@
       printWidth: 0,
       width() { return self.printWidth || Math.max(host.clientWidth - frameWidth, 220); },
       redraw() { charts.forEach((chart) => { if (chart.plot) { chart.plot.setData(chart.columns()); } }); },
-      resize() { charts.forEach((chart) => { if (chart.plot) chart.plot.setSize({ width: self.width(), height: chartHeight }); }); },
+      height() { return self.printWidth ? printHeight : chartHeight; },
+      resize() { charts.forEach((chart) => { if (chart.plot) chart.plot.setSize({ width: self.width(), height: self.height() }); }); },
       zoomed(from) {
         if (self.zooming) return;
         self.zooming = true;
@@ -326,7 +327,7 @@
     }
     angle.changed.listen(() => charts.forEach((chart) => { if (!chart.figure.hidden && chart.curve) { chart.read(); chart.place(); } }));
     camopt.themeChanged.listen(() => charts.forEach((chart) => { if (chart.plot) chart.plot.redraw(false); }));
-    camopt.printing.listen((on) => { self.printWidth = on ? 680 : 0; self.resize(); });
+    camopt.printing.listen((on) => { self.printWidth = on ? printWidth : 0; self.resize(); });
     new ResizeObserver(() => { if (!self.printWidth && charts.size) self.resize(); }).observe(host);
     return self;
   };
