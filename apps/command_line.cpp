@@ -77,6 +77,16 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
         ->type_name("KEY=VALUE");
 }
 
+void add_units(CLI::App& command, std::string& units) {
+    command
+        .add_option(
+            "--units", units,
+            "Lengths that people read: mm or in; default: as the scene is written. Files for machines keep "
+            "the units in their columns")
+        ->type_name("UNIT")
+        ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
+}
+
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     CLI::App& command = *program.add_subcommand("solve", "Find the best motion of a scene, with its proof");
     command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
@@ -94,6 +104,7 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;
 }
@@ -106,6 +117,7 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
     return command;
 }
@@ -115,6 +127,7 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
         *program.add_subcommand("check", "Parse and validate a scene and check its derivatives; no solve");
     command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     return command;
 }
 

@@ -81,6 +81,7 @@ ExitCode solve_command(const SolveRequest& request) {
         prepare_folder(request.out);  // a wrong folder is told before the work, not after
     const InterruptWatch watch;       // until the files are written: Ctrl-C must not lose them
     Solution solution = solve_with_progress(loaded.scene);
+    show_in(solution.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
