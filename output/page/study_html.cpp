@@ -61,9 +61,7 @@ Json overlay_of(const Comparison& comparison) {
                 const double value =
                     shown.first.per_normalised * row.motion->at(place(i), side).derivative[order];
                 constexpr int drawn_digits = 5;
-                line.push_back(std::isfinite(value)
-                                   ? Json(std::stod(fmt::format("{:.{}g}", value, drawn_digits)))
-                                   : Json(nullptr));
+                line.push_back(rounded_json(value, drawn_digits));
             }
             lines.push_back(std::move(line));
         }
@@ -114,12 +112,14 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
     page.add_column("acceleration", "A",
                     number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
     page.add_column("jerk", "J", number([](const ComparisonRow& row) { return row.peaks.jerk.value; }));
-    if (has_bases(comparison))
-        page.add_column("base", "needed base radius (mm)", column_of(rows, [](const ComparisonRow& row) {
-                            return row.base && row.base->radius
-                                       ? cell_json(*row.base->radius / units::millimetre)
-                                       : words_json(base_words(row));
+    if (has_bases(comparison)) {
+        const ShownUnit length = shown_units(comparison.optimum.scene).length;
+        page.add_column("base", fmt::format("needed base radius ({})", length.name),
+                        column_of(rows, [&](const ComparisonRow& row) {
+                            return row.base && row.base->radius ? cell_json(length.factor * *row.base->radius)
+                                                                : words_json(base_words(comparison, row));
                         }));
+    }
     page.add_column(
         "breaks", "breaks",
         column_of(rows,
