@@ -62,9 +62,7 @@ Json overlay_of(const Comparison& comparison) {
                 const double value =
                     shown.first.per_normalised * row.motion->at(place(i), side).derivative[order];
                 constexpr int drawn_digits = 5;
-                line.push_back(std::isfinite(value)
-                                   ? Json(std::stod(fmt::format("{:.{}g}", value, drawn_digits)))
-                                   : Json(nullptr));
+                line.push_back(rounded_json(value, drawn_digits));
             }
             lines.push_back(std::move(line));
         }
@@ -267,12 +265,14 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
                             return point.value[goal] / (length ? units::millimetre : 1.0);
                         }));
     }
-    page.add_column("velocity", "V",
-                    number([](const FrontPoint& point) { return point.solution.peaks.velocity.value; }));
-    page.add_column("acceleration", "A",
-                    number([](const FrontPoint& point) { return point.solution.peaks.acceleration.value; }));
-    page.add_column("jerk", "J",
-                    number([](const FrontPoint& point) { return point.solution.peaks.jerk.value; }));
+    const auto is_goal = [&](FrontFigure figure) {
+        return std::ranges::find(front.request.goals, FrontGoal(figure)) != front.request.goals.end();
+    };
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::peak && !is_goal(term.figure))
+            page.add_column(term.name(), term.symbol, number([&term](const FrontPoint& point) {
+                                return term.measured.of(point.solution.peaks);
+                            }));
     page.add_column("verdict", "verdict",
                     column_of(front.points,
                               [](const FrontPoint& point) {

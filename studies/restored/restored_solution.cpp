@@ -9,6 +9,7 @@
 #include "profiles/scene_cam.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
+#include "studies/solve/limit_curve.hpp"
 #include "studies/solve/solve_free_angles.hpp"
 
 #include <fmt/format.h>
@@ -137,7 +138,12 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
     solution.seconds_total = record.seconds_total;
     solution.seconds_solve = record.seconds_solve;
     solution.notes = record.notes;
-    if (record.any_curve_limit) solution.any_curve_limit = LimitCurve{*record.any_curve_limit, {}, {}, {}};
+    if (record.any_curve_limit) {
+        // The file has its objective; its peaks are what the scene gives.
+        solution.any_curve_limit =
+            limit_curve(solution.scene, solution.reference_peaks).value_or(LimitCurve{});
+        solution.any_curve_limit->objective = *record.any_curve_limit;
+    }
 }
 
 /// The angles that the search found are entries of the design.

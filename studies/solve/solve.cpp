@@ -2,7 +2,6 @@
 #include "studies/solve/solve.hpp"
 
 #include "core/errors.hpp"
-#include "motions/bounds/any_curve_limit.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
@@ -17,6 +16,7 @@
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/contradiction.hpp"
 #include "studies/solve/cost_scale.hpp"
+#include "studies/solve/limit_curve.hpp"
 #include "studies/solve/rest_conflict.hpp"
 #include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_free_displacements.hpp"
@@ -38,29 +38,6 @@ namespace {
 // Part of the time after which starts that found nothing within the limits end: the rest is for explaining
 // it.
 constexpr double searched_in_vain = 0.6;
-
-std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
-    const ObjectiveSpec& objective = scene.objective;
-    // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
-    // nothing approaches.
-    if (scene.motion.type == MotionType::program) return {};
-    for (const CostTerm& term : cost_terms())
-        if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
-    if (!scene.own_terms.empty()) return {};
-    if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
-    const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
-    const auto cap = [](const std::optional<PeakLimit>& limit) {
-        return limit ? std::optional(limit->normalised) : std::nullopt;
-    };
-    const AnyCurveLimit limit = any_curve_limit(
-        {scene.motion.type, scene.motion.length(), over(objective.velocity, reference.velocity.value),
-         over(objective.acceleration, reference.acceleration.value),
-         over(objective.jerk, reference.jerk.value), cap(scene.limits.velocity),
-         cap(scene.limits.acceleration), cap(scene.limits.jerk)});
-    if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
-        return {};
-    return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
-}
 
 /// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
 class SceneModels {
@@ -168,7 +145,7 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
     solution.reference_peaks = reference;
-    solution.any_curve_limit = limit_of(scene, solution.reference_peaks);
+    solution.any_curve_limit = limit_curve(scene, solution.reference_peaks);
     solution.solver.name = choice.solver;
     solution.solver.choice = choice.reason;
     solution.design.kind = choice.design;
