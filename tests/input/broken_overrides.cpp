@@ -70,7 +70,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_unknown_table",
          plain_scene,
          "--set splines.degree=3: splines: found an unknown key; allowed: title, motion, spline, objective, "
-         "cam, forces, limits, solver; did you mean 'spline'?",
+         "cam, forces, measured, limits, solver; did you mean 'spline'?",
          {"splines.degree=3"}},
         {"set_into_text",
          plain_scene,
@@ -151,7 +151,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_entry_unknown_key",
          program_scene,
          "--set motion.segments[1].ot=1: motion.segments[1].ot: found an unknown key; allowed: kind, "
-         "angle_deg, angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad",
+         "angle_deg, angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad, via",
          {"motion.segments[1].ot=1"}},
         {"set_entry_bad_value",
          program_scene,

@@ -98,7 +98,8 @@ std::vector<BrokenScene> broken_set_points() {
         {"measured_without_table", rise + "[measured]\nuse = \"start\"\n",
          "s.toml:6:1: measured.table: missing; allowed: table, or both theta_deg and s_mm"},
         {"measured_twice", rise + "[measured]\ntable = \"m.csv\"\ns_mm = [0]\n",
-         "s.toml:8:1: measured.s_mm: found beside measured.table; allowed: one of them"},
+         "s.toml:8:1: measured.s_mm: found beside measured.table, which says the same; allowed: only one of "
+         "the two"},
     };
 }
 
