@@ -406,6 +406,7 @@ Solution AngleSearch::deliver() {
     solution.scene = with_segment_angles(scene_, angles);
     solution.seconds_solve = solution.seconds_total = watch_.seconds();
     solution.solver.convex = false;
+    for (std::string& note : solution.notes) note = "for these angles: " + note;
     judge(solution);
     tell(solution);
     return solution;
