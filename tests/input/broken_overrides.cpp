@@ -156,7 +156,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_entry_bad_value",
          program_scene,
          "--set motion.segments[1].angle_deg=0: motion.segments[1].angle_deg: found 0; allowed: a number > 0 "
-         "and <= 360",
+         "and <= 360, or a range { min = …, max = … }",
          {"motion.segments[1].angle_deg=0"}},
         {"set_entry_cross_check",
          program_scene,

@@ -69,7 +69,7 @@ std::vector<BrokenScene> broken_set_points() {
          "\"fixed\", or exact points alone"},
         {"segment_point_at_its_end",
          turn + "{ kind = \"spline\", angle_deg = 120, to = 0, via = [{ at_deg = 120, velocity = 0 }] }]\n",
-         "s.toml:9:62: motion.segments[3].via[0].at_deg: found 120 deg; allowed: a place after 0 and before "
+         "s.toml:9:63: motion.segments[3].via[0].at_deg: found 120 deg; allowed: a place after 0 and before "
          "120 deg, "
          "the end of the segment"},
         {"segment_region_from_a_dwell",
@@ -81,7 +81,7 @@ std::vector<BrokenScene> broken_set_points() {
          "neighbour that is no spline gives the velocity"},
         {"segment_point_in_a_dwell",
          turn + "{ kind = \"dwell\", angle_deg = 120, via = [{ at = 0.5, velocity = 0 }] }]\n",
-         "s.toml:9:41: motion.segments[3].via: found set points in a segment of kind \"dwell\"; allowed: "
+         "s.toml:9:42: motion.segments[3].via: found set points in a segment of kind \"dwell\"; allowed: "
          "only in kind "
          "\"spline\""},
         {"angles_that_cannot_add_up",
