@@ -41,8 +41,9 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
         range.lower = std::min(range.lower, content.peak->value);
         range.upper = std::max(range.upper, content.peak->value);
     }
-    if (content.reference) {
-        const ValueRange other = value_range(*content.reference, content.order);
+    for (const Motion* beside : {content.reference, content.measured}) {
+        if (!beside) continue;
+        const ValueRange other = value_range(*beside, content.order);
         range.lower = std::min(range.lower, other.lower);
         range.upper = std::max(range.upper, other.upper);
     }
