@@ -38,6 +38,10 @@ struct ExportRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
+    std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
+    std::optional<double> step_deg;     ///< of table.csv; none: by points
+    std::string columns;                ///< of table.csv, between commas; empty: the usual ones
+    std::optional<int> digits;          ///< of table.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
     int sections = 9;                            ///< of a flank along the roller
     std::optional<int> points = {};              ///< over the turn
