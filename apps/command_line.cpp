@@ -236,11 +236,13 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
-    CLI::App& command =
-        *program.add_subcommand("list", "What this camopt knows: laws, followers, solvers, keys of a scene");
+    CLI::App& command = *program.add_subcommand(
+        "list",
+        "What this camopt knows: laws, followers, solvers, keys of a scene, columns of a table, controllers");
     command
         .add_option("WHAT", request.what,
-                    "The classical laws, the kinds of followers, the solvers, or every key of a scene file")
+                    "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
+                    "columns of a uniform table, or the controllers of electronic cams")
         ->type_name("")
         ->required()
         ->check(one_of(list_topics()));

@@ -66,7 +66,7 @@ struct ListRequest {
     bool json = false;
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
-/// "laws", "followers", "solvers", "keys".
+/// "laws", "followers", "solvers", "keys", "columns", "controllers".
 [[nodiscard]] std::vector<std::string> list_topics();
 
 /// A front instead of a sweep.

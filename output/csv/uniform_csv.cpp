@@ -192,26 +192,6 @@ bool has_column(const Solution& solution, ColumnNeed need) {
     return false;
 }
 
-const char* need_words(ColumnNeed need) {
-    switch (need) {
-        case ColumnNeed::translating:
-            return "needs a lift that is a length";
-        case ColumnNeed::swinging:
-            return "needs a lift that is an angle";
-        case ColumnNeed::speed:
-            return "needs motion.speed_rpm";
-        case ColumnNeed::speed_translating:
-            return "needs motion.speed_rpm and a lift that is a length";
-        case ColumnNeed::speed_swinging:
-            return "needs motion.speed_rpm and a lift that is an angle";
-        case ColumnNeed::plane_cam:
-            return "needs a plane cam";
-        case ColumnNeed::nothing:
-            break;
-    }
-    return "is in every table";
-}
-
 std::vector<std::string> columns_of(const Solution& solution) {
     std::vector<std::string> keys;
     for (const ColumnRow& row : all_column_rows())
@@ -249,10 +229,9 @@ std::vector<const ColumnRow*> chosen_columns(const Solution& solution, std::vect
             std::ranges::find(all_column_rows(), key, [](const ColumnRow& row) { return row.column.key; });
         const bool known = found != all_column_rows().end();
         if (!known || !has_column(solution, found->column.need))
-            throw InputError(
-                fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
-                            known ? fmt::format(", which {}", need_words(found->column.need)) : "",
-                            fmt::join(columns_of(solution), ", ")));
+            throw InputError(fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
+                                         known ? fmt::format(", which {}", words_of(found->column.need)) : "",
+                                         fmt::join(columns_of(solution), ", ")));
         chosen.push_back(&*found);
     }
     return chosen;
@@ -301,6 +280,26 @@ void check_digits(const std::optional<int>& digits) {
 }
 
 }  // namespace
+
+std::string words_of(ColumnNeed need) {
+    switch (need) {
+        case ColumnNeed::translating:
+            return "needs a lift that is a length";
+        case ColumnNeed::swinging:
+            return "needs a lift that is an angle";
+        case ColumnNeed::speed:
+            return "needs motion.speed_rpm";
+        case ColumnNeed::speed_translating:
+            return "needs motion.speed_rpm and a lift that is a length";
+        case ColumnNeed::speed_swinging:
+            return "needs motion.speed_rpm and a lift that is an angle";
+        case ColumnNeed::plane_cam:
+            return "needs a plane cam";
+        case ColumnNeed::nothing:
+            break;
+    }
+    return "";
+}
 
 const std::vector<TableColumn>& table_columns() {
     static const std::vector<TableColumn> columns = [] {

@@ -28,6 +28,9 @@ struct TableColumn {
     ColumnNeed need = ColumnNeed::nothing;
 };
 
+/// "needs motion.speed_rpm"; empty: nothing.
+[[nodiscard]] std::string words_of(ColumnNeed need);
+
 [[nodiscard]] const std::vector<TableColumn>& table_columns();
 
 struct UniformTableOptions {

@@ -32,18 +32,22 @@ EndState held_state(const MasterCurve& curve, double theta, Side side, const Fit
     return state;
 }
 
-bool rests_between(const MasterCurve& curve, double from, double to) {
+/// The motion itself from joint to joint, where it is a polynomial of no higher degree there; else empty.
+std::vector<double> own_polynomial(const MasterCurve& curve, double from, double to, int degree) {
     const auto inside = std::ranges::upper_bound(curve.breakpoints(), from + same_place_degree);
-    const bool joint_inside = inside != curve.breakpoints().end() && *inside < to - same_place_degree;
-    return !joint_inside && curve.polynomial(from, Side::right).size() == 1;
+    if (inside != curve.breakpoints().end() && *inside < to - same_place_degree) return {};
+    std::vector<double> own = curve.polynomial(from, Side::right);
+    if (static_cast<int>(own.size()) > degree + 1) own.clear();
+    return own;
 }
 
 Stretch stretch_between(const MasterCurve& curve, double from, double to, const FitOptions& options) {
     Stretch stretch{from, to, {}, 0.0};
     const EndState begin = held_state(curve, from, Side::right, options);
     const EndState end = held_state(curve, to, Side::left, options);
-    if (rests_between(curve, from, to))
-        stretch.piece = {begin.theta, end.theta, {begin.s}};
+    const std::vector<double> own = own_polynomial(curve, from, to, options.degree);
+    if (!own.empty())
+        stretch.piece = {begin.theta, end.theta, polynomial_about({from, to, own}, begin.theta)};
     else
         stretch.piece = options.degree == 3 ? cubic_between(begin, end) : quintic_between(begin, end);
     stretch.error = largest_difference(curve, stretch.piece, {from, to}, 0).value;

@@ -23,9 +23,10 @@ void check_count(const PlcFormat& format, int count) {
     if (!format.limit || count <= *format.limit) return;
     const int points = format.counted == PlcCount::points ? *format.limit : *format.limit + 1;
     throw InputError(fmt::format(
-        "--plc {}: {} {}, {} holds {}; allowed: --points {} or fewer (with the loss that is stated), fewer "
+        "--plc {}: {} {}, {} holds {}{}; allowed: --points {} or fewer (with the loss that is stated), fewer "
         "segments of the spline, or another format",
-        format.key, count, format.element, format.limit_words, *format.limit, points));
+        format.key, count, format.element, format.limit_words, *format.limit,
+        format.limit_note.empty() ? "" : fmt::format(" ({})", format.limit_note), points));
 }
 
 std::string formats_that_hold_jumps() {

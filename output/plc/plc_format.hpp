@@ -46,7 +46,8 @@ struct PlcFormat {
     PlcCount counted = PlcCount::points;
     std::string element;       ///< what is counted: "points", "segments", "polynomials"
     std::optional<int> limit;  ///< of them
-    std::string limit_words;   ///< who holds no more: "a cam that SMC_ReadCAM reads from a file"
+    std::string limit_words;   ///< who holds no more: "a cam read from a file"
+    std::string limit_note;    ///< "library parameter ..."; mostly empty
     int shared = 0;  ///< highest derivative of which a point has one for both sides: no jump of it is held
     bool straight_lines = false;  ///< acceleration and jerk have no meaning
     bool relative = false;        ///< slave positions count from the first

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace camopt {
 
@@ -34,11 +35,23 @@ ShownLoss shown_loss(const Solution& solution, const MasterCurve& curve, std::si
     return {figure_not_exceeded(std::abs(unit.per_normalised) * normalised), unit.name};
 }
 
-/// One line, whatever the title holds.
-std::string one_line(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    return text;
+/// One line of ASCII, whatever the title holds: an editor of a controller may know no other letters.
+std::string plain_line(const std::string& text) {
+    std::string line;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = std::string_view(text).substr(i);
+        const auto byte = static_cast<unsigned char>(text[i]);
+        constexpr unsigned char ascii = 0x80, first_of_letter = 0xC0;
+        if (rest.starts_with("²"))
+            line += "^2";
+        else if (rest.starts_with("³"))
+            line += "^3";
+        else if (byte < ascii)
+            line += byte < ' ' ? ' ' : text[i];
+        else if (byte >= first_of_letter)
+            line += '?';
+    }
+    return line;
 }
 
 std::string degrees_text(double value) {
@@ -59,7 +72,8 @@ std::string range_words(const MasterCurve& curve) {
 std::string count_words(const PlcResult& result) {
     const PlcFormat& format = *result.format;
     std::string text = fmt::format("{} {}", result.count, format.element);
-    if (format.limit) text += fmt::format(" ({} holds {})", format.limit_words, *format.limit);
+    if (format.limit) text += fmt::format(" of the {} that {} holds", *format.limit, format.limit_words);
+    if (!format.limit_note.empty()) text += fmt::format(" ({})", format.limit_note);
     return text + fmt::format(", {}, {}", format.rule, format.numbers);
 }
 
@@ -146,7 +160,7 @@ std::vector<std::string> plc_header(const Solution& solution, const MasterCurve&
                                     const PlcResult& result) {
     std::vector<std::string> lines;
     lines.push_back(fmt::format("camopt {}: {}", version(), result.format->controller));
-    if (!solution.scene.title.empty()) lines.push_back(one_line(solution.scene.title));
+    if (!solution.scene.title.empty()) lines.push_back(solution.scene.title);
     lines.push_back(range_words(curve));
     lines.push_back(unit_words(curve, result));
     lines.push_back(count_words(result));
@@ -155,6 +169,7 @@ std::vector<std::string> plc_header(const Solution& solution, const MasterCurve&
         lines.push_back(fmt::format("slave positions count from the start, which is {} {}",
                                     short_text(result.slave_at_start, 9), curve.slave_unit()));
     if (drifts(curve, result)) lines.push_back(drift_words(curve, result));
+    for (std::string& line : lines) line = plain_line(line);
     return lines;
 }
 

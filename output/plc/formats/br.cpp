@@ -118,7 +118,8 @@ PlcFormat br_format() {
     format.counted = PlcCount::pieces;
     format.element = "polynomials";
     format.limit = 128;
-    format.limit_words = "a MC_CAMPROFILE_TYP (64 in older libraries)";
+    format.limit_words = "an MC_CAMPROFILE_TYP";
+    format.limit_note = "64 in older libraries";
     format.relative = true;
     format.whole_periods = true;
     format.prepare = br_table;

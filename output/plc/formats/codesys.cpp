@@ -70,7 +70,8 @@ PlcFormat codesys_format() {
     format.numbers = "LREAL (float64)";
     format.element = "points";
     format.limit = 128;
-    format.limit_words = "a cam read from a file (gc_SMC_FILE_MAXCAMEL)";
+    format.limit_words = "a cam read from a file";
+    format.limit_note = "library parameter gc_SMC_FILE_MAXCAMEL";
     format.shared = 2;
     format.text_file = "codesys.txt";
     format.prepare = fitted_table;

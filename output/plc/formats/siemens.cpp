@@ -59,7 +59,8 @@ std::string siemens_text(const PlcTable& table) {
     std::string text = comment_lines(table.header);
     text += fmt::format(
         "// Declaration: camProfile : Array[1..{0}] of LCamHdl_typeAdvancedElement\n"
-        "// Then LCamHdl_CreateCamAdvanced(numberOfElements := {0}, camProfile := …, cam := …)\n\n",
+        "// Then LCamHdl_CreateCamAdvanced(numberOfElements := {0}, camProfile := camProfile, cam := "
+        "...)\n\n",
         table.pieces.size());
     int number = 0;
     for (const CamPiece& piece : table.pieces) {

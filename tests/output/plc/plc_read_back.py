@@ -35,7 +35,7 @@ REFUSALS = [
     ("drd_cubic_64", ["codesys", "twincat"], [], None),
     ("drd_cubic_64", ["siemens"], [], "65 segments, a technology object TO_Cam holds 50"),
     ("drd_cubic_64", ["codesys"], ["--points", "300"], "300 points, a cam read from a file"),
-    ("drd_cubic_64", ["br"], ["--points", "200"], "199 polynomials, a MC_CAMPROFILE_TYP"),
+    ("drd_cubic_64", ["br"], ["--points", "200"], "199 polynomials, an MC_CAMPROFILE_TYP holds 128 (64 in older libraries)"),
     ("drd_cubic_64", ["omron"], ["--points", "400"], "399 nodes, CamNodes holds 360"),
     ("drd_cubic_64", ["bosch"], [], "'bosch'"),
 ]

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -138,6 +139,32 @@ TEST(PlcExport, StatesNeverLessThanIsLost) {
         EXPECT_NE(file->text.find("lossy: s "), std::string::npos);
     }
     EXPECT_EQ(exported.files.back().name, "plc.json");
+}
+
+// 10/3 mm is no whole number of units: the drive adds 3333 units of a micrometre each turn.
+TEST(PlcExport, SaysWhatWholePeriodsAddEachTurn) {
+    Solution solution = test::sample_solution();
+    solution.scene.motion.lift = 0.01 / 3.0;
+    const PlcExport exported = plc_export(solution, {"br"}, {});
+    EXPECT_NEAR(exported.results[0].drift_per_turn, 3.333 - 10.0 / 3.0, 1e-12);
+    EXPECT_NE(exported.text.find("the period of the slave is rounded to whole units: "), std::string::npos);
+    EXPECT_NE(exported.files[0].text.find("Cam.SlavePeriod := 3333;"), std::string::npos);
+    solution.scene.motion.lift = 0.01;
+    EXPECT_EQ(plc_export(solution, {"br"}, {}).results[0].drift_per_turn, 0.0);
+}
+
+// An editor of a controller may know no letters but ASCII.
+TEST(PlcExport, FilesAreAscii) {
+    Solution solution = test::sample_solution();
+    solution.scene.title = "Stößel\n// (* 10² *)";
+    const PlcExport exported = plc_export(solution, plc_format_keys(), {});
+    for (const PlcFile& file : exported.files) {
+        if (file.name == "plc.json") continue;
+        EXPECT_TRUE(std::ranges::all_of(file.text, [](char c) {
+            return c == '\n' || (c >= ' ' && c <= '~');
+        })) << file.name;
+    }
+    EXPECT_NE(exported.files[0].text.find("// St??el // (* 10^2 *)\n"), std::string::npos);
 }
 
 TEST(PlcExport, RefusesByName) {
