@@ -176,7 +176,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                          "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
                          "the cam: profile.csv, "
                          "guide.csv, of spatial cams flanks.csv, both flanks with normals");
-    command.add_option("--step-deg", request.step_deg, "Step of table.csv, instead of --points")
+    command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
         ->type_name("NUMBER")
         ->needs(csv);
     command
