@@ -48,6 +48,7 @@ const char* examples =
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
     "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
+    "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
@@ -64,6 +65,7 @@ struct Words {
     CompareRequest compare;
     CheckRequest check;
     ExportRequest export_cam;
+    ReportRequest report;
     ListRequest list;
     TableRequest table;
     ReproduceRequest reproduce;
@@ -76,6 +78,16 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
         .add_option("--set", settings,
                     "Replace one key of the scene: KEY=VALUE, for example spline.segments=24")
         ->type_name("KEY=VALUE");
+}
+
+void add_units(CLI::App& command, std::string& units) {
+    command
+        .add_option(
+            "--units", units,
+            "Lengths that people read: mm or in; default: as the scene is written. Files for machines keep "
+            "the units in their columns")
+        ->type_name("UNIT")
+        ->check(one_of({name_of(LengthUnit::millimetre), name_of(LengthUnit::inch)}));
 }
 
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
@@ -95,6 +107,7 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;
 }
@@ -107,6 +120,7 @@ CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
     command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
         ->type_name("NAME");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
     return command;
 }
@@ -116,6 +130,7 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
         *program.add_subcommand("check", "Parse and validate a scene and check its derivatives; no solve");
     command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
     add_settings(command, request.settings);
+    add_units(command, request.units);
     return command;
 }
 
@@ -158,6 +173,15 @@ void add_nc(CLI::App& command, ExportRequest& request) {
     number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
     number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
     number("--spindle-rpm", request.spindle_rpm, "Spindle speed; 0: none is written");
+}
+
+CLI::App& add_report(CLI::App& program, ReportRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "report", "Write report.html and report.md of a result folder again; nothing is solved");
+    command.add_option("DIR", request.folder, "The folder that `camopt solve SCENE --out DIR` wrote")
+        ->type_name("")
+        ->required();
+    return command;
 }
 
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
@@ -436,6 +460,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
+    const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
@@ -479,6 +504,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
         find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
         return export_command(parsed.export_cam);
     }
+    if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);

@@ -19,6 +19,7 @@ struct SolveRequest {
     std::optional<int> points;          ///< of profile.csv; none: by chord tolerance
     bool dxf = false;                   ///< write profile.dxf too
     bool json = false;
+    std::string units;    ///< "mm", "in": of lengths for people; empty: as the scene is written
     std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode solve_command(const SolveRequest& request);
@@ -29,6 +30,7 @@ struct CompareRequest {
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
     bool json = false;
+    std::string units;    ///< as of solve
     std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode compare_command(const CompareRequest& request);
@@ -55,9 +57,15 @@ struct ExportRequest {
 };
 [[nodiscard]] ExitCode export_command(const ExportRequest& request);
 
+struct ReportRequest {
+    std::string folder;  ///< a result folder
+};
+[[nodiscard]] ExitCode report_command(const ReportRequest& request);
+
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;
+    std::string units;  ///< as of solve
 };
 [[nodiscard]] ExitCode check_command(const CheckRequest& request);
 

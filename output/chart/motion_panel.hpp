@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/svg_canvas.hpp"
 
 #include <optional>
@@ -14,11 +15,6 @@ namespace camopt {
 /// Where the plotting area lies on the canvas, px.
 struct PanelFrame {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
-};
-
-/// A limit that holds from x = begin to end only.
-struct LimitSpan {
-    double begin = 0.0, end = 0.0, normalised = 0.0;
 };
 
 struct PanelLimit {
@@ -33,10 +29,17 @@ struct PanelSegment {
     std::string title;              ///< empty: none in this panel
 };
 
+/// A value that the motion must have at x, or from x on to `end`.
+struct PanelMark {
+    double x = 0.0, end = 0.0, value = 0.0;
+};
+
 struct PanelContent {
     int order = 0;  ///< which derivative
     const Motion* optimum = nullptr;
     const Motion* reference = nullptr;   ///< none: not drawn
+    const Motion* measured = nullptr;    ///< none: not drawn
+    std::vector<PanelMark> marks;        ///< set points
     std::string caption, caption_right;  ///< above the area: what it is, and how it compares
     double factor = 1.0;                 ///< shown value = factor · normalised, for the left axis
     std::string unit;                    ///< of the left axis

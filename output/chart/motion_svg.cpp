@@ -3,15 +3,16 @@
 
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/motion_panel.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "scene/limit_table.hpp"
-#include "splines/extrema.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -33,41 +34,18 @@ const char* page_style =
 struct Picture {
     const Solution& solution;
     ReferenceMotion reference;
-    DisplayScale scale;
+    ShownUnits shown;
     std::vector<PeakRow> peaks;
 };
 
-const std::optional<PeakLimit>& limit_of(const LimitSpec& limits, int order) {
-    static const std::optional<PeakLimit> none;
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (row.order() == order) return row.in(limits);
-    return none;
-}
-
-/// A normalised limit holds for each spline segment by its own angle and displacement: the ratio of the
-/// segment's two peaks is what brings it to the motion's own units.
-std::vector<LimitSpan> limit_spans(const Solution& solution, const PeakLimit& limit, Extremum Peaks::*peak) {
-    std::vector<LimitSpan> spans;
-    if (limit.in_time()) return spans;
-    for (const SegmentReport& segment : solution.segments) {
-        if (!segment.curve || !segment.peaks) continue;
-        const double normalised = ((*segment.peaks).*peak).value;
-        if (!(normalised > 0.0)) continue;
-        const double own = (peaks_of(*segment.curve).*peak).value;
-        spans.push_back({segment.begin, segment.end, limit.normalised * own / normalised});
-    }
-    return spans;
-}
-
 std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
-    const std::optional<PeakLimit>& limit = limit_of(picture.solution.scene.limits, order);
+    const std::optional<PeakLimit>& limit = peak_limit_of(picture.solution.scene.limits, order);
     if (!limit) return {};
     PanelLimit shown{
         limit->normalised,
         fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit),
         {}};
-    constexpr std::array peaks = {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk};
-    shown.spans = limit_spans(picture.solution, *limit, peaks[static_cast<std::size_t>(order) - 1]);
+    shown.spans = segment_limits(picture.solution, *limit, order);
     if (shown.spans.empty()) return shown;
     shown.normalised = std::ranges::max(shown.spans, {}, &LimitSpan::normalised).normalised;
     shown.words += " by the segment's own angle and displacement";
@@ -77,11 +55,14 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical =
-        fmt::format("{} {}", short_text(content.factor * row.motion.value, 5), content.unit);
+    const std::string physical = row.first_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
+    if (const std::string beside = row.beside_text(5); !beside.empty())
+        content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program ? physical : normalised + " · " + physical;
+    content.peak_words = program                 ? physical
+                         : picture.shown.in_time ? physical + " · " + normalised
+                                                 : normalised + " · " + physical;
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(
@@ -106,18 +87,30 @@ std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) 
     return all;
 }
 
+std::vector<PanelMark> panel_marks(const Solution& solution, std::size_t order) {
+    std::vector<PanelMark> marks;
+    for (const PlacedPoint& point : placed_points(solution.scene.motion)) {
+        if (!point.wanted[order]) continue;
+        marks.push_back({point.begin, order == 1 ? point.end : point.begin, *point.wanted[order]});
+    }
+    return marks;
+}
+
 PanelContent panel_content(const Picture& picture, int order) {
-    static constexpr std::array<const char*, 4> captions = {"Displacement s", "Velocity ds/dθ",
-                                                            "Acceleration d²s/dθ²", "Jerk d³s/dθ³"};
+    static constexpr std::array<const char*, 4> captions = {"Displacement", "Velocity", "Acceleration",
+                                                            "Jerk"};
     const auto index = static_cast<std::size_t>(order);
     PanelContent content;
     content.order = order;
     content.optimum = picture.solution.motion.get();
     content.reference = picture.reference.motion.get();
-    content.caption = captions[index];
-    content.factor = picture.scale.by_angle.factor[index];
-    content.unit = picture.scale.by_angle.unit[index];
-    content.degrees_per_x = picture.scale.degrees_per_x;
+    if (picture.solution.measured) content.measured = picture.solution.measured->motion.get();
+    if (order < 3) content.marks = panel_marks(picture.solution, index);
+    const MotionUnit& unit = picture.shown.motion[index].first;
+    content.caption = fmt::format("{} {}", captions[index], unit.symbol);
+    content.factor = unit.per_normalised;
+    content.unit = unit.name;
+    content.degrees_per_x = picture.shown.degrees_per_x;
     content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
     content.angle_labels = order == 3;
     content.segments = panel_segments(picture.solution, order == 0);
@@ -140,6 +133,7 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     };
     entry("optimum", "this motion");
     if (picture.reference.motion) entry("reference", picture.reference.title);
+    if (picture.solution.measured) entry("measured", "measured");
     const LimitSpec& limits = picture.solution.scene.limits;
     if (std::ranges::any_of(peak_limit_rows(),
                             [&](const PeakLimitRow& row) { return row.in(limits).has_value(); }))
@@ -147,6 +141,11 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     canvas.circle(x + 4, y - 4, 4, "peak");
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;
+    if (!placed_points(picture.solution.scene.motion).empty()) {
+        canvas.rectangle(x, y - 8, 8, 8, "set-point");
+        canvas.text(x + 15, y, "set points", "subtitle");
+        x += 96;
+    }
     if (!picture.solution.segments.empty()) {
         canvas.line(x, y - 11, x, y + 3, "segment");
         canvas.text(x + 8, y, "segments", "subtitle");
@@ -163,8 +162,7 @@ std::string motion_svg(const Solution& solution) {
     if (!solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
     ReferenceMotion reference = reference_motion(solution.scene);
     std::vector<PeakRow> peaks = peak_comparison(solution, reference);
-    const Picture picture{solution, std::move(reference), display_scale(solution.scene.motion),
-                          std::move(peaks)};
+    const Picture picture{solution, std::move(reference), shown_units(solution.scene), std::move(peaks)};
 
     const std::string title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
     SvgCanvas canvas(page_width, page_height, std::string(panel_style()) + page_style, title);

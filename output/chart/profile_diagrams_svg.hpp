@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // profile_diagrams.svg: pressure angle and curvature of the cam over the cam angle, with their limits dotted
-// and their extremes marked. Curvature in 1/mm, > 0 convex; where it grows beyond all bounds the curve leaves
-// the frame.
+// and their extremes marked. Curvature in 1/mm (1/in where the scene is written in inches), > 0 convex; where
+// it grows beyond all bounds the curve leaves the frame.
 #pragma once
 
+#include "output/chart/limit_spans.hpp"
 #include "output/drawing/profile_shape.hpp"
 
 #include <optional>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace camopt {
-
-/// A limit on the magnitude of the pressure angle over a stretch of the cam, rad.
-struct PressureLimit {
-    double begin = 0.0, end = 0.0;  ///< θ
-    double limit = 0.0;
-};
 
 struct ProfileDiagramLimits {
     std::vector<PressureLimit> pressure;

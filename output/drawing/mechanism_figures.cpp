@@ -3,7 +3,10 @@
 
 #include "core/units.hpp"
 #include "output/chart/paper_figure_svg.hpp"
+#include "output/words/shown_units.hpp"
 #include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -12,7 +15,7 @@ namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
+using units::degree;
 
 constexpr double points_a_turn = 3600.0;
 
@@ -52,13 +55,17 @@ std::string pressure_angle_svg(const Solution& solution, const MechanismProfile&
 }
 
 std::string curvature_svg(const Solution& solution, const MechanismProfile& profile) {
-    PaperFigure figure{
-        "curvature", "Curvature of the cam, > 0 convex", "cam angle (deg)", "curvature (1/mm)", {}};
-    figure.series.push_back(
-        series_of("cam", profile, [](const MechanismPoint& point) { return millimetre / point.cam_radius; }));
+    const ShownUnit curvature = shown_units(solution.scene).curvature;
+    PaperFigure figure{"curvature",
+                       "Curvature of the cam, > 0 convex",
+                       "cam angle (deg)",
+                       fmt::format("curvature ({})", curvature.name),
+                       {}};
+    figure.series.push_back(series_of(
+        "cam", profile, [&](const MechanismPoint& point) { return curvature.factor / point.cam_radius; }));
     if (const auto& limit = limit_on(solution.scene.limits, LimitedFigure::convex_radius);
         limit && limit->value > 0.0)
-        figure.series.push_back(level("least convex radius", profile, millimetre / limit->value));
+        figure.series.push_back(level("least convex radius", profile, curvature.factor / limit->value));
     return paper_figure_svg(figure);
 }
 

@@ -7,19 +7,21 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
+using units::degree;
 
 constexpr double legend_line_height = 21, swatch = 30, indent = 40;  // px
 
 /// Writes entry under entry.
 class Column {
  public:
-    Column(SvgCanvas& canvas, double left, double top) : canvas_(canvas), left_(left), y_(top) {}
+    Column(SvgCanvas& canvas, double left, double top, ShownUnit length)
+        : canvas_(canvas), left_(left), y_(top), length_(std::move(length)) {}
 
     void heading(std::string_view words) {
         y_ += 8;
@@ -33,7 +35,7 @@ class Column {
     }
     void value(std::string_view name, double length) {
         canvas_.text(left_, y_, name, "entry");
-        canvas_.text(left_ + 215, y_, short_text(length / millimetre, 6) + " mm", "entry number");
+        canvas_.text(left_ + 215, y_, length_.text(length), "entry number");
         y_ += legend_line_height;
     }
     void words(std::string_view text, const char* css_class = "entry") {
@@ -44,6 +46,7 @@ class Column {
  private:
     SvgCanvas& canvas_;
     double left_, y_;
+    ShownUnit length_;
 };
 
 void add_lines(Column& column, const ProfileShape& shape, bool undercut) {
@@ -64,7 +67,7 @@ std::string_view profile_legend_style() {
 }
 
 void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, const ProfileLegend& legend) {
-    Column column(canvas, legend.left, legend.top);
+    Column column(canvas, legend.left, legend.top, shape.length);
     add_lines(column, shape, legend.undercut);
     column.heading(words_of(name_of(shape.cam.follower)));
     for (int i = 0; i < dimension_count; ++i) {

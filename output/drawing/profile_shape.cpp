@@ -56,6 +56,7 @@ std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& m
     if (!cam) return std::nullopt;
     ProfileShape shape = profile_shape(*cam, motion, motion_scale(solution.scene));
     shape.face_half_width = solution.scene.cam->face_half_width;
+    shape.length = shown_units(solution.scene).length;
     return shape;
 }
 

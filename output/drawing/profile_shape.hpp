@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/units.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/solution.hpp"
@@ -23,6 +25,7 @@ struct ProfileShape {
     bool closed = true;         ///< the end of the cam is its beginning; false: a sector
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
+    ShownUnit length = {"mm", 1.0 / units::millimetre};  ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }

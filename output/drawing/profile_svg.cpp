@@ -22,7 +22,7 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree, units::millimetre;
+using units::degree;
 
 // Layout, px.
 constexpr double page_width = 1000, page_height = 760, left = 74, top = 60, width = 660, height = 640,
@@ -104,16 +104,16 @@ ProfileCanvas fitted_canvas(SvgCanvas& canvas, const Extent& extent) {
         canvas, {left + 0.5 * width - scale * middle.x(), top + 0.5 * height + scale * middle.y()}, scale};
 }
 
-void draw_frame(const ProfileCanvas& drawing) {
-    const double mm = drawing.scale * millimetre;
+void draw_frame(const ProfileCanvas& drawing, const ShownUnit& length) {
+    const double one = drawing.scale / length.factor;
     PlotFrame frame;
-    frame.horizontal = {(left - drawing.origin.x()) / mm, (left + width - drawing.origin.x()) / mm, left,
+    frame.horizontal = {(left - drawing.origin.x()) / one, (left + width - drawing.origin.x()) / one, left,
                         left + width};
-    frame.vertical = {(drawing.origin.y() - top - height) / mm, (drawing.origin.y() - top) / mm, top + height,
-                      top};
+    frame.vertical = {(drawing.origin.y() - top - height) / one, (drawing.origin.y() - top) / one,
+                      top + height, top};
     frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
     frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 8);
-    frame.horizontal_title = "x, y in mm (cam frame)";
+    frame.horizontal_title = "x, y (" + length.name + "), cam frame";
     draw_plot_frame(drawing.canvas, frame);
 }
 
@@ -205,7 +205,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 38, title, "title");
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
-    draw_frame(drawing);
+    draw_frame(drawing, shape.length);
     for_each_angle(shape, ghost_step, [&](double theta) {
         if (theta > shape.begin()) follower.draw_ghost(drawing, theta);
     });

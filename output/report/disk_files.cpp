@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/rules/cam_limits.hpp"
+#include "core/infinity.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
 #include "output/drawing/profile_svg.hpp"
@@ -17,41 +18,33 @@ namespace camopt {
 
 namespace {
 
-constexpr double at_rest = 1e-9;  // of a displacement: less than this over a piece is a dwell
-
 std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
     if (!limit) return {};
     return limit->value;
 }
 
-/// Rise and return may have limits of their own; where the follower rests the least of all holds. Pieces
-/// between the motion's breakpoints are told apart by what the follower does over them.
-std::vector<PressureLimit> pressure_spans(const Scene& scene, const Motion& motion) {
-    const PressureLimits limits = pressure_limits(scene.limits);
-    const std::optional<WrittenLimit> at_standstill = limits.at_rest();
-    if (!at_standstill) return {};
-    const double angle = scene.motion.unit_angle();
-    std::vector<PressureLimit> spans;
-    const std::vector<double> places = motion.breakpoints();
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-        const double change = motion.at(places[i + 1], Side::left).derivative[0] -
-                              motion.at(places[i], Side::right).derivative[0];
-        const auto& own = std::abs(change) < at_rest ? at_standstill
-                          : change > 0.0             ? limits.rise
-                                                     : limits.back;
-        if (!own) continue;
-        const bool goes_on =
-            !spans.empty() && spans.back().end == angle * places[i] && spans.back().limit == own->value;
-        if (goes_on)
-            spans.back().end = angle * places[i + 1];
-        else
-            spans.push_back({angle * places[i], angle * places[i + 1], own->value});
+/// Of each point; none where the scene has no forces. What does not exist is not finite.
+std::vector<FollowerLoads> loads_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
+                                    const MechanismProfile& profile) {
+    if (!solution.cam->summary.forces) return {};
+    const MotionScale scale = motion_scale(solution.scene);
+    std::vector<FollowerLoads> all;
+    for (const MechanismPoint& point : profile.points) {
+        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
+        const FollowerState state =
+            state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+        all.push_back(
+            follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed, state, point));
+        if (!solution.cam->summary.no_contact) continue;
+        all.back().normal_force = infinity;
+        all.back().hertz_pressure = std::nullopt;
     }
-    return spans;
+    return all;
 }
 
-std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
+std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
                    const CamFileOptions& options) {
+    const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
     for (const ProfilePoint& point :
          sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance})) {
@@ -59,7 +52,10 @@ std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& 
         profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    return profile_csv(profile, {is_oscillating(cam.follower), has_flat_face(cam.follower)});
+    ProfileColumns columns{.swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower)};
+    columns.loads = loads_of(solution, cam, motion, profile);
+    columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
+    return profile_csv(profile, columns);
 }
 
 /// Where the report says that the extremes are: one source, so that both name the same angle where a
@@ -95,7 +91,7 @@ std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptio
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    return {csv_of(shape.cam, motion, scale, options), profile_svg(shape, title),
+    return {csv_of(solution, shape.cam, motion, options), profile_svg(shape, title),
             profile_diagrams_svg(shape, limits, title, marks)};
 }
 

@@ -4,7 +4,10 @@
 #include "output/csv/csv_line.hpp"
 #include "output/drawing/mechanism_figures.hpp"
 #include "output/report/cam_texts.hpp"
+#include "output/words/shown_units.hpp"
 #include "studies/check/check_cam.hpp"
+
+#include <fmt/format.h>
 
 namespace camopt {
 
@@ -37,23 +40,28 @@ std::string csv_of_walls(const Walls& walls) {
 }
 
 template <class Place>
-PaperSeries path(const std::string& title, const MechanismProfile& profile, const Place& place) {
+PaperSeries path(const std::string& title, const MechanismProfile& profile, double factor,
+                 const Place& place) {
     PaperSeries series{title, {}, {}};
     for (const MechanismPoint& point : profile.points) {
-        series.x.push_back(place(point).x() / millimetre);
-        series.y.push_back(place(point).y() / millimetre);
+        series.x.push_back(factor * place(point).x());
+        series.y.push_back(factor * place(point).y());
     }
     return series;
 }
 
-std::string drawing_of(const Walls& walls, const std::string& title) {
-    PaperFigure figure{"guide", title + ": the guide in its body", "x (mm)", "y (mm)", {}};
+std::string drawing_of(const Walls& walls, const std::string& title, const ShownUnit& length) {
+    PaperFigure figure{"guide",
+                       title + ": the guide in its body",
+                       fmt::format("x ({})", length.name),
+                       fmt::format("y ({})", length.name),
+                       {}};
     figure.equal_scales = true;
     const auto contact = [](const MechanismPoint& point) { return point.contact; };
-    figure.series.push_back(path("left wall", walls.left, contact));
-    figure.series.push_back(path("right wall", walls.right, contact));
-    figure.series.push_back(
-        path("roller's centre", walls.left, [](const MechanismPoint& point) { return point.pitch; }));
+    figure.series.push_back(path("left wall", walls.left, length.factor, contact));
+    figure.series.push_back(path("right wall", walls.right, length.factor, contact));
+    figure.series.push_back(path("roller's centre", walls.left, length.factor,
+                                 [](const MechanismPoint& point) { return point.pitch; }));
     figure.series.push_back({"body's pivot", {0.0}, {0.0}, true});
     return paper_figure_svg(figure);
 }
@@ -68,7 +76,8 @@ std::vector<std::string> guide_texts(const Solution& solution, const CamFileOpti
     const Walls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
                       mechanism_profile(mechanism, motion, scale, count, right_wall)};
     const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
-    return {csv_of_walls(walls), drawing_of(walls, title), pressure_angle_svg(solution, walls.left)};
+    return {csv_of_walls(walls), drawing_of(walls, title, shown_units(solution.scene).length),
+            pressure_angle_svg(solution, walls.left)};
 }
 
 }  // namespace camopt

@@ -14,7 +14,7 @@ std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOp
     const DrivenMechanism& mechanism = solution.cam->cam;
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
     const std::string title = solution.scene.title.empty() ? "Cam and linkage" : solution.scene.title;
-    return {profile_csv(profile, {mechanism.formulas->swings(), false}),
+    return {profile_csv(profile, {.swings = mechanism.formulas->swings()}),
             mechanism_svg({mechanism, motion, scale}, title), pressure_angle_svg(solution, profile),
             curvature_svg(solution, profile)};
 }

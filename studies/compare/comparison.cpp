@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/comparison.hpp"
 
+#include "core/errors.hpp"
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -13,7 +14,10 @@
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +110,7 @@ ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
     row.title = "optimum";
     row.motion = solution.motion;
     row.peaks = solution.peaks;
+    row.motion_peaks = solution.motion_peaks;
     row.objective = solution.certificate.objective;
     judge_limits(row, bench, solution.motion_peaks);
     // The certificate knows better than a second look at limits that are just reached.
@@ -131,6 +136,7 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     }
     row.motion = std::move(placed.motion);
     row.peaks = placed.peaks;
+    row.motion_peaks = placed.motion_peaks;
     row.objective = objective_of(bench, *row.motion, row.peaks);
     if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
         row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
@@ -138,27 +144,45 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     return row;
 }
 
-}  // namespace
-
-Comparison compare(const Scene& given, const SolveControl& control) {
-    const Scene scene = with_written_limits(given);
-    Comparison comparison;
-    comparison.optimum = solve_without_explaining(scene, control);
-    const Solution& solution = comparison.optimum;
+/// Keeps references to both.
+Bench bench_of(const Scene& scene, const Solution& solution) {
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
     Bench bench{scene, std::move(model), std::move(strokes)};
     if (const std::optional<MechanismSpec> cam = cam_of(scene)) {
         bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
-        bench.disk = comparison.cam = disk_cam({cam->formulas, *bench.dimensions});
+        bench.disk = disk_cam({cam->formulas, *bench.dimensions});
     }
     bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
+    return bench;
+}
+
+}  // namespace
+
+ComparisonRow compare_law(const Solution& solution, const std::string& law) {
+    if (!solution.motion) throw InputError("a law is compared with a motion, and this solution has none");
+    const auto found = std::ranges::find(law_catalogue(), law, &LawInfo::key);
+    if (found == law_catalogue().end())
+        throw InputError(fmt::format("law: found \"{}\"; allowed: those of camopt list laws", law));
+    const Scene scene = with_written_limits(solution.scene);
+    return law_row(bench_of(scene, solution), *found, solution.certificate.objective);
+}
+
+Comparison compare(const Scene& given, const SolveControl& control) {
+    Scene scene = with_written_limits(given);
+    Comparison comparison;
+    comparison.optimum = solve_without_explaining(scene, control);
+    const Solution& solution = comparison.optimum;
+    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
+    const Bench bench = bench_of(scene, solution);
+    comparison.cam = bench.disk;
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));
         if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
+        if (!info.rests) continue;  // no rise by itself
         if (control.progress) {
             const std::string line = "compares with " + info.title;
             control.progress(line);

@@ -24,7 +24,8 @@ struct ComparisonRow {
     std::string misfit;  ///< why the law cannot make this motion at all; then nothing below is set
     std::shared_ptr<const MotionChain> motion;
     Peaks peaks;
-    double objective = 0.0;              ///< infinite where an infinite peak has a weight
+    Peaks motion_peaks;      ///< of the whole motion in lifts and units of x: what physical peaks come from
+    double objective = 0.0;  ///< infinite where an infinite peak has a weight
     std::optional<double> loss_percent;  ///< against the optimum; none where infinite or without an optimum
     std::vector<LimitOutcome> limits;    ///< the same ones, in the same order, in every row
     bool feasible = false;               ///< every limit is kept
@@ -44,5 +45,9 @@ struct Comparison {
 /// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum; its relaxation
 /// is not looked for.
 [[nodiscard]] Comparison compare(const Scene& scene, const SolveControl& control = {});
+
+/// One law in the place of a motion that is delivered already: nothing is solved. Its limits are judged with
+/// the delivered cam. Throws InputError for an unknown law and for a solution without a motion.
+[[nodiscard]] ComparisonRow compare_law(const Solution& solution, const std::string& law);
 
 }  // namespace camopt

@@ -8,6 +8,8 @@
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/measured/measured_fit.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 
@@ -138,14 +140,32 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
     if (record.any_curve_limit) solution.any_curve_limit = LimitCurve{*record.any_curve_limit, {}, {}, {}};
 }
 
+/// The angles that the search found are entries of the design.
+Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+        angles.push_back(scene.motion.segments[i].angle);
+        if (!scene.motion.segments[i].angle_range || record.parts.empty()) continue;
+        const auto& names = record.design.names;
+        const std::string name = fmt::format("motion.segments[{}].angle_rad", i);
+        const auto found = std::ranges::find(names, name);
+        if (found == names.end()) refuse(fmt::format("found no {} in its design", name));
+        angles.back() = record.design.values[static_cast<std::size_t>(found - names.begin())];
+    }
+    return with_segment_angles(scene, angles);
+}
+
 }  // namespace
 
 Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     Solution solution;
     solution.scene = scene;
     solution.reference_peaks = reference_peaks(scene);
-    report_delivered(solution, delivered_of(scene, record));
+    if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
+    if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
+    report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);
+    if (solution.measured) solution.measured->started = began_from_measured(solution);
     if (record.cam && record.cam->forward_check)
         solution.cam->forward_check = forward_check_of(scene, *record.cam->forward_check);
     return solution;

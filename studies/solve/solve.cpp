@@ -14,9 +14,11 @@
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/relaxation.hpp"
+#include "studies/measured/measured_fit.hpp"
 #include "studies/solve/contradiction.hpp"
 #include "studies/solve/cost_scale.hpp"
 #include "studies/solve/rest_conflict.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_free_displacements.hpp"
 #include "studies/solve/solve_free_knots.hpp"
 #include "studies/solve/solve_from_starts.hpp"
@@ -172,6 +174,8 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     solution.design.kind = choice.design;
 
     CamModel model = models.taken(choice.design);
+    if (scene.measured && scene.measured->start && model.design.contradictions().empty())
+        model.start_design = nearest_design(model.design, scene.motion, *scene.measured);
     CamProblem problem = memory != nullptr ? memory->problem(std::move(model)) : CamProblem(std::move(model));
     const MotionFamily& design = problem.model().design;
     for (const ConditionConflict& conflict : design.redundant()) {
@@ -233,10 +237,10 @@ BackendChoice choose_backend(const Scene& scene) {
     return chosen_backend(scene, models);
 }
 
-Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
-    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+namespace {
+
+/// A scene whose angles are given.
+Solution solve_for_angles(const Scene& scene, const SolveControl& timed, GridMemory* memory) {
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
     Solution solution =
@@ -245,6 +249,24 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
             : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
                            timed, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
+    return solution;
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
+    const Scene scene = with_written_limits(given);
+    validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    std::optional<MeasuredReport> measured;
+    if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
+    const auto for_angles = [&](const Scene& one) { return solve_for_angles(one, timed, nullptr); };
+    Solution solution = searches_angles(scene) ? solve_free_angles(scene, for_angles, timed)
+                                               : solve_for_angles(scene, timed, memory);
+    if (measured) {
+        measured->started = began_from_measured(solution);
+        solution.measured = std::move(measured);
+    }
     audit_delivered(solution);
     if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;

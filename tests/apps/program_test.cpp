@@ -226,7 +226,7 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
     expect_words(checked(scene("barrel_smallest")),
                  {"barrel cam", "Limits: ", "not convex", "a convex relaxation first"});
     expect_words(checked(scene("cam_drdrd")),
-                 {"a program of", "Segments: ", "spline 100 deg to 0 of the lift"});
+                 {"a program of", "Segments: ", "spline 100 deg to 0 mm (0 of the lift)"});
     expect_words(checked(scene("cam_forces")), {"Forces: mass ", "contact force"});
     expect_words(checked(scene("drd_free_knots")), {"its breakpoints free", "that move them"});
     expect_words(

@@ -41,7 +41,7 @@ std::vector<BrokenScene> broken_programs() {
          "type \"DRD\" or \"RR\""},
         {"program_via", program + "via = [{ at = 0.5, velocity = 1 }]\n",
          "s.toml:5:1: motion.via: found this key in a motion of type \"program\"; allowed: only in type "
-         "\"DRD\" or \"RR\""},
+         "\"DRD\" or \"RR\"; a program has set points in its segments, via in each"},
         {"program_in_drd",
          "objective.jerk = 1\n"
          "[motion]\n"

@@ -184,6 +184,19 @@ TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
     EXPECT_EQ(scene.cam.value()[DimensionIndex::roller_radius].high, 0.0);
 }
 
+TEST(SceneReader, TheSceneRemembersTheUnitOfItsLengths) {
+    EXPECT_EQ(read(drd + jerk_only).length_unit, LengthUnit::millimetre);
+    EXPECT_EQ(read(drd + jerk_only + "motion.lift_in = 1\n").length_unit, LengthUnit::inch);
+    EXPECT_EQ(read(drd + jerk_only + "motion.lift_m = 1\n").length_unit, LengthUnit::millimetre);
+    const std::string swing = drd + jerk_only +
+                              "motion.lift_deg = 20\ncam.type = \"disk\"\ncam.follower = "
+                              "\"oscillating_flat\"\ncam.face_offset_mm = 0\n";
+    EXPECT_EQ(read(swing + "cam.base_radius_in = 1\ncam.center_distance_in = 4\n").length_unit,
+              LengthUnit::inch);
+    EXPECT_EQ(read(swing + "cam.base_radius_mm = 25\ncam.center_distance_in = 4\n").length_unit,
+              LengthUnit::millimetre);
+}
+
 TEST(SceneReader, ALimitOfTheCamRemembersHowItWasWritten) {
     const Scene scene = read(drd + jerk_only + knife + "limits.pressure_angle_deg = 30\n");
     const WrittenLimit& limit = scene.limits.pressure_angle.value();
