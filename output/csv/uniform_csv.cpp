@@ -2,12 +2,15 @@
 #include "output/csv/uniform_csv.hpp"
 
 #include "core/errors.hpp"
+#include "core/infinity.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,6 +29,7 @@ struct TableRow {
     MotionPoint point;  ///< normalised
     double theta_deg = 0.0;
     const MechanismPoint* cam = nullptr;
+    FollowerLoads loads;  ///< where the cam has forces
 };
 
 using RowValue = double (*)(const TableRow&);
@@ -139,6 +143,23 @@ void add_cam(std::vector<ColumnRow>& rows) {
         [](const TableRow& row) { return millimetres(row.cam->contact_offset); });
 }
 
+void add_loads(std::vector<ColumnRow>& rows) {
+    const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
+        rows.push_back({{key, meaning, need}, value, 0, 1.0, TablePer::x});
+    };
+    add("force_n", "force along the lift in N", ColumnNeed::force,
+        [](const TableRow& row) { return row.loads.force; });
+    add("moment_nm", "moment on the arm in N m", ColumnNeed::moment,
+        [](const TableRow& row) { return row.loads.force; });
+    add("torque_nm", "torque on the camshaft in N m", ColumnNeed::loads,
+        [](const TableRow& row) { return row.loads.torque; });
+    add("normal_force_n", "force along the cam's normal in N", ColumnNeed::loads,
+        [](const TableRow& row) { return row.loads.normal_force; });
+    add("hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::pressure, [](const TableRow& row) {
+        return row.loads.hertz_pressure.value_or(infinity * units::megapascal) / units::megapascal;
+    });
+}
+
 std::vector<ColumnRow> column_rows() {
     std::vector<ColumnRow> rows;
     const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
@@ -158,6 +179,7 @@ std::vector<ColumnRow> column_rows() {
           DerivativeUnit{"rad", "rad", 1.0, true}})
         add_derivatives(rows, unit);
     add_cam(rows);
+    add_loads(rows);
     return rows;
 }
 
@@ -169,6 +191,10 @@ const std::vector<ColumnRow>& all_column_rows() {
 bool has_plane_cam(const Solution& solution) {
     return solution.cam && solution.cam->cam.formulas->planar() &&
            solution.cam->cam.formulas->stations() == 1;
+}
+
+bool has_loads(const Solution& solution) {
+    return solution.cam && solution.cam->summary.forces && disk_cam(solution.cam->cam);
 }
 
 bool has_column(const Solution& solution, ColumnNeed need) {
@@ -188,6 +214,14 @@ bool has_column(const Solution& solution, ColumnNeed need) {
             return motion.speed && motion.lift_is_angle;
         case ColumnNeed::plane_cam:
             return has_plane_cam(solution);
+        case ColumnNeed::loads:
+            return has_loads(solution);
+        case ColumnNeed::force:
+            return has_loads(solution) && !motion.lift_is_angle;
+        case ColumnNeed::moment:
+            return has_loads(solution) && motion.lift_is_angle;
+        case ColumnNeed::pressure:
+            return has_loads(solution) && solution.cam->summary.forces->hertz_pressure.has_value();
     }
     return false;
 }
@@ -259,6 +293,17 @@ std::vector<double> even_angles(const UniformTableOptions& options, double end) 
     return angles;
 }
 
+/// What does not exist is not finite.
+FollowerLoads loads_at(const Solution& solution, const TableRow& row) {
+    const DiskCam cam = *disk_cam(solution.cam->cam);
+    FollowerLoads loads = follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed,
+                                         state_of(row.point, motion_scale(solution.scene)), *row.cam);
+    if (!solution.cam->summary.no_contact) return loads;
+    loads.normal_force = infinity;
+    loads.hertz_pressure.reset();
+    return loads;
+}
+
 /// x of the angle, and the breakpoint itself where it is one but for rounding.
 double place_on(const std::vector<double>& breakpoints, double x) {
     constexpr double same_x = 1e-12;
@@ -293,6 +338,14 @@ std::string words_of(ColumnNeed need) {
             return "needs motion.speed_rpm and a lift that is a length";
         case ColumnNeed::speed_swinging:
             return "needs motion.speed_rpm and a lift that is an angle";
+        case ColumnNeed::loads:
+            return "needs a disk cam with [forces]";
+        case ColumnNeed::force:
+            return "needs a disk cam with [forces] and a lift that is a length";
+        case ColumnNeed::moment:
+            return "needs a disk cam with [forces] and a lift that is an angle";
+        case ColumnNeed::pressure:
+            return "needs a disk cam with [forces] and a width of contact";
         case ColumnNeed::plane_cam:
             return "needs a plane cam";
         case ColumnNeed::nothing:
@@ -338,12 +391,13 @@ UniformTable uniform_table(const Solution& solution, const UniformTableOptions& 
     for (const double theta : angles) {
         const bool last = theta == angles.back();
         const double x = last ? motion.end() : place_on(breakpoints, theta / degrees_per_x);
-        TableRow row{&spec, motion.at(x, last ? Side::left : Side::right), theta, nullptr};
+        TableRow row{&spec, motion.at(x, last ? Side::left : Side::right), theta, nullptr, {}};
         row.point.x = x;
         std::optional<MechanismPoint> cam;
         if (has_plane_cam(solution)) {
             cam = mechanism_point(solution.cam->cam, row.point, motion_scale(solution.scene));
             row.cam = &*cam;
+            if (has_loads(solution)) row.loads = loads_at(solution, row);
         }
         std::string line;
         for (std::size_t i = 0; i < columns.size(); ++i)

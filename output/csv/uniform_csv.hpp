@@ -20,7 +20,19 @@
 namespace camopt {
 
 /// Beside a motion.
-enum class ColumnNeed { nothing, translating, swinging, speed_translating, speed_swinging, speed, plane_cam };
+enum class ColumnNeed {
+    nothing,
+    translating,
+    swinging,
+    speed_translating,
+    speed_swinging,
+    speed,
+    plane_cam,
+    loads,  ///< of a disk cam: forces
+    force,
+    moment,
+    pressure  ///< with a width of contact
+};
 
 struct TableColumn {
     std::string key;      ///< "v_mm_s"

@@ -115,10 +115,10 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
                     number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
     page.add_column("jerk", "J", number([](const ComparisonRow& row) { return row.peaks.jerk.value; }));
     if (has_bases(comparison))
-        page.add_column("base", "needed base radius (mm)", column_of(rows, [](const ComparisonRow& row) {
+        page.add_column("base", "needed base radius (mm)", column_of(rows, [&](const ComparisonRow& row) {
                             return row.base && row.base->radius
                                        ? cell_json(*row.base->radius / units::millimetre)
-                                       : words_json(base_words(row));
+                                       : words_json(base_words(comparison, row));
                         }));
     page.add_column(
         "breaks", "breaks",

@@ -86,6 +86,25 @@ TEST(UniformTable, UsualColumnsAreThoseOfTheReport) {
     EXPECT_LT(number(records_of(cam)[10].cells.back()), 90.0);
 }
 
+// At the top, 10 mm up and at rest in all derivatives but the jerk, the spring of 10 N/mm and its 60 N press.
+TEST(UniformTable, HasTheLoadsOfACamWithForces) {
+    const UniformTable table = uniform_table(
+        test::cam_solution(),
+        {.rows = 5, .columns = {"s_mm", "force_n", "torque_nm", "normal_force_n", "hertz_pressure_mpa"}});
+    const std::vector<std::string> top = records_of(table).back().cells;
+    EXPECT_NEAR(number(top[0]), 10.0, 1e-12);
+    EXPECT_NEAR(number(top[1]), 160.0, 1e-9);
+    EXPECT_NEAR(number(top[2]), 0.0, 1e-9);
+    EXPECT_NEAR(number(top[3]), 160.0, 1e-9);
+    EXPECT_GT(number(top[4]), 100.0);
+    EXPECT_NE(fault_of(test::cam_solution(), {.columns = {"moment_nm"}})
+                  .find("which needs a disk cam with [forces] and a lift that is an angle"),
+              std::string::npos);
+    EXPECT_NE(fault_of(test::sample_solution(), {.columns = {"torque_nm"}})
+                  .find("which needs a disk cam with [forces]; allowed: "),
+              std::string::npos);
+}
+
 TEST(UniformTable, DigitsAreThoseAskedFor) {
     const UniformTable table =
         uniform_table(test::sample_solution(), {.rows = 4, .columns = {"theta_deg", "s_mm"}, .digits = 4});
