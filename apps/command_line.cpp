@@ -10,6 +10,7 @@
 #include "core/errors.hpp"
 #include "core/licenses.hpp"
 #include "core/version.hpp"
+#include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
@@ -45,6 +46,8 @@ const char* examples =
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
+    "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
+    "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
     "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
@@ -192,9 +195,38 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                     "solved again")
         ->type_name("");
     command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
-    command.add_flag(
-        "--csv", request.csv,
-        "Points of the cam: profile.csv, guide.csv; of spatial cams flanks.csv, both flanks with normals");
+    CLI::Option* const csv =
+        command.add_flag("--csv", request.csv,
+                         "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
+                         "the cam: profile.csv, "
+                         "guide.csv, of spatial cams flanks.csv, both flanks with normals");
+    command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
+        ->type_name("NUMBER")
+        ->needs(csv);
+    command
+        .add_option(
+            "--columns", request.columns,
+            "Columns of table.csv between commas, for example theta_deg,s_mm,v_mm_s,a_m_s2; default: angle, "
+            "displacement, velocity, acceleration, jerk and, of plane cams, the pressure angle")
+        ->type_name("COLUMNS")
+        ->needs(csv);
+    constexpr int most_digits = 17;
+    command
+        .add_option("--digits", request.digits,
+                    "Significant digits in table.csv; default: as many as read back to the same number")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_digits))
+        ->needs(csv);
+    command
+        .add_option(
+            "--plc", request.plc,
+            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
+                        "between commas",
+                        fmt::join(plc_format_keys(), ", ")))
+        ->type_name("FORMAT")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(plc_format_keys()));
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command
         .add_option("--drawing", request.sheet,
@@ -216,8 +248,10 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(2, most_sections));
     command
-        .add_option("--points", request.points,
-                    "Points over the turn; default: 361, of a plane cam's table as many as it needs")
+        .add_option(
+            "--points", request.points,
+            "Points over the turn: of table.csv (default 361), of a cam's points (as many as it needs), of "
+            "an electronic cam (the joints of the motion)")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
     command
@@ -238,11 +272,13 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
-    CLI::App& command =
-        *program.add_subcommand("list", "What this camopt knows: laws, followers, solvers, keys of a scene");
+    CLI::App& command = *program.add_subcommand(
+        "list",
+        "What this camopt knows: laws, followers, solvers, keys of a scene, columns of a table, controllers");
     command
         .add_option("WHAT", request.what,
-                    "The classical laws, the kinds of followers, the solvers, or every key of a scene file")
+                    "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
+                    "columns of a uniform table, or the controllers of electronic cams")
         ->type_name("")
         ->required()
         ->check(one_of(list_topics()));

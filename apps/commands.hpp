@@ -40,6 +40,10 @@ struct ExportRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
+    std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
+    std::optional<double> step_deg;     ///< of table.csv; none: by points
+    std::string columns;                ///< of table.csv, between commas; empty: the usual ones
+    std::optional<int> digits;          ///< of table.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
     int sections = 9;                             ///< of a flank along the roller
@@ -73,7 +77,7 @@ struct ListRequest {
     bool json = false;
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
-/// "laws", "followers", "solvers", "keys".
+/// "laws", "followers", "solvers", "keys", "columns", "controllers".
 [[nodiscard]] std::vector<std::string> list_topics();
 
 /// A front instead of a sweep.
