@@ -137,8 +137,14 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
         work.job.safe_distance - half_last_digit(post, AxisKind::linear) - kinematics_rounding;
     program.most_depth = task.gouge_tolerance + task.blocks.chord_tolerance + program.poses.tip_rounding +
                          program.poses.axis_rounding * task.blocks.working_length;
-    NcTravelTask travel{work.job.blank,         0.5 * task.cutter.diameter, task.finished.get(),
-                        program.least_distance, program.most_depth,         {}};
+    NcTravelTask travel{work.job.blank,
+                        0.5 * task.cutter.diameter,
+                        task.finished.get(),
+                        program.least_distance,
+                        program.most_depth,
+                        false,
+                        {}};
+    travel.rapids_above = machine.axes().size() == 3;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);
     program.direction =

@@ -67,7 +67,11 @@ class GroovedCam final : public FinishedCam {
     }
 
     Eigen::Vector3d towards_flank(const ToolPose& pose) override {
-        const auto square = [&](const Line& line) { return across(line, pose.tip).squaredNorm(); };
+        // The roller on the other side of the cam points here too: its floor lies before it comes so far.
+        const auto square = [&](const Line& line) {
+            const bool beyond = (pose.tip - line.foot).dot(line.direction) > body_.floor + body_.radius;
+            return beyond ? HUGE_VAL : across(line, pose.tip).squaredNorm();
+        };
         std::size_t best = 0;
         for (std::size_t i = 1; i < lines_.size(); ++i)
             if (square(lines_[i]) < square(lines_[best])) best = i;

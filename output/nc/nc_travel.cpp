@@ -83,6 +83,13 @@ class Travel {
             check_.nearest = std::min(check_.nearest, distance);
             return true;
         }
+        if (task_.rapids_above) {
+            refuse(
+                fmt::format("a rapid {} over the blank; it takes {}, beside the blank too: "
+                            "table and clamps are there",
+                            mm(distance), mm(task_.least_distance)));
+            return true;
+        }
         if (from.allFinite() && to.allFinite()) return false;
         refuse(fmt::format("a rapid {} over the blank while not every axis has a value; it takes {}",
                            mm(distance), mm(task_.least_distance)));
