@@ -130,8 +130,8 @@ class GroovePassMaker {
         const Groove& middle = grooves_.front();
         double height = 0.0;
         for (int k = 0; k <= height_samples; ++k)
-            height = std::max(height,
-                              middle.height(middle.begin() + (middle.end() - middle.begin()) * k / height_samples));
+            height = std::max(
+                height, middle.height(middle.begin() + (middle.end() - middle.begin()) * k / height_samples));
         const int layers = choice.step_down
                                ? std::max(1, static_cast<int>(std::ceil(height / *choice.step_down - 1e-9)))
                                : 1;

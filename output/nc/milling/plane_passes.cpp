@@ -13,7 +13,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int contour_samples = 1440;           // around the contour, for its extent
+constexpr int contour_samples = 1440;   // around the contour, for its extent
 constexpr double same_knot = 1e-6;      // rad: two knots nearer than that are one
 constexpr double kept_within = 1e-6;    // m: what a ring may be nearer to the cam than it is told
 constexpr double beyond_safe = 1e-4;    // m: so that printed digits do not matter
