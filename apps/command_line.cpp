@@ -134,6 +134,53 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     return command;
 }
 
+/// Roughing, direction, ways in and out, words for the control.
+void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
+    const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
+        command.add_option(name, target, what)->type_name("NUMBER")->needs(&nc);
+    };
+    const auto whole = [&](const char* name, std::optional<int>& target, const char* what) {
+        command.add_option(name, target, what)->type_name("N")->needs(&nc);
+    };
+    const auto choice = [&](const char* name, std::string& target, const std::vector<std::string>& allowed,
+                            const char* what) {
+        command.add_option(name, target, what)->type_name("NAME")->needs(&nc)->check(CLI::IsMember(allowed));
+    };
+    optional_number(
+        "--rough-step-over-mm", request.rough_step_over_mm,
+        "Rough first: how far two passes lie apart; default: half the cutter's diameter where only "
+        "--rough-step-down-mm is given");
+    optional_number("--rough-step-down-mm", request.rough_step_down_mm,
+                    "Rough first: how deep a layer is; default: the whole depth");
+    command
+        .add_option("--finish-allowance-mm", request.finish_allowance_mm,
+                    "What roughing leaves for the finishing pass, beside --stock-mm")
+        ->type_name("NUMBER")
+        ->needs(&nc)
+        ->capture_default_str();
+    choice("--direction", request.direction, {"climb", "conventional"},
+           "climb or conventional; default: climb; a cutter as large as a drum's roller does both");
+    choice("--spindle", request.spindle, {"clockwise", "counterclockwise"},
+           "Which way it turns, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
+    choice("--compensation", request.compensation, {"none", "control"},
+           "none (the default): the program is the way of the cutter's centre; control: of a disk cam, the "
+           "contour with G41 or G42 and D");
+    whole("--compensation-register", request.compensation_register,
+          "D of G41 and G42; default: the tool's number, or 1");
+    whole("--tool-number", request.tool_number,
+          "Calls the tool (T, M6); default: no tool call, and the program says so");
+    optional_number(
+        "--lead-mm", request.lead_mm,
+        "Radius of the quarter circles into and out of a disk cam's contour; of a closed groove how "
+        "long the cutter takes to its flank; default: the cutter's radius");
+    command
+        .add_option("--ramp-deg", request.ramp_deg,
+                    "How steep the cutter goes down along a drum's groove; 90: straight")
+        ->type_name("NUMBER")
+        ->needs(&nc)
+        ->capture_default_str();
+}
+
 void add_nc(CLI::App& command, ExportRequest& request) {
     CLI::Option* const nc =
         command.add_flag("--nc", request.nc,
@@ -172,7 +219,9 @@ void add_nc(CLI::App& command, ExportRequest& request) {
     number("--chord-mm", request.chord_mm, "How far the cutter may leave its path between two blocks");
     number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
     number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
-    number("--spindle-rpm", request.spindle_rpm, "Spindle speed; 0: none is written");
+    number("--spindle-rpm", request.spindle_rpm,
+           "Spindle speed; 0: none is written, and the program says so");
+    add_milling(command, *nc, request);
 }
 
 CLI::App& add_report(CLI::App& program, ReportRequest& request) {

@@ -63,8 +63,8 @@ bool is_folder(const std::string& what) {
 
 /// What needs no cam.
 bool wants_only_motion(const ExportRequest& request) {
-    const bool cam =
-        request.stl || request.obj || request.step || request.picture || request.dxf || request.nc;
+    const bool cam = request.stl || request.obj || request.step || request.picture || request.dxf ||
+                     request.nc || !request.sheet.empty();
     return !cam && (request.csv || !request.plc.empty());
 }
 
@@ -158,6 +158,21 @@ void set_safety(const ExportRequest& request, Options& options) {
     options.clearance = request.clearance_mm * units::millimetre;
     options.safe_distance = request.safe_mm * units::millimetre;
     options.gouge_tolerance = request.gouge_mm * units::millimetre;
+    MillingChoice& milling = options.milling;
+    milling.step_over = metres(request.rough_step_over_mm);
+    milling.step_down = metres(request.rough_step_down_mm);
+    milling.finish_allowance = request.finish_allowance_mm * units::millimetre;
+    if (!request.direction.empty())
+        milling.direction =
+            request.direction == "climb" ? MillingDirection::climb : MillingDirection::conventional;
+    milling.spindle =
+        request.spindle == "clockwise" ? SpindleSense::clockwise : SpindleSense::counterclockwise;
+    milling.tool_number = request.tool_number;
+    milling.compensation =
+        request.compensation == "control" ? CompensationWords::control : CompensationWords::none;
+    milling.compensation_register = request.compensation_register;
+    milling.lead_radius = metres(request.lead_mm);
+    milling.ramp_angle = request.ramp_deg * units::degree;
 }
 
 NcExportOptions nc_options(const ExportRequest& request) {
