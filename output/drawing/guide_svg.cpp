@@ -18,8 +18,9 @@ namespace {
 using Eigen::Vector2d;
 
 const char* const guide_style =
-    ".slot{fill:#d9e8f2;stroke:none}.left{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".right{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linejoin:round}"
+    ".slot{fill:#d9e8f2;stroke:none}.wall-left{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:"
+    "round}"
+    ".wall-right{fill:none;stroke:#d55e00;stroke-width:2.2;stroke-linejoin:round}"
     ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
     ".roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:1.8}.pivot{fill:#222;stroke:#222;stroke-"
     "width:6}"
@@ -56,8 +57,8 @@ std::string guide_svg(const Solution& solution, const GuideWalls& walls) {
     std::vector<Vector2d> slot = left;
     slot.insert(slot.end(), right.rbegin(), right.rend());
     on.polyline(slot, true, "slot");
-    on.polyline(left, false, "left");
-    on.polyline(right, false, "right");
+    on.polyline(left, false, "wall-left");
+    on.polyline(right, false, "wall-right");
     on.polyline(middle, false, "pitch");
     PlacedTexts labels(picture_left + 4, picture_top + 4, picture_left + picture_frame_width - 4,
                        picture_top + picture_frame_height - 4);
@@ -78,8 +79,8 @@ std::string guide_svg(const Solution& solution, const GuideWalls& walls) {
     on.circle({0.0, 0.0}, on.px(5), "pivot");
     label({0.0, 0.0}, 6, "body's pivot");
     LegendColumn column(canvas, length, 8 + dimension_entries(solution) + figure_entries(solution));
-    column.sample("left", "left wall");
-    column.sample("right", "right wall");
+    column.sample("wall-left", "left wall");
+    column.sample("wall-right", "right wall");
     column.sample("pitch", "way of the roller's centre");
     column.sample("roller", "roller at both ends");
     column.heading("dimensions");

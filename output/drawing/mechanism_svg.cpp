@@ -230,10 +230,7 @@ class MechanismPage {
         column.words(fmt::format("turns {}", name_of(mechanism_.formulas->rotation())));
         column.heading("figures");
         add_figures(column, solution_);
-        if (closed_) return;
-        column.words("OPEN at the dashed line:", "warning");
-        const std::string why = open_because(solution_);
-        column.words(why.substr(0, why.find(": ")));
+        if (!closed_) add_opening(column, solution_);
     }
 };
 

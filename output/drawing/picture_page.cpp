@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
+#include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
+#include "studies/check/check_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -86,13 +88,12 @@ void LegendColumn::words(std::string_view text, const char* css_class) {
 }
 
 void add_dimensions(LegendColumn& column, const Solution& solution) {
-    const ShownUnits units = shown_units(solution.scene);
+    const ShownUnits shown = shown_units(solution.scene);
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
-        const std::string& unit = dimension.is_angle ? units.angle.name : units.length.name;
-        column.value(
-            words_of(dimension.name),
-            std::string_view(dimension.shown ? fmt::format("{} {}", short_text(*dimension.shown), unit)
-                                             : std::string("free")));
+        const ShownUnit& unit = dimension.is_angle ? shown.angle : shown.length;
+        const double si = dimension.is_angle ? units::degree : units::millimetre;
+        column.value(words_of(dimension.name),
+                     std::string_view(dimension.shown ? unit.text(*dimension.shown * si) : "free"));
     }
 }
 
@@ -103,6 +104,12 @@ void add_figures(LegendColumn& column, const Solution& solution) {
                                               ? figure.value
                                               : fmt::format("{} at {}°", figure.value, figure.degrees)));
     }
+}
+
+void add_opening(LegendColumn& column, const Solution& solution) {
+    const std::string why = open_because(solution);
+    column.words("OPEN: nothing closes the cam", "warning");
+    column.words(why.substr(0, why.find(": ")));
 }
 
 int dimension_entries(const Solution& solution) {

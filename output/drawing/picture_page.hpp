@@ -56,6 +56,8 @@ class LegendColumn {
 /// The dimensions of the solution's cam, and its figures with their cam angles.
 void add_dimensions(LegendColumn& column, const Solution& solution);
 void add_figures(LegendColumn& column, const Solution& solution);
+/// That the cam is open, and why.
+void add_opening(LegendColumn& column, const Solution& solution);
 /// Entries that both take.
 [[nodiscard]] int dimension_entries(const Solution& solution);
 [[nodiscard]] int figure_entries(const Solution& solution);

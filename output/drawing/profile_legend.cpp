@@ -53,7 +53,7 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
         column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
                                  short_text(shape.end() / degree)));
     if (!shape.closed && !shape.open_because.empty()) {
-        column.words(fmt::format("OPEN: drawn from θ = {}° to {}°", short_text(shape.begin() / degree),
+        column.words(fmt::format("OPEN: θ = {}° … {}°", short_text(shape.begin() / degree),
                                  short_text(shape.end() / degree)),
                      "warning");
         const std::string& why = shape.open_because;

@@ -82,6 +82,17 @@ TriangleMesh both_sides(TriangleMesh mesh) {
     return mesh;
 }
 
+/// The groove ends where it begins, or one pitch of the rollers on.
+bool closes(const Drum& drum) {
+    constexpr double same = 1e-9;  // of the largest displacement
+    const FollowerMotion& motion = drum.motion;
+    double largest = 0.0;
+    for (const double theta : motion.breakpoints)
+        largest = std::max(largest, std::abs(motion.state(theta).s));
+    return indexes(drum.cam, motion) ||
+           std::abs(motion.state(motion.end()).s - motion.state(motion.begin()).s) <= same * largest;
+}
+
 std::string title_of_drum(const Drum& drum) {
     return drum.solution.scene.title.empty() ? "Drum" : drum.solution.scene.title;
 }
@@ -167,6 +178,7 @@ std::string drum_svg(const Drum& drum) {
     column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));
     column.heading("figures");
     add_figures(column, drum.solution);
+    if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
 
@@ -251,6 +263,7 @@ std::string developed_svg(const Drum& drum) {
     add_dimensions(column, drum.solution);
     column.heading("figures");
     add_figures(column, drum.solution);
+    if (!closes(drum)) add_opening(column, drum.solution);
     return canvas.finish();
 }
 

@@ -11,12 +11,13 @@
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
-#include "studies/delivered/solution.hpp"
 
 #include <string>
 #include <vector>
 
 namespace camopt {
+
+struct Solution;
 
 inline constexpr const char* drum_picture = "drum.svg";
 inline constexpr const char* developed_picture = "developed.svg";

@@ -136,8 +136,8 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
     refused(barrel + out + " --csv --digits 30", "17");
     refused(test::scene("drd_cubic_12") + out + " --csv --columns v_mm_s", "needs motion.speed_rpm");
     refused(test::scene("drd_cubic_12") + out + " --plc codesis", "did you mean 'codesys'?");
-    refused(test::scene("cam_drdrd") + out + " --step", "of a disk cam export writes --stl and --nc");
-    refused(test::scene("cam_smallest") + out + " --nc", "open sector");
+    refused(test::scene("cam_drdrd") + out + " --obj", "of a disk cam export writes --csv, --dxf, --drawing");
+    refused(test::scene("cam_smallest") + out + " --nc", "no return is given");
     refused(barrel + " --nc", "--out");
     refused(barrel + out + " --cutter-mm 10", "--nc");
     refused(barrel + out + quick + " --nc --cutter-mm 80", "must not exceed the roller radius");

@@ -7,8 +7,8 @@ letters, turned as the picture turns it. Two boxes of one picture must not overl
 view box. Reads the pictures as a browser would: classes and the rules of their <style>, in order.
 
     text_boxes.py PICTURE.svg …                  exit status 1 where a picture has a fault
-    text_boxes.py --scenes CAMOPT SCENES FOLDER  solves every scene of the folder SCENES into FOLDER, draws it, and looks
-                                                 at every picture that comes out
+    text_boxes.py --scenes CAMOPT SCENES FOLDER  solves every scene of the folder SCENES into FOLDER, draws it,
+                                                 and looks at every picture that comes out
     text_boxes.py --self-test                    pictures with a fault are found, those without are not
 """
 
@@ -25,11 +25,10 @@ WIDTHS = {}
 for letters, width in (
     ("ijl'|", 0.34), (" .,:;", 0.34), ("!", 0.41), ("fIt()[]", 0.41), ("r-/", 0.42), ("sckvxyz", 0.6),
     ("abdeghnopqu", 0.64), ("0123456789", 0.64), ("JL", 0.6), ("FEPSTZKYVXRBC", 0.7), ("AGHDNOQU", 0.8), ("–", 0.51),
-    ("−+=<>≤≥±×~", 0.84), ("m", 0.98), ("w", 0.82), ("MW", 0.99), ("°²³", 0.51), ("·…", 0.34), ("%", 0.96), ("α", 0.66),
+    ("−+=<>≤≥±×~", 0.84), ("m", 0.98), ("w", 0.82), ("MW", 0.99), ("°²³", 0.51), ("·", 0.34), ("%", 0.96), ("α", 0.66),
     ("θφβ", 0.64), ("*\"", 0.51), ("_", 0.51), ("″′", 0.38)):
     for letter in letters:
         WIDTHS[letter] = width
-WIDTHS["…"] = 1.0
 WIDEST = 1.0
 ASCENT, DESCENT = 0.76, 0.24  # of the size, above and below the baseline: capitals and tails
 SLACK = 0.75  # px of a picture of 1000: boxes may touch
@@ -45,7 +44,9 @@ def rules_of(style):
 def fits(selector, tag, classes):
     name = re.match(r"[a-z]*", selector).group(0)
     wanted = re.findall(r"\.([\w-]+)", selector)
-    return " " not in selector and (not name or name == tag) and all(one in classes for one in wanted) and (name or wanted)
+    if " " in selector or not (name or wanted) or name not in ("", tag):
+        return False
+    return all(one in classes for one in wanted)
 
 
 class Looks:
