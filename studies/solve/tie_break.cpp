@@ -40,7 +40,7 @@ ExchangeOptions exchange_options(const Scene& scene) {
 }
 
 void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
-               const SolveControl& control) {
+               const SolveControl& control, GridMemory* memory) {
     const double objective = result.certificate.objective;
     const double allowance = scene.solver.tolerance * relative_to(objective);
     const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
@@ -51,6 +51,7 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
         CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
         const ExchangeResult smoother =
             minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
+        if (memory != nullptr) memory->keep(tied);
         if (smoother.best.x.size() == 0 || control.ending()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
