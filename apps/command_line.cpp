@@ -46,6 +46,7 @@ const char* examples =
     "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
     "  camopt studio scene.toml                     the scene in a browser: each slider solves again\n"
+    "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
@@ -63,6 +64,7 @@ struct Words {
     CompareRequest compare;
     CheckRequest check;
     ExportRequest export_cam;
+    ReportRequest report;
     ListRequest list;
     TableRequest table;
     ReproduceRequest reproduce;
@@ -170,6 +172,15 @@ void add_nc(CLI::App& command, ExportRequest& request) {
     number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
     number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
     number("--spindle-rpm", request.spindle_rpm, "Spindle speed; 0: none is written");
+}
+
+CLI::App& add_report(CLI::App& program, ReportRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "report", "Write report.html and report.md of a result folder again; nothing is solved");
+    command.add_option("DIR", request.folder, "The folder that `camopt solve SCENE --out DIR` wrote")
+        ->type_name("")
+        ->required();
+    return command;
 }
 
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
@@ -416,6 +427,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
+    const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
@@ -463,6 +475,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
         find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
         return export_command(parsed.export_cam);
     }
+    if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);

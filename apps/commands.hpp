@@ -59,6 +59,11 @@ struct ExportRequest {
 };
 [[nodiscard]] ExitCode export_command(const ExportRequest& request);
 
+struct ReportRequest {
+    std::string folder;  ///< a result folder
+};
+[[nodiscard]] ExitCode report_command(const ReportRequest& request);
+
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;

@@ -7,6 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/json/result_json.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -67,7 +68,9 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     if (request.out.empty()) return {};
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) add_forward_check(solution);
-    return write_result_folder(request.out, solution, origin, {request.points, request.dxf});
+    WriteOptions options{request.points, request.dxf, {}};
+    options.also.push_back({"report.html", report_html(solution, origin)});
+    return write_result_folder(request.out, solution, origin, options);
 }
 
 }  // namespace

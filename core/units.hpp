@@ -14,3 +14,17 @@ inline constexpr double revolution_per_minute = std::numbers::pi / 30.0;  // rad
 inline constexpr double megapascal = 1e6;                                 // Pa
 
 }  // namespace camopt::units
+
+namespace camopt {
+
+/// In which lengths are written for people and machines.
+enum class LengthUnit { millimetre, inch };
+
+[[nodiscard]] constexpr double metres_of(LengthUnit unit) {
+    return unit == LengthUnit::inch ? units::inch : units::millimetre;
+}
+[[nodiscard]] constexpr const char* name_of(LengthUnit unit) {
+    return unit == LengthUnit::inch ? "in" : "mm";
+}
+
+}  // namespace camopt

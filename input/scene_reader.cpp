@@ -35,6 +35,7 @@ class SceneReader {
     Scene read() const {
         Scene scene;
         read_text("", "title", scene.title);
+        scene.length_unit = written_length_unit();
         scene.motion = read_motion(source_, known_.laws);
         scene.spline = read_spline();
         scene.objective = read_objective();
@@ -56,6 +57,17 @@ class SceneReader {
 
     void read_text(std::string_view table, std::string_view name, std::string& target) const {
         if (const auto given = source_.find(table, name)) target = given->value().text;
+    }
+
+    /// Of the first length in the order of the documentation: the lift, or what follows where it is an angle.
+    LengthUnit written_length_unit() const {
+        for (const KeyRow& row : scene_keys())
+            if (const auto given = source_.find(row.table, row.name)) {
+                if (given->spelling->unit == name_of(LengthUnit::inch)) return LengthUnit::inch;
+                if (given->spelling->unit == "mm" || given->spelling->unit == "m")
+                    return LengthUnit::millimetre;
+            }
+        return LengthUnit::millimetre;
     }
 
     SplineSpec read_spline() const {

@@ -66,11 +66,14 @@ struct MechanismPoint {
 
 /// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
 struct MechanismShape {
-    enum class Kind { link, circle, pivot, guide };
+    enum class Kind { link, circle, pivot, guide, face };
     Kind kind = Kind::link;
-    std::string name;                     ///< "lever", "roller", …
-    std::vector<Eigen::Vector2d> points;  ///< link, guide: its line; circle, pivot: the centre
-    double radius = 0.0;                  ///< circle
+    std::string name;  ///< "lever", "roller", …
+    /// link: its line; guide: where what it guides is at output 0, and where now; circle, pivot: the centre;
+    /// face: the place from which contact offsets are counted, and a point 1 m along where they grow. It is
+    /// as long as the contact needs, or the scene says.
+    std::vector<Eigen::Vector2d> points;
+    double radius = 0.0;  ///< circle
 };
 
 /// What a check needs that runs a roller over finished points and knows nothing else of the mechanism: a
@@ -143,7 +146,13 @@ class CamMechanism {
     }
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;
-    /// Its links at one output; empty where it cannot be drawn.
+    /// By how much the cam frame has turned where the mechanism is in this state, rad: σθ of a cam that turns
+    /// evenly.
+    [[nodiscard]] virtual double turned(const MechanismState& state) const {
+        return sense_of(rotation()) * state.theta;
+    }
+    /// Its parts in one state, the centre about which the cam turns first (a pivot); empty where it is no
+    /// plane mechanism.
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
     /// None where no lever carries the roller.
     [[nodiscard]] virtual std::optional<RollerLever> roller_lever(

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/text/choices.hpp"
+#include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/mechanism_spec.hpp"
 #include "scene/own_rule.hpp"
@@ -156,6 +157,9 @@ struct SolverSpec {
 
 struct Scene {
     std::string title;
+    /// In which its lengths are shown to people. Of a scene file: as its lift is written; where that is an
+    /// angle, as the first length of its cam.
+    LengthUnit length_unit = LengthUnit::millimetre;
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;

@@ -80,6 +80,7 @@ WordList positional_words(const CLI::App& command) {
     if (command.get_name() == "list") return list_topics();
     if (command.get_name() == "table") return {"spline-vs-modified-sine"};
     if (command.get_name() == "export") return {":results"};
+    if (command.get_name() == "report") return {":folders"};
     if (command.get_name() == "merge") return {":folders"};
     if (command.get_name() == "reproduce") {
         WordList ids;

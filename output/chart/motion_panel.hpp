@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/svg_canvas.hpp"
 
 #include <optional>
@@ -14,11 +15,6 @@ namespace camopt {
 /// Where the plotting area lies on the canvas, px.
 struct PanelFrame {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
-};
-
-/// A limit that holds from x = begin to end only.
-struct LimitSpan {
-    double begin = 0.0, end = 0.0, normalised = 0.0;
 };
 
 struct PanelLimit {

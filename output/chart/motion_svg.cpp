@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/motion_panel.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/words/display_scale.hpp"
@@ -11,7 +12,6 @@
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "scene/limit_table.hpp"
-#include "splines/extrema.hpp"
 
 #include <fmt/format.h>
 
@@ -37,37 +37,14 @@ struct Picture {
     std::vector<PeakRow> peaks;
 };
 
-const std::optional<PeakLimit>& limit_of(const LimitSpec& limits, int order) {
-    static const std::optional<PeakLimit> none;
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (row.order() == order) return row.in(limits);
-    return none;
-}
-
-/// A normalised limit holds for each spline segment by its own angle and displacement: the ratio of the
-/// segment's two peaks is what brings it to the motion's own units.
-std::vector<LimitSpan> limit_spans(const Solution& solution, const PeakLimit& limit, Extremum Peaks::*peak) {
-    std::vector<LimitSpan> spans;
-    if (limit.in_time()) return spans;
-    for (const SegmentReport& segment : solution.segments) {
-        if (!segment.curve || !segment.peaks) continue;
-        const double normalised = ((*segment.peaks).*peak).value;
-        if (!(normalised > 0.0)) continue;
-        const double own = (peaks_of(*segment.curve).*peak).value;
-        spans.push_back({segment.begin, segment.end, limit.normalised * own / normalised});
-    }
-    return spans;
-}
-
 std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
-    const std::optional<PeakLimit>& limit = limit_of(picture.solution.scene.limits, order);
+    const std::optional<PeakLimit>& limit = peak_limit_of(picture.solution.scene.limits, order);
     if (!limit) return {};
     PanelLimit shown{
         limit->normalised,
         fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit),
         {}};
-    constexpr std::array peaks = {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk};
-    shown.spans = limit_spans(picture.solution, *limit, peaks[static_cast<std::size_t>(order) - 1]);
+    shown.spans = segment_limits(picture.solution, *limit, order);
     if (shown.spans.empty()) return shown;
     shown.normalised = std::ranges::max(shown.spans, {}, &LimitSpan::normalised).normalised;
     shown.words += " by the segment's own angle and displacement";

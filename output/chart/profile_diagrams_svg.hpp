@@ -4,6 +4,7 @@
 // the frame.
 #pragma once
 
+#include "output/chart/limit_spans.hpp"
 #include "output/drawing/profile_shape.hpp"
 
 #include <optional>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace camopt {
-
-/// A limit on the magnitude of the pressure angle over a stretch of the cam, rad.
-struct PressureLimit {
-    double begin = 0.0, end = 0.0;  ///< θ
-    double limit = 0.0;
-};
 
 struct ProfileDiagramLimits {
     std::vector<PressureLimit> pressure;

@@ -125,6 +125,8 @@ class Page {
                 return on.circle(shape.points.front(), on.px(6.5), "pivot");
             case MechanismShape::Kind::guide:
                 return on.circle(shape.points.back(), on.px(9), "slider");
+            case MechanismShape::Kind::face:
+                return;  // a disk cam's, which has a drawing of its own
         }
     }
     void draw_labels(const ProfileCanvas& on) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives/rules/cam_limits.hpp"
+#include "output/chart/limit_spans.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
 #include "output/drawing/profile_svg.hpp"
@@ -17,37 +17,9 @@ namespace camopt {
 
 namespace {
 
-constexpr double at_rest = 1e-9;  // of a displacement: less than this over a piece is a dwell
-
 std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
     if (!limit) return {};
     return limit->value;
-}
-
-/// Rise and return may have limits of their own; where the follower rests the least of all holds. Pieces
-/// between the motion's breakpoints are told apart by what the follower does over them.
-std::vector<PressureLimit> pressure_spans(const Scene& scene, const Motion& motion) {
-    const PressureLimits limits = pressure_limits(scene.limits);
-    const std::optional<WrittenLimit> at_standstill = limits.at_rest();
-    if (!at_standstill) return {};
-    const double angle = scene.motion.unit_angle();
-    std::vector<PressureLimit> spans;
-    const std::vector<double> places = motion.breakpoints();
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-        const double change = motion.at(places[i + 1], Side::left).derivative[0] -
-                              motion.at(places[i], Side::right).derivative[0];
-        const auto& own = std::abs(change) < at_rest ? at_standstill
-                          : change > 0.0             ? limits.rise
-                                                     : limits.back;
-        if (!own) continue;
-        const bool goes_on =
-            !spans.empty() && spans.back().end == angle * places[i] && spans.back().limit == own->value;
-        if (goes_on)
-            spans.back().end = angle * places[i + 1];
-        else
-            spans.push_back({angle * places[i], angle * places[i + 1], own->value});
-    }
-    return spans;
 }
 
 std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,

@@ -21,7 +21,7 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has, beside those of its cam.
-constexpr std::array optional_files = {"motion.csv", "motion.svg", "scene.toml"};
+constexpr std::array optional_files = {"motion.csv", "motion.svg", "scene.toml", "report.html"};
 
 }  // namespace
 
@@ -49,6 +49,7 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
     for (const CamFile& file : cam_files(solution, {.points = options.points, .drawing = options.dxf}))
         writer.write(file.name, file.text);
     if (!origin.scene_text.empty()) writer.write("scene.toml", origin.scene_text);
+    for (const FolderFile& file : options.also) writer.write(file.name, file.text);
     writer.write("report.md", report_markdown(solution, origin));
     writer.write("certificate.json", certificate_json(solution.certificate));
     writer.write("result.json", result_json(solution, origin));  // last: who sees it finds the rest complete

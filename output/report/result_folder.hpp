@@ -9,13 +9,19 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace camopt {
 
+struct FolderFile {
+    std::string name, text;
+};
+
 struct WriteOptions {
-    std::optional<int> points = {};  ///< of profile.csv, evenly by cam angle; none: by chord tolerance
-    bool dxf = false;                ///< profile.dxf too
+    std::optional<int> points = {};     ///< of profile.csv, evenly by cam angle; none: by chord tolerance
+    bool dxf = false;                   ///< profile.dxf too
+    std::vector<FolderFile> also = {};  ///< written with them: report.html (output/page/page_html.hpp)
 };
 
 /// Creates the folder where it does not exist. All files are written aside first and then replace those of an

@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
 namespace camopt {
 namespace {
+
+constexpr double stem_length = 1.2;  // of a drawn stem, by the larger of base and roller radius
 
 Quantity quantity_of(MechanismQuantity which) {
     switch (which) {
@@ -71,8 +74,7 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int) const override {
         return mechanism_point(profile_point(cam(state.dimensions), theta, state.output));
     }
-    /// A follower is drawn from its pose, not from links.
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
     [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
         return std::nullopt;
     }
@@ -95,6 +97,38 @@ std::string DiskMechanism::undercut_words() const {
         "base radius{} {}",
         has_roller(follower_) ? " or a smaller roller" : "",
         is_oscillating(follower_) ? "may help" : "helps");
+}
+
+/// A pushed follower hangs on a stem that is guided above the cam, a swinging one on an arm.
+std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) const {
+    using Kind = MechanismShape::Kind;
+    using Eigen::Vector2d;
+    const DiskCam own = cam(state.dimensions);
+    const double rest = rest_position(own), now = rest + state.output.s;
+    const double roller = has_roller(follower_) ? own[DimensionIndex::roller_radius] : 0.0;
+    std::vector<MechanismShape> shapes = {{Kind::pivot, "cam_center", {Vector2d::Zero()}}};
+    Vector2d tip;
+    if (is_oscillating(follower_)) {
+        const Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
+        const Vector2d along(-std::cos(now), std::sin(now)), down(-std::sin(now), -std::cos(now));
+        if (has_flat_face(follower_)) {
+            tip = pivot + own[DimensionIndex::face_offset] * down;
+            shapes.push_back({Kind::face, "face", {tip, tip + along}});
+        } else {
+            tip = pivot + own[DimensionIndex::arm_length] * along;
+        }
+        shapes.push_back({Kind::link, "arm", {tip, pivot}});
+        shapes.push_back({Kind::pivot, "arm_pivot", {pivot}});
+    } else {
+        const bool flat = has_flat_face(follower_);
+        const Vector2d up(0.0, stem_length * std::max(own[DimensionIndex::base_radius], roller));
+        tip = {flat ? 0.0 : own[DimensionIndex::offset], now};
+        if (flat) shapes.push_back({Kind::face, "face", {tip, tip + Vector2d::UnitX()}});
+        shapes.push_back({Kind::link, "stem", {tip, tip + up}});
+        shapes.push_back({Kind::guide, "guide", {Vector2d(tip.x(), rest + up.y()), tip + up}});
+    }
+    if (has_roller(follower_)) shapes.push_back({Kind::circle, "roller", {tip}, roller});
+    return shapes;
 }
 
 MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int,

@@ -112,7 +112,12 @@ class InverseMechanism final : public CamMechanism {
                               : expanded<4 + inverse_number_count>(which, state, station, active);
     }
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
-    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    /// The body turns as its guide tells it to.
+    [[nodiscard]] double turned(const MechanismState& state) const override {
+        const GuideNode found = node_at(state.dimensions, state.output, state.theta);
+        return found.fault == InverseFault::none ? -found.node.angle : nowhere;
+    }
+    [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
     [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
         return std::nullopt;
     }
@@ -198,6 +203,25 @@ MechanismPoint InverseMechanism::point(double theta, const MechanismState& state
     point.cam_radius = 1.0 / point.pitch_curvature - radius;
     point.regularity = 1.0 - radius * point.pitch_curvature;
     return point;
+}
+
+/// Body with its pin, slotted rocker, feeder; the roller, which comes along +x.
+std::vector<MechanismShape> InverseMechanism::shapes(const MechanismState& state) const {
+    using Kind = MechanismShape::Kind;
+    using Eigen::Vector2d;
+    const FeederLinkage linkage = linkage_of(state.dimensions);
+    const FeederMotion moved = feeder_motion(linkage, {turned(state), 0.0, 0.0});
+    if (moved.fault != InverseFault::none) return {};
+    const Vector2d pivot = linkage.rocker_pivot;
+    const double line = pivot.x() + linkage.feeder_offset, start = number(state.dimensions, feeder_start);
+    const Vector2d feeder(line, start + state.output.s);
+    const Vector2d roller(state_of(stroke_of(state.dimensions), state.theta).distance, 0.0);
+    return {{Kind::pivot, "body_pivot", {Vector2d::Zero()}},
+            {Kind::link, "body", {Vector2d::Zero(), moved.pin}},
+            {Kind::link, "rocker", {moved.pin, pivot, feeder}},
+            {Kind::pivot, "rocker_pivot", {pivot}},
+            {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
+            {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
 }
 
 }  // namespace

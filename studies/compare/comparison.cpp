@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/comparison.hpp"
 
+#include "core/errors.hpp"
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -14,6 +15,8 @@
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,21 +141,37 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     return row;
 }
 
+/// Keeps references to both.
+Bench bench_of(const Scene& scene, const Solution& solution) {
+    CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
+    Bench bench{scene, std::move(model), std::move(strokes)};
+    if (const std::optional<MechanismSpec> cam = cam_of(scene)) {
+        bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
+        bench.disk = disk_cam({cam->formulas, *bench.dimensions});
+    }
+    bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
+    return bench;
+}
+
 }  // namespace
+
+ComparisonRow compare_law(const Solution& solution, const std::string& law) {
+    if (!solution.motion) throw InputError("a law is compared with a motion, and this solution has none");
+    const auto found = std::ranges::find(law_catalogue(), law, &LawInfo::key);
+    if (found == law_catalogue().end())
+        throw InputError(fmt::format("law: found \"{}\"; allowed: those of camopt list laws", law));
+    const Scene scene = with_written_limits(solution.scene);
+    return law_row(bench_of(scene, solution), *found, solution.certificate.objective);
+}
 
 Comparison compare(const Scene& given, const SolveControl& control) {
     const Scene scene = with_written_limits(given);
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
-    CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
-    std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
-    Bench bench{scene, std::move(model), std::move(strokes)};
-    if (const std::optional<MechanismSpec> cam = cam_of(scene)) {
-        bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
-        bench.disk = comparison.cam = disk_cam({cam->formulas, *bench.dimensions});
-    }
-    bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
+    const Bench bench = bench_of(scene, solution);
+    comparison.cam = bench.disk;
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));

@@ -45,4 +45,8 @@ struct Comparison {
 /// is not looked for.
 [[nodiscard]] Comparison compare(const Scene& scene, const SolveControl& control = {});
 
+/// One law in the place of a motion that is delivered already: nothing is solved. Its limits are judged with
+/// the delivered cam. Throws InputError for an unknown law and for a solution without a motion.
+[[nodiscard]] ComparisonRow compare_law(const Solution& solution, const std::string& law);
+
 }  // namespace camopt

@@ -5,9 +5,9 @@
 #include "objectives/rules/rest_places.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam_turn.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace camopt {
 
@@ -28,31 +28,23 @@ ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const Forced
     const auto force = [&](const CamPlace& place) {
         return forces.force(speed, place.state.s, place.state.acceleration);
     };
-    const auto lever = [&](const CamPlace& place) {
-        return quantity(cam, place.state, Quantity::normal_lever).value;
-    };
+    const auto normal = [&](const CamPlace& place) { return normal_force(cam, place.state, force(place)); };
     ForceSummary summary;
     summary.least_force = turn.least(force);
     summary.largest_force = turn.largest(force);
     summary.torque =
         turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
-    const bool presses = forces.contact_width && !has_edge(cam.follower);
+    const bool presses = has_hertz_pressure(cam, forces);
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
         if (presses) summary.hertz_pressure = summary.normal_force;
         return summary;
     }
-    summary.normal_force = turn.largest([&](const CamPlace& place) { return force(place) / lever(place); });
+    summary.normal_force = turn.largest(normal);
     if (!presses) return summary;
-    summary.hertz_pressure = turn.largest([&](const CamPlace& place) {
-        const double curvature = has_roller(cam.follower)
-                                     ? 1.0 / (cam[DimensionIndex::roller_radius] * place.point.regularity)
-                                     : 1.0 / place.point.cam_radius;
-        const double squared = force(place) / lever(place) * curvature /
-                               (forces.compliance() * std::numbers::pi * *forces.contact_width);
-        return squared > 0.0 ? std::sqrt(squared) : 0.0;
-    });
+    summary.hertz_pressure = turn.largest(
+        [&](const CamPlace& place) { return hertz_pressure(cam, forces, place.point, normal(place)); });
     return summary;
 }
 

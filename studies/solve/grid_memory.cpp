@@ -9,7 +9,7 @@ namespace camopt {
 namespace {
 
 // A grid that has grown by more than this over the plain one costs more than the rounds it saves.
-constexpr double most_growth = 1.5;
+constexpr double most_growth = 3.0;
 // A scene is solved with its rules and up to two relaxations of them.
 constexpr std::size_t most_grids = 4;
 

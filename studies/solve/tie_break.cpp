@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace camopt {
 
@@ -47,11 +48,15 @@ void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& 
     ExchangeOptions options = exchange_options(scene);
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
+    std::vector<RuleSample> samples = problem.samples();
     for (const double weight : tie_break_weights) {
-        CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
+        CamProblem tied(tie_break_model(problem.model(), weight), samples);
         const ExchangeResult smoother =
             minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
-        if (memory != nullptr) memory->keep(tied);
+        if (memory != nullptr) {
+            memory->keep(tied);
+            samples = tied.samples();
+        }
         if (smoother.best.x.size() == 0 || control.ending()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;

@@ -12,8 +12,9 @@ namespace camopt {
 /// Among the optima within the tolerance, the one of least mean square jerk. On a linear program a small
 /// enough weight on the energy picks exactly that one; how small is found by trying. (To demand "objective <=
 /// optimum" as a row instead leaves a feasible set without an inside, on which an interior point loses its
-/// digits.) Leaves the result alone where nothing smoother is found. The grid it needed goes to `memory`;
-/// null: it is forgotten.
+/// digits.) Leaves the result alone where nothing smoother is found. `memory`: its grid
+/// goes on from weight to weight and is kept there for a neighbouring scene; null: each begins on that of
+/// `problem`.
 void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
                const SolveControl& control, GridMemory* memory = nullptr);
 

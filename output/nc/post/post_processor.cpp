@@ -41,10 +41,6 @@ void check_axis(const std::string& key, const PostAxis& axis, std::set<std::stri
 
 }  // namespace
 
-double metres_of(LengthUnit unit) {
-    return unit == LengthUnit::inch ? units::inch : units::millimetre;
-}
-
 void PostProcessor::validate() const {
     require_decimals("linear_decimals", linear_decimals);
     require_decimals("angle_decimals", angle_decimals);

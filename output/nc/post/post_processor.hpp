@@ -5,6 +5,7 @@
 // program's units, after the axis's letter. Everything is data: a new control is a new file, no code.
 #pragma once
 
+#include "core/units.hpp"
 #include "output/nc/machine.hpp"
 
 #include <filesystem>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace camopt {
-
-enum class LengthUnit { millimetre, inch };
-[[nodiscard]] double metres_of(LengthUnit unit);
 
 /// inverse_time: F of a G93 block is 1 / its minutes. per_minute: G94, only where no axis turns.
 enum class FeedMode { inverse_time, per_minute };

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// Pages of many motions: comparison, sweep, front.
+'use strict';

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/shown_units.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace camopt {
+
+namespace {
+
+using units::degree, units::millimetre;
+
+constexpr std::size_t derivatives = 4;
+constexpr std::array<const char*, derivatives> derivative_names = {"displacement", "velocity", "acceleration",
+                                                                   "jerk"};
+constexpr std::array<const char*, derivatives> symbols_in_time = {"s", "v", "a", "j"};
+constexpr std::array<const char*, derivatives> symbols_by_angle = {"s", "ds/dθ", "d²s/dθ²", "d³s/dθ³"};
+
+/// How one way to see the motion is written: units, factors from SI, columns of motion.csv.
+struct UnitRow {
+    const char* name;
+    double factor;
+    const char* column;
+};
+using UnitRows = std::array<UnitRow, derivatives>;
+
+constexpr UnitRows millimetres_in_time = {{{"mm", 1.0 / millimetre, "s_mm"},
+                                           {"mm/s", 1.0 / millimetre, "v_mm_s"},
+                                           {"m/s²", 1.0, "a_m_s2"},
+                                           {"m/s³", 1.0, "j_m_s3"}}};
+constexpr UnitRows millimetres_by_angle = {{{"mm", 1.0 / millimetre, "s_mm"},
+                                            {"mm/rad", 1.0 / millimetre, "ds_mm_rad"},
+                                            {"mm/rad²", 1.0 / millimetre, "dds_mm_rad2"},
+                                            {"mm/rad³", 1.0 / millimetre, "ddds_mm_rad3"}}};
+constexpr UnitRows inches_in_time = {{{"in", 1.0 / units::inch, ""},
+                                      {"in/s", 1.0 / units::inch, ""},
+                                      {"in/s²", 1.0 / units::inch, ""},
+                                      {"in/s³", 1.0 / units::inch, ""}}};
+constexpr UnitRows inches_by_angle = {{{"in", 1.0 / units::inch, ""},
+                                       {"in/rad", 1.0 / units::inch, ""},
+                                       {"in/rad²", 1.0 / units::inch, ""},
+                                       {"in/rad³", 1.0 / units::inch, ""}}};
+constexpr UnitRows swing_in_time = {{{"deg", 1.0 / degree, "s_deg"},
+                                     {"rad/s", 1.0, "v_rad_s"},
+                                     {"rad/s²", 1.0, "a_rad_s2"},
+                                     {"rad/s³", 1.0, "j_rad_s3"}}};
+constexpr UnitRows swing_by_angle = {{{"deg", 1.0 / degree, "s_deg"},
+                                      {"deg/deg", 1.0, "ds_deg_deg"},
+                                      {"deg/deg²", degree, "dds_deg_deg2"},
+                                      {"deg/deg³", degree* degree, "ddds_deg_deg3"}}};
+
+const UnitRows& rows_of(const MotionSpec& motion, LengthUnit length, bool in_time) {
+    if (motion.lift_is_angle) return in_time ? swing_in_time : swing_by_angle;
+    if (length == LengthUnit::inch) return in_time ? inches_in_time : inches_by_angle;
+    return in_time ? millimetres_in_time : millimetres_by_angle;
+}
+
+MotionUnit motion_unit(const MotionSpec& motion, LengthUnit length, std::size_t order, bool in_time) {
+    const UnitRow& row = rows_of(motion, length, in_time)[order];
+    const double rate = in_time ? *motion.speed / motion.unit_angle() : 1.0 / motion.unit_angle();
+    MotionUnit unit;
+    unit.name = row.name;
+    unit.factor = row.factor;
+    unit.per_normalised = row.factor * motion.lift * std::pow(rate, static_cast<int>(order));
+    unit.symbol = (in_time ? symbols_in_time : symbols_by_angle)[order];
+    unit.column = row.column;
+    return unit;
+}
+
+ShownDerivative shown_derivative(const MotionSpec& motion, LengthUnit length, std::size_t order) {
+    const bool in_time = motion.speed.has_value();
+    ShownDerivative shown{derivative_names[order], motion_unit(motion, length, order, in_time), {}};
+    if (in_time && order > 0) shown.beside = motion_unit(motion, length, order, false);
+    return shown;
+}
+
+std::string with_unit_name(double value, const std::string& name, int digits) {
+    return short_text(value, digits) + (name.empty() ? "" : " " + name);
+}
+
+}  // namespace
+
+std::string ShownUnit::text(double si, int digits) const {
+    return with_unit_name(factor * si, name, digits);
+}
+
+std::string MotionUnit::normalised_text(double y, int digits) const {
+    return with_unit_name(per_normalised * y, name, digits);
+}
+
+ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
+    ShownUnits shown;
+    for (std::size_t order = 0; order < derivatives; ++order)
+        shown.motion[order] = shown_derivative(motion, length, order);
+    shown.in_time = motion.speed.has_value();
+    const double one = metres_of(length);
+    const std::string name = name_of(length);
+    const bool swings = motion.lift_is_angle;
+    shown.length = {name, 1.0 / one};
+    shown.curvature = {"1/" + name, one};
+    shown.angle = {"deg", 1.0 / degree};
+    shown.force = {"N", 1.0};
+    shown.torque = {"N m", 1.0};
+    shown.load = swings ? shown.torque : shown.force;
+    shown.pressure = {"MPa", 1.0 / units::megapascal};
+    shown.mass = {swings ? "kg m²" : "kg", 1.0};
+    shown.spring_rate = swings ? ShownUnit{"N m/rad", 1.0} : ShownUnit{"N/mm", millimetre};
+    shown.speed = {"rpm", 1.0 / units::revolution_per_minute};
+    shown.degrees_per_x = motion.unit_angle() / degree;
+    return shown;
+}
+
+ShownUnits shown_units(const Scene& scene) {
+    return shown_units(scene.motion, scene.length_unit);
+}
+
+}  // namespace camopt
