@@ -50,7 +50,7 @@ ExitCode studio_command(const StudioRequest& request) {
     const StudioStart start = start_of(request);
     const EndSignals signals;
     StudioSession session;
-    const StudioServer server({.page = [&] { return studio_page(start); },
+    const StudioServer server({.page = [&] { return studio_page(start, session.first(start.scene)); },
                                .solve = [&](const std::string& body) { return session.solve(body); },
                                .download = [&](const std::string& body) { return session.download(body); }},
                               {.port = request.port});

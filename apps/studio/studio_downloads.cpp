@@ -5,7 +5,7 @@
 #include "output/csv/motion_csv.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
-#include "output/report/report.hpp"
+#include "output/page/page_html.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -41,7 +41,7 @@ constexpr std::array downloads = {Download{"motion", "motion.csv", "text/csv", t
                                   Download{"cam", "cam.csv", "text/csv", true, cam_table},
                                   Download{"dxf", "cam.dxf", "image/vnd.dxf", true, cam_drawing},
                                   Download{"result", "result.json", "application/json", false, result_json},
-                                  Download{"report", "report.md", "text/markdown", false, report_markdown}};
+                                  Download{"report", "report.html", "text/html", false, report_html}};
 
 constexpr std::string_view scene_name = "scene";
 

@@ -36,7 +36,7 @@ struct Request {
     std::string page, scene, what;
     RequestJson set = RequestJson::object();
     std::vector<std::string> laws;
-    bool explain = false;
+    bool explain = false, quick = false;
 };
 
 [[noreturn]] void bad_member(std::string_view name, std::string_view allowed) {
@@ -59,6 +59,13 @@ std::vector<std::string> law_members(const RequestJson& body, std::size_t most) 
     return found->get<std::vector<std::string>>();
 }
 
+bool flag_member(const RequestJson& body, const char* name) {
+    const auto found = body.find(name);
+    if (found == body.end()) return false;
+    if (!found->is_boolean()) bad_member(name, "true or false");
+    return found->get<bool>();
+}
+
 Request read_request(const std::string& text, const StudioLimits& limits, bool is_download) {
     const RequestJson body = RequestJson::parse(text, nullptr, false);
     if (!body.is_object()) throw RequestError("the request is no JSON object");
@@ -73,9 +80,8 @@ Request read_request(const std::string& text, const StudioLimits& limits, bool i
         request.set = *set;
     }
     request.laws = law_members(body, limits.laws);
-    if (const auto explain = body.find("explain"); explain != body.end())
-        request.explain =
-            explain->is_boolean() ? explain->get<bool>() : (bad_member("explain", "true or false"), false);
+    request.explain = flag_member(body, "explain");
+    request.quick = flag_member(body, "quick");
     return request;
 }
 
@@ -153,7 +159,14 @@ struct StudioSession::State {
         const Solution solution = request.explain ? camopt::solve(given.scene, solving)
                                                   : page->sequence.solve(given.scene, solving);
         if (outdated()) throw Superseded();
-        return answer_of(200, studio_answer(solution, given.text, request.laws));
+        return {.body = studio_answer(solution, given.text, {request.laws, request.quick})};
+    }
+
+    std::string first(const std::string& scene) const {
+        const StudioScene given = studio_scene(scene, RequestJson::object(), "scene");
+        const auto ending = [this] { return stopping.load(); };
+        return studio_answer(camopt::solve(given.scene, control(given.scene, limits.solve_seconds, ending)),
+                             given.text, {});
     }
 
     /// As the command line would: from the scene alone, not from the solve before.
@@ -182,6 +195,10 @@ StudioAnswer StudioSession::solve(const std::string& body) {
 StudioAnswer StudioSession::download(const std::string& body) {
     if (state_->stopping) return error_answer(503, "the studio ends");
     return answered([&] { return state_->download(body); });
+}
+
+std::string StudioSession::first(const std::string& scene) {
+    return state_->first(scene);
 }
 
 void StudioSession::stop() {

@@ -6,7 +6,8 @@
 //   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "laws": [key, …], "explain":
 //   true } export  { "page", "scene", "set", "what": one of the names of studio_downloads.hpp }
 //
-// `set`, `laws` and `explain` may be left out. The answer to `solve` is the object that studio_answer.hpp
+// `set`, `laws`, `quick` (while a slider moves) and `explain` (say of an infeasible scene which change would help)
+// may be left out. The answer to `solve` is the object that studio_answer.hpp
 // describes. What is wrong with a scene answers 422, with a request 400: { "error": text }.
 #pragma once
 
@@ -28,6 +29,9 @@ class StudioSession {
     /// Called from several threads at once; never throw for what a request holds.
     [[nodiscard]] StudioAnswer solve(const std::string& body);
     [[nodiscard]] StudioAnswer download(const std::string& body);
+
+    /// The answer to `solve` of a page that opens; throws what is wrong with its scene.
+    [[nodiscard]] std::string first(const std::string& scene);
 
     /// Running solves end soon; later ones answer 503.
     void stop();
