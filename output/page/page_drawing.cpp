@@ -7,6 +7,7 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 #include "studies/spatial/solved_cam.hpp"
 
 #include <Eigen/Geometry>
@@ -213,9 +214,9 @@ Json solid_drawing(const Solution& solution, const PageRows& rows) {
     const ShownUnit length = shown_units(solution.scene).length;
     Json parts = Json::array(), rollers = Json::array();
     for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));
-    for (const std::vector<RollerPose>& roller : scene.rollers) {
+    for (const std::vector<RollerPlace>& roller : scene.rollers) {
         Json poses = Json::array();
-        for (const RollerPose& pose : roller) {
+        for (const RollerPlace& pose : roller) {
             append(poses, length, pose.foot);
             for (const double part : pose.direction) poses.push_back(rounded_json(part));
         }

@@ -96,7 +96,7 @@ CamScene cam_scene(const SpatialCam& cam, const FollowerMotion& motion, std::spa
     for (int k = 0; k < rollers; ++k) {
         SpatialCam shifted = cam;
         shifted.start += k * pitch;
-        std::vector<RollerPose>& poses = scene.rollers.emplace_back();
+        std::vector<RollerPlace>& poses = scene.rollers.emplace_back();
         for (const double angle : angles) {
             // At cam angle 0 the cam frame is the one that stands still.
             const RollerAxis axis = roller_axis(shifted, 0.0, motion.state(angle).s);

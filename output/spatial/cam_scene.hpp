@@ -20,7 +20,7 @@
 namespace camopt {
 
 /// The near end of a roller's axis and its unit direction, in the frame that stands still.
-struct RollerPose {
+struct RollerPlace {
     Eigen::Vector3d foot, direction;
 };
 
@@ -33,7 +33,7 @@ struct CamScene {
     std::vector<Part> parts;  ///< in the cam frame at cam angle 0; they turn by σθ about z
     double roller_radius = 0.0, roller_length = 0.0;
     /// By roller, then by angle.
-    std::vector<std::vector<RollerPose>> rollers;
+    std::vector<std::vector<RollerPlace>> rollers;
     std::optional<Eigen::Vector3d> pivot;  ///< about which the rollers swing; none: they slide
 };
 

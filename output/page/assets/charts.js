@@ -19,8 +19,10 @@
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
-    const room = 0.13 * (high - low) || Math.abs(high) || 1;
-    return [low - (low === 0 ? 0.25 * room : room), high + room];
+    const room = 0.1 * (high - low) || Math.abs(high) || 1;
+    // Above and below marked points a label needs its own height.
+    const labelled = (sign) => shown.marks && curve.marks.some((mark) => (mark.value >= 0 ? 1 : -1) === sign) ? 2.1 : 1;
+    return [low - (low === 0 ? 0.25 : labelled(-1)) * room, high + labelled(1) * room];
   }
 
   /** A text beside a place on the canvas, within the plot and over no other; false where there is no room. */
@@ -74,12 +76,12 @@
     u.ctx.fillStyle = colour('limit');
     for (const limit of curve.limits) {
       const y = u.valToPos(limit.at, 'y', true);
-      if (y < box.top || y > box.top + box.height || said.has(limit.words + limit.at)) continue;
+      if (y < box.top || y > box.top + box.height || said.has(limit.words)) continue;
       const right = Math.min(u.valToPos(limit.to, 'x', true), box.left + box.width);
       const left = Math.max(u.valToPos(limit.from, 'x', true), box.left);
       const done = label(u, taken, limit.words, right - 4, y, limit.outside > 0, 'right') ||
         label(u, taken, limit.words, left + 4, y, limit.outside > 0, 'left');
-      if (done) said.add(limit.words + limit.at);
+      if (done) said.add(limit.words);
     }
   }
 
@@ -195,7 +197,7 @@
       const axis = { font, stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 },
         ticks: { stroke: () => colour('grid'), size: 4, width: 1 } };
       const plot = new uPlot({
-        width: all.width(), height: chartHeight, pxAlign: 0.5, padding: [6, 14, 0, 0],
+        width: all.width(), height: chartHeight, pxAlign: 0.5, padding: [6, 20, 0, 0],
         legend: { show: false },
         cursor: { y: false, sync: { key: all.syncKey, setSeries: false }, drag: { x: true, y: false },
           points: { size: 7, fill: () => colour('curve') } },
