@@ -21,8 +21,9 @@ std::string studio_answer(const Solution& solution, const std::string& text, con
     std::string answer = own.dump(-1, ' ', false, Json::error_handler_t::replace);
     answer.back() = ',';
     answer += "\"laws\":" + page_laws(solution, wishes.laws) + ",\"data\":";
-    answer += page_data(solution, {.scene_file = "scene.toml", .command = "camopt solve scene.toml", .scene_text = text},
-                        {.reference = !wishes.quick});
+    answer += page_data(
+        solution, {.scene_file = "scene.toml", .command = "camopt solve scene.toml", .scene_text = text},
+        {.reference = !wishes.quick});
     return answer + "}";
 }
 

@@ -4,8 +4,8 @@
 #include "core/errors.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/cam_files.hpp"
 #include "output/page/page_html.hpp"
+#include "output/report/cam_files.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -64,12 +64,13 @@ StudioAnswer studio_page(const StudioStart& start, const std::string& answer) {
     html.styles.emplace_back(studio_asset("studio.css"));
     html.connect = "'self'";
     html.nonce = random_token();
-    return {.type = "text/html; charset=utf-8",
-            .body = page_html(html),
-            .content_policy = fmt::format("default-src 'none'; script-src 'nonce-{}'; style-src 'unsafe-inline'; "
-                                          "img-src data: blob:; connect-src 'self'; base-uri 'none'; "
-                                          "form-action 'none'; frame-ancestors 'none'",
-                                          html.nonce)};
+    return {
+        .type = "text/html; charset=utf-8",
+        .body = page_html(html),
+        .content_policy = fmt::format("default-src 'none'; script-src 'nonce-{}'; style-src 'unsafe-inline'; "
+                                      "img-src data: blob:; connect-src 'self'; base-uri 'none'; "
+                                      "form-action 'none'; frame-ancestors 'none'",
+                                      html.nonce)};
 }
 
 }  // namespace camopt::apps

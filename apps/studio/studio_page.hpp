@@ -17,8 +17,8 @@ struct StudioStart {
 /// A rise between two dwells, for who comes without a scene.
 [[nodiscard]] StudioStart first_scene();
 
-/// answer: to the first solve (studio_answer.hpp). With a content policy that lets this document's own scripts
-/// run and no others, and connect to nothing but this server.
+/// answer: to the first solve (studio_answer.hpp). With a content policy that lets this document's own
+/// scripts run and no others, and connect to nothing but this server.
 [[nodiscard]] StudioAnswer studio_page(const StudioStart& start, const std::string& answer);
 
 }  // namespace camopt::apps

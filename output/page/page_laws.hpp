@@ -3,7 +3,8 @@
 //
 //   key, title
 //   misfit     null, or why the law does not fit the scene: then there are no curves
-//   curves     displacement, velocity, acceleration, jerk: values[] by the angles and in the units of page_data
+//   curves     displacement, velocity, acceleration, jerk: values[] by the angles and in the units of
+//   page_data
 //              (null: infinite, or in the dwell behind the motion)
 //   peaks      velocity, acceleration, jerk, normalised as the scene's; null where infinite
 #pragma once
