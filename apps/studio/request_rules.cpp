@@ -94,7 +94,6 @@ int refusal_of(const RequestHead& request, const StudioPlace& place) {
     const std::optional<std::string_view> method = method_for(request.target, place);
     if (!method) return 404;
     if (request.method != *method) return 405;
-    if (has(request, "Range")) return 416;
     if (has(request, "Expect")) return 417;
     return unfit_body(request, place);
 }

@@ -38,7 +38,6 @@ struct StudioPlace {
 ///   411  a body without a length (chunked, or none given)
 ///   413  a longer body than is read
 ///   415  a body that is no JSON, or a compressed one
-///   416  parts of an answer asked for
 ///   417  an expectation
 ///   400  a header twice that may stand once, a length that is no number
 [[nodiscard]] int refusal_of(const RequestHead& request, const StudioPlace& place);

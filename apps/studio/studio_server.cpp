@@ -38,9 +38,11 @@ class LoopbackServer final : public httplib::Server {
             {options_.request_seconds, options_.answer_seconds, options_.header_bytes + options_.body_bytes},
             stopping_);
         bool closed = false;
-        // Nothing is compressed for a reader on the same machine.
+        // Nothing is compressed, or sent in parts, for a reader on the same machine.
         const bool served = process_request(stream, true, closed, [](httplib::Request& request) {
             request.headers.erase("Accept-Encoding");
+            request.headers.erase("Range");
+            request.ranges.clear();
         });
         linger_and_close(socket);
         return served;

@@ -11,7 +11,7 @@
 
   /** What is asked: a scene's text and what was set since. */
   let now = { scene: begin.scene, set: {} };
-  let kept = now;
+  let kept = now, good = now;
   const before = [], after = [];
   let wanted = null, running = null, explained = '';
   /** ms from a wish to its picture, for who measures. */
@@ -20,7 +20,7 @@
   const post = (what, body, signal) => fetch(what, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal });
 
   function ask(quick, explain = false) {
-    wanted = { quick, explain, since: performance.now(), laws: [...laws], ...now };
+    wanted = { quick, explain, since: performance.now(), laws: [...laws], state: now };
     if (!running) work();
     else if (performance.now() - running.begun > patience) running.abort.abort();
   }
@@ -44,15 +44,16 @@
   }
 
   async function solve(wish, signal) {
-    const response = await post('solve', { page, scene: wish.scene, set: wish.set, laws: wish.laws, quick: wish.quick, explain: wish.explain }, signal);
+    const response = await post('solve', { page, ...wish.state, laws: wish.laws, quick: wish.quick, explain: wish.explain }, signal);
     const answer = await response.json();
     if (response.status === 409) return;
-    if (!response.ok) { panel.fault(answer.error); return; }
+    if (!response.ok) { takeBack(wish.state); panel.fault(answer.error); return; }
     panel.fault('');
+    good = wish.state;
     show(answer, wish.quick);
     requestAnimationFrame(() => times.push(performance.now() - wish.since));
     // Of a scene that cannot be kept the program says which change would help, once the hand rests.
-    const question = JSON.stringify([wish.scene, wish.set]);
+    const question = JSON.stringify(wish.state);
     if (answer.verdict === 'infeasible' && !wish.quick && !wish.explain && explained !== question && !wanted) {
       explained = question;
       ask(false, true);
@@ -106,6 +107,13 @@
     now = next;
     if (!moving) keep();
     ask(moving);
+  }
+
+  /** What the program refused was never there: the fields still show it, with the reason. */
+  function takeBack(state) {
+    if (kept === state && before.length) kept = before.pop();
+    if (now === state) now = good;
+    panel.history(before.length > 0, after.length > 0);
   }
 
   /** What stands now is what undo comes back to. */
