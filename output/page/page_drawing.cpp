@@ -71,7 +71,7 @@ std::pair<double, double> reach_of_face(const PlaneCourse& course) {
     if (scene.cam && scene.cam->face_half_width)
         return {-*scene.cam->face_half_width, *scene.cam->face_half_width};
     const double beyond = face_beyond * course.solution.cam->summary.base_radius;
-    return {course.least_offset - beyond, course.largest_offset + beyond};
+    return {std::min(course.least_offset - beyond, 0.0), std::max(course.largest_offset + beyond, 0.0)};
 }
 
 std::vector<Vector2d> points_of(const MechanismShape& shape, const std::pair<double, double>& reach) {

@@ -37,6 +37,13 @@ std::string script(std::string_view text, const std::string& nonce) {
                        nonce.empty() ? "" : fmt::format(" nonce=\"{}\"", xml_text(nonce)), text);
 }
 
+/// The licences of what the page carries, for who reads its text.
+std::string licences(bool solids) {
+    std::string text = "uPlot\n" + std::string(page_asset("vendor/uPlot.LICENSE"));
+    if (solids) text += "\nthree.js\n" + std::string(page_asset("vendor/three.LICENSE"));
+    return fmt::format("<script type=\"text/plain\" id=\"licences\">\n{}</script>\n", text);
+}
+
 std::string style(std::string_view text) {
     return fmt::format("<style>\n{}\n</style>\n", text);
 }
@@ -70,7 +77,7 @@ std::string filled(std::string_view skeleton, const std::vector<PagePart>& parts
 std::string page_html(const PageHtml& page) {
     std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
     for (const std::string& text : page.styles) styles += style(text);
-    std::string scripts = script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
+    std::string scripts = licences(page.solids) + script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
     if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
     for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);
     for (const std::string& text : page.scripts) scripts += script(text, page.nonce);

@@ -26,8 +26,8 @@ namespace camopt {
 
 namespace {
 
-constexpr int value_digits = 6, headline_digits = 4;
-constexpr double noticed = 0.05;  // per cent: a smaller change is none
+constexpr int value_digits = 6, headline_digits = 5;  // fewer would make 22637 a power of ten
+constexpr double noticed = 0.05;                      // per cent: a smaller change is none
 
 struct PlainVerdict {
     const char* tone;

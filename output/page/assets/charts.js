@@ -3,7 +3,7 @@
 'use strict';
 (function (camopt) {
   const { element, numberText, colour } = camopt;
-  const chartHeight = 168, labelRoom = 15;
+  const chartHeight = 168, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
   const font = '11px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
   /** Value range with room; a limit far beyond the curve stays out of sight. */
@@ -258,7 +258,7 @@
       host, chips, angle, charts, data: null, nothing: [], syncKey: 'camopt-' + Math.random(),
       shown: { reference: true, limits: true, marks: true },
       printWidth: 0,
-      width() { return self.printWidth || Math.max(host.clientWidth, 240); },
+      width() { return self.printWidth || Math.max(host.clientWidth - frameWidth, 220); },
       redraw() { charts.forEach((chart) => { if (chart.plot) { chart.plot.setData(chart.columns()); } }); },
       resize() { charts.forEach((chart) => { if (chart.plot) chart.plot.setSize({ width: self.width(), height: chartHeight }); }); },
       zoomed(from) {

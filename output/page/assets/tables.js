@@ -13,7 +13,7 @@
       element('table', {}, caption ? element('caption', {}, caption) : null, element('thead', {}, head), element('tbody', {}, ...rows)));
   };
 
-  camopt.tableSection = (table) => element('section', { class: 'table-block', 'data-table': table.key },
+  camopt.tableSection = (table) => element('section', { class: table.columns.length > 5 ? 'table-block wide' : 'table-block', 'data-table': table.key },
     element('h2', {}, table.title), camopt.table(table, table.title), table.note ? element('p', { class: 'note' }, table.note) : null);
 
   camopt.list = (sentences, name) => element('ul', { class: name || 'sentences' }, ...sentences.map((sentence) => element('li', {}, sentence)));

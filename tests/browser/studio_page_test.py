@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """camopt studio in a headless browser, from slider to curve, and what a hostile page gets of it.
 
-usage: studio_test.py CAMOPT SCENES [FOLDER for screenshots]"""
+usage: studio_page_test.py CAMOPT SCENES [FOLDER for screenshots]"""
 import http.server
 import json
 import pathlib
@@ -13,7 +13,7 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from browser import chromium, console_faults, wait_for  # noqa: E402
+from browser import browser_of, wait_for  # noqa: E402
 from studio import studio  # noqa: E402
 
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -27,16 +27,13 @@ def command_line(scene, *settings):
     return json.loads(run.stdout)
 
 
-class Page:
+class StudioPage:
     """The studio's page in a browser, by what a user sees and moves."""
 
-    def __init__(self, driver, address):
-        self.driver = driver
-        driver.get(address)
+    def __init__(self, page, address):
+        self.page, self.driver, self.run = page, page.driver, page.js
+        self.driver.get(address)
         wait_for("the page", lambda: self.run("return document.documentElement.dataset.studio === 'ready'"))
-
-    def run(self, script, *values):
-        return self.driver.execute_script(script, *values)
 
     def settled(self):
         return int(self.run("return document.documentElement.dataset.settled || '0'"))
@@ -85,14 +82,14 @@ class OnePage(unittest.TestCase):
         running = studio(PROGRAM, self.scene)
         self.studio = running.__enter__()
         self.addCleanup(running.__exit__, None, None, None)
-        browser = chromium(downloads=self.downloads.name)
-        driver = browser.__enter__()
+        browser = browser_of(downloads=self.downloads.name)
+        page = browser.__enter__()
         self.addCleanup(browser.__exit__, None, None, None)
         self.addCleanup(self.downloads.cleanup)
-        self.page = Page(driver, self.studio.address)
+        self.page = StudioPage(page, self.studio.address)
 
     def tearDown(self):
-        self.assertEqual(console_faults(self.page.driver), [])
+        self.assertEqual(self.page.page.complaints(), [])
 
 
 class CamScene(OnePage):
@@ -156,7 +153,7 @@ class CamScene(OnePage):
         page.type("limits.pressure_angle_deg", 95)
         self.assertIn("limits.pressure_angle_deg", page.fault())
         self.assertGreater(page.run("return Camopt.page.data.angle.values.length"), 100)
-        self.assertTrue(all("422" in line for line in console_faults(page.driver)))
+        self.assertTrue(all("422" in line for line in page.page.complaints()))
         self.assertTrue(page.run("return document.querySelector('[data-control=undo]').disabled"), "nothing was changed")
         page.type("limits.pressure_angle_deg", 10)
         wait_for("the reason", lambda: page.run("return document.querySelector('.verdict').dataset.verdict") == "infeasible")
@@ -206,13 +203,13 @@ class Narrow(unittest.TestCase):
     def test_nothing_is_wider_than_the_screen(self):
         with studio(PROGRAM, CAM) as running:
             for width, dark in ((1440, False), (1440, True), (390, False), (390, True)):
-                with chromium(width, 1000, dark=dark) as driver:
-                    page = Page(driver, running.address)
+                with browser_of(width, "dark" if dark else "light") as browser:
+                    page = StudioPage(browser, running.address)
                     self.assertLessEqual(page.run("return document.documentElement.scrollWidth"), width)
                     self.assertEqual(page.run("return document.documentElement.dataset.theme"), "dark" if dark else "light")
                     time.sleep(0.5)
                     page.picture(f"studio-{width}-{'dark' if dark else 'light'}")
-                    self.assertEqual(console_faults(driver), [])
+                    self.assertEqual(browser.complaints(), [])
 
 
 HOSTILE = """<!doctype html><title>hostile</title><iframe src="ADDRESS"></iframe><script>
@@ -253,9 +250,9 @@ class Hostile(unittest.TestCase):
             threading.Thread(target=server.serve_forever, daemon=True).start()
             try:
                 for host in ("127.0.0.1", "localhost"):
-                    with chromium() as driver:
-                        driver.get(f"http://{host}:{server.server_port}/")
-                        found = wait_for("the attempts", lambda one=driver: one.execute_script("return window.found"))
+                    with browser_of() as page:
+                        page.driver.get(f"http://{host}:{server.server_port}/")
+                        found = wait_for("the attempts", lambda one=page: one.js("return window.found"))
                         for name, what in found.items():
                             with self.subTest(host=host, attempt=name):
                                 if name == "window":
@@ -265,12 +262,14 @@ class Hostile(unittest.TestCase):
                         self.assertEqual(set(found), {"page", "solve", "simple", "blind", "script", "window", "frame"})
             finally:
                 server.shutdown()
+                server.server_close()
 
     def test_a_name_that_leads_here_gets_nothing(self):
         """DNS rebinding: another name for 127.0.0.1, with the right port and token."""
-        with studio(PROGRAM, DRD) as running, chromium(extra=("--host-resolver-rules=MAP evil.example 127.0.0.1",)) as driver:
-            driver.get(running.address.replace("127.0.0.1", "evil.example"))
-            self.assertEqual(driver.execute_script("return document.body.textContent").strip(), "refused")
+        with studio(PROGRAM, DRD) as running, browser_of(
+                arguments=("--host-resolver-rules=MAP evil.example 127.0.0.1",)) as page:
+            page.driver.get(running.address.replace("127.0.0.1", "evil.example"))
+            self.assertEqual(page.js("return document.body.textContent").strip(), "refused")
 
 
 if __name__ == "__main__":
