@@ -12,8 +12,10 @@ import time
 
 SKIPPED = 77
 ARGUMENTS = ("--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-             "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             "--window-size=1440,1000")
+             "--disable-component-update", "--disable-sync", "--window-size=1440,1000")
+# Three dimensions drawn by the processor: slow, also for all that is flat.
+SOLIDS = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+FLAT = ("--disable-gpu",)
 
 
 def skip(missing):
@@ -22,7 +24,7 @@ def skip(missing):
     sys.exit(SKIPPED)
 
 
-def open_browser(downloads=None, arguments=()):
+def open_browser(downloads=None, arguments=SOLIDS):
     """A driver with the console's log on; `downloads`: the folder into which files go; `arguments`: more of them."""
     try:
         from selenium import webdriver
@@ -50,8 +52,8 @@ def open_browser(downloads=None, arguments=()):
 
 @contextlib.contextmanager
 def browser_of(width=1440, scheme="light", downloads=None, arguments=()):
-    """A fresh browser for as long as it is used."""
-    driver = open_browser(downloads, arguments)
+    """A fresh browser for as long as it is used, for pages without three dimensions."""
+    driver = open_browser(downloads, (*FLAT, *arguments))
     try:
         page = Page(driver)
         page.width(width)

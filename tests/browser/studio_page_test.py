@@ -2,6 +2,7 @@
 """camopt studio in a headless browser, from slider to curve, and what a hostile page gets of it.
 
 usage: studio_page_test.py CAMOPT SCENES [FOLDER for screenshots]"""
+import contextlib
 import http.server
 import json
 import pathlib
@@ -33,7 +34,7 @@ class StudioPage:
     def __init__(self, page, address):
         self.page, self.driver, self.run = page, page.driver, page.js
         self.driver.get(address)
-        wait_for("the page", lambda: self.run("return document.documentElement.dataset.studio === 'ready'"))
+        wait_for("the page", lambda: self.run("return document.documentElement.dataset.studio === 'ready'"), 90)
 
     def settled(self):
         return int(self.run("return document.documentElement.dataset.settled || '0'"))
@@ -42,7 +43,7 @@ class StudioPage:
         """Waits until what was asked by `act` is answered and drawn."""
         before = self.settled()
         act()
-        wait_for("an answer", lambda: self.settled() > before)
+        wait_for("an answer", lambda: self.settled() > before, 90)
 
     def move(self, key, value):
         """A slider, as a hand moves it."""
@@ -77,16 +78,21 @@ class StudioPage:
 
 
 class OnePage(unittest.TestCase):
+    """One studio and one browser for all; the page is opened anew for each."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.ends = contextlib.ExitStack()
+        cls.downloads = cls.ends.enter_context(tempfile.TemporaryDirectory())
+        cls.studio = cls.ends.enter_context(studio(PROGRAM, cls.scene))
+        cls.browser = cls.ends.enter_context(browser_of(downloads=cls.downloads))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.ends.close()
+
     def setUp(self):
-        self.downloads = tempfile.TemporaryDirectory()
-        running = studio(PROGRAM, self.scene)
-        self.studio = running.__enter__()
-        self.addCleanup(running.__exit__, None, None, None)
-        browser = browser_of(downloads=self.downloads.name)
-        page = browser.__enter__()
-        self.addCleanup(browser.__exit__, None, None, None)
-        self.addCleanup(self.downloads.cleanup)
-        self.page = StudioPage(page, self.studio.address)
+        self.page = StudioPage(self.browser, self.studio.address)
 
     def tearDown(self):
         self.assertEqual(self.page.page.complaints(), [])
@@ -184,9 +190,9 @@ class CamScene(OnePage):
         page.move("cam.base_radius_mm", 18)
         for name, file in (("scene", "scene.toml"), ("motion", "motion.csv"), ("dxf", "cam.dxf"), ("report", "report.html")):
             page.click(f'[data-download-file="{name}"]')
-            path = pathlib.Path(self.downloads.name) / file
+            path = pathlib.Path(self.downloads) / file
             wait_for(file, lambda one=path: one.exists() and one.stat().st_size > 0)
-        scene = pathlib.Path(self.downloads.name) / "scene.toml"
+        scene = pathlib.Path(self.downloads) / "scene.toml"
         self.assertAlmostEqual(command_line(scene)["objective"], page.objective(), delta=1e-8)
 
     def test_a_scene_typed_in(self):
