@@ -48,6 +48,7 @@ const char* examples =
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
     "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
+    "  camopt studio scene.toml                     the scene in a browser: each slider solves again\n"
     "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
@@ -62,6 +63,7 @@ constexpr int least_points = 16, most_points = 1'000'000;
 
 struct Words {
     SolveRequest solve;
+    StudioRequest studio;
     CompareRequest compare;
     CheckRequest check;
     ExportRequest export_cam;
@@ -109,6 +111,19 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     add_settings(command, request.settings);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
+    return command;
+}
+
+CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "studio", "A scene in the browser of this machine: sliders solve again, results to download");
+    command.add_option("SCENE", request.scene, "Scene file (TOML); default: a rise between two dwells")
+        ->type_name("");
+    constexpr int first_free_port = 1024, last_port = 65535;
+    command.add_option("--port", request.port, "Port of 127.0.0.1 to serve it on; default: any free one")
+        ->type_name("N")
+        ->check(CLI::Range(first_free_port, last_port));
+    add_settings(command, request.settings);
     return command;
 }
 
@@ -518,6 +533,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     program.require_subcommand(1);
     Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
+    const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
@@ -551,6 +567,10 @@ ExitCode parse_and_run(int count, const char* const* words) {
         find_scene(parsed.solve.scene, parsed.solve.settings);
         parsed.solve.command = joined(count, words);
         return solve_command(parsed.solve);
+    }
+    if (studio.parsed()) {
+        if (!parsed.studio.settings.empty()) find_scene(parsed.studio.scene, parsed.studio.settings);
+        return studio_command(parsed.studio);
     }
     if (compare.parsed()) {
         find_scene(parsed.compare.scene, parsed.compare.settings);

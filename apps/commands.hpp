@@ -24,6 +24,14 @@ struct SolveRequest {
 };
 [[nodiscard]] ExitCode solve_command(const SolveRequest& request);
 
+struct StudioRequest {
+    std::string scene;                  ///< file; empty: one to begin with
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    int port = 0;                       ///< 0: any free one
+};
+/// Returns after Ctrl-C, SIGTERM or the end of the terminal.
+[[nodiscard]] ExitCode studio_command(const StudioRequest& request);
+
 struct CompareRequest {
     std::string scene;                  ///< file
     std::string out;                    ///< folder; empty: nothing is written
