@@ -162,10 +162,11 @@ def check_peaks(name, folder, report, swings, inches):
 
 
 def check_order(name, text):
-    """Where the motion is told by the cam angle, it is told in time before, on the same line."""
+    """Where the motion is told by the cam angle, it is told in time before, on the same line; what names a key keeps its
+    unit."""
     for line in text.splitlines():
         found = BY_ANGLE.search(line)
-        if found:
+        if found and not re.search(r"_(?:mm|in|m)_rad2?\b", line):
             before = line[:found.start()]
             check(any(unit in before for unit in IN_TIME), name, "says", found.group(), "first:", line)
 
