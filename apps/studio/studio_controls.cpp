@@ -120,7 +120,7 @@ ControlJson value_json(const Node& value) {
 ControlJson choices_json(const KeyRow& row) {
     ControlJson choices = ControlJson::array();
     for (const std::string& choice : values_of_key(row))
-        choices.push_back(row.type == KeyType::integer ? ControlJson(std::stoi(choice))
+        choices.push_back(row.type == KeyType::integer ? ControlJson(integer_in(choice).value())
                                                        : ControlJson(choice));
     return choices;
 }
