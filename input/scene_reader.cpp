@@ -7,6 +7,7 @@
 #include "input/cam_reader.hpp"
 #include "input/document_reader.hpp"
 #include "input/document_text.hpp"
+#include "input/drawing_reader.hpp"
 #include "input/keys/key_check.hpp"
 #include "input/measured/measured_reader.hpp"
 #include "input/mechanism_reader.hpp"
@@ -45,6 +46,7 @@ class SceneReader {
         scene.forces = read_forces(source_, scene);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);
+        scene.drawing = read_drawing(source_);
         scene.solver = read_solver();
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;

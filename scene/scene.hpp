@@ -6,6 +6,7 @@
 #include "core/text/choices.hpp"
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/drawing_spec.hpp"
 #include "scene/mechanism_spec.hpp"
 #include "scene/own_rule.hpp"
 
@@ -196,8 +197,9 @@ struct Scene {
     std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
     std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins
-    std::vector<OwnTerm> own_terms;          ///< beside those of `objective`
-    std::vector<OwnLimit> own_limits;        ///< beside `limits`
+    std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
+    std::vector<OwnTerm> own_terms;      ///< beside those of `objective`
+    std::vector<OwnLimit> own_limits;    ///< beside `limits`
     SolverSpec solver;
 };
 

@@ -149,6 +149,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = objective_fault(scene)) return fault;
     if (Fault fault = force_fault(scene)) return fault;
     if (Fault fault = own_rules_fault(scene)) return fault;
+    if (Fault fault = drawing_fault(scene)) return fault;
     return limit_fault(scene);
 }
 

@@ -22,6 +22,7 @@ inline constexpr double same_place = 1e-12;
 [[nodiscard]] Fault cam_geometry_fault(const CamSpec& cam);     ///< some cam within the ranges can be built
 [[nodiscard]] Fault mechanism_fault(const Scene& scene);        ///< the same of any other kind of cam
 [[nodiscard]] Fault force_fault(const Scene& scene);
+[[nodiscard]] Fault drawing_fault(const Scene& scene);  ///< bore and keyway in the cam
 [[nodiscard]] Fault limit_fault(const Scene& scene);
 [[nodiscard]] Fault own_rules_fault(const Scene& scene);  ///< terms and limits of the program
 

@@ -43,9 +43,10 @@ using camopt::spellings::positive;
 
 namespace camopt::input {
 
-/// Rows of [cam], [forces] and of what [objective] says about a cam.
+/// Rows of [cam], [forces], [drawing] and of what [objective] says about a cam.
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
+[[nodiscard]] std::vector<KeyRow> drawing_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 
 }  // namespace camopt::input

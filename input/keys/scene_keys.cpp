@@ -48,6 +48,8 @@ Rows top_level() {
         {"", "measured", table, plain, any, {}, "none",
          "A motion that was measured: compared with the optimum, or where searches begin."},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
+        {"", "drawing", table, plain, any, {}, "no bore",
+         "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
     };
 }
@@ -253,7 +255,7 @@ Rows all_rows() {
     for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
                              set_points("motion.segments.via", "segment"), measured(), spline(), objective(),
                              dimension_weight_rows(), reference(), cam_rows(), rows_of_kinds(), force_rows(),
-                             limits(), solver()})
+                             limits(), drawing_rows(), solver()})
         all.insert(all.end(), part.begin(), part.end());
     for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
     return all;

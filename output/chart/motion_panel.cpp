@@ -3,6 +3,7 @@
 
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/curve_path.hpp"
+#include "output/chart/placed_texts.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@ namespace camopt {
 
 namespace {
 
+constexpr double caption_font = 14, compare_font = 12;  // px
 constexpr double headroom = 0.17;  // of the value range, above and below: room for the peak's label
 constexpr double limit_in_sight =
     1.45;  // a limit beyond this many times the largest value is left out of sight
@@ -41,8 +43,9 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
         range.lower = std::min(range.lower, content.peak->value);
         range.upper = std::max(range.upper, content.peak->value);
     }
-    if (content.reference) {
-        const ValueRange other = value_range(*content.reference, content.order);
+    for (const Motion* beside : {content.reference, content.measured}) {
+        if (!beside) continue;
+        const ValueRange other = value_range(*beside, content.order);
         range.lower = std::min(range.lower, other.lower);
         range.upper = std::max(range.upper, other.upper);
     }
@@ -191,7 +194,11 @@ void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& 
     draw_marks(canvas, plot, content);
     draw_limit(canvas, plot, content);
     draw_peak(canvas, plot, content);
-    canvas.text(frame.left, frame.top - 8, content.caption, "caption");
+    // Both captions in a line where they fit.
+    const double words =
+        text_width(content.caption, caption_font, true) + text_width(content.caption_right, compare_font);
+    const bool both = words + 12.0 < frame.width;
+    canvas.text(frame.left, both ? frame.top - 8 : frame.top - 24, content.caption, "caption");
     canvas.text(plot.right(), frame.top - 8, content.caption_right, "compare end");
 }
 

@@ -5,6 +5,7 @@
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/limit_spans.hpp"
 #include "output/chart/motion_panel.hpp"
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
@@ -55,14 +56,16 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical = row.first_text(5);
+    const std::string physical = row.first_text(5), beside = row.beside_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
-    if (const std::string beside = row.beside_text(5); !beside.empty())
-        content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program                 ? physical
-                         : picture.shown.in_time ? physical + " · " + normalised
-                                                 : normalised + " · " + physical;
+    if (program)
+        content.peak_words = beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
+    else if (picture.shown.in_time)
+        content.peak_words = physical + " · " + normalised;
+    else
+        content.peak_words = normalised + " · " + physical;
+    if (!program && !beside.empty()) content.caption += fmt::format(" (peak {})", beside);
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(
@@ -156,6 +159,18 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
                 "subtitle");
 }
 
+/// In two lines where it is too long for one.
+void draw_objective(SvgCanvas& canvas, const std::string& words) {
+    constexpr std::string_view dot = " · ";
+    constexpr double first = 76, second = 91, font = 13, room = page_width - panel_left - 8;
+    std::size_t end = words.size();
+    while (end != std::string::npos && end > 0 && text_width(words.substr(0, end), font) > room)
+        end = words.rfind(dot, end - 1);
+    if (end == 0 || end == std::string::npos) end = words.size();
+    canvas.text(panel_left, first, words.substr(0, end), "subtitle");
+    if (end < words.size()) canvas.text(panel_left, second, words.substr(end + dot.size()), "subtitle");
+}
+
 }  // namespace
 
 std::string motion_svg(const Solution& solution) {
@@ -169,7 +184,7 @@ std::string motion_svg(const Solution& solution) {
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(panel_left, 36, title, "title");
     canvas.text(panel_left, 58, verdict_sentence(solution), "subtitle");
-    canvas.text(panel_left, 77, objective_line(solution, " · "), "subtitle");
+    draw_objective(canvas, objective_line(solution, " · "));
     draw_legend(canvas, picture);
     for (int order = 0; order < 4; ++order) {
         const PanelFrame frame{panel_left, first_panel + order * panel_distance, panel_width, panel_height};

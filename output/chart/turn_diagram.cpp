@@ -2,6 +2,7 @@
 #include "output/chart/turn_diagram.hpp"
 
 #include "output/chart/axis_ticks.hpp"
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/words/number_text.hpp"
@@ -20,10 +21,9 @@ constexpr double page_width = 1000, left = 84, right = 970, first_top = 84, pane
                  panel_distance = 310, below_panels = 4;
 constexpr double headroom = 0.16;  // of the range, above and below: for the labels
 constexpr double limit_in_sight =
-    2.5;                             // a limit beyond this many times the largest value is left out of sight
-constexpr double label_height = 24;  // px: of a mark's label with the mark
-constexpr int angle_digits = 5;      // as in the report
-constexpr double label_room = 130;   // px: nearer to the frame's end a label grows away from it
+    2.5;  // a limit beyond this many times the largest value is left out of sight
+constexpr double peak_font = 12, limit_font = 11.5;  // px
+constexpr int angle_digits = 5;                      // as in the report
 
 const char* turn_style =
     ".caption{font-size:13px;font-weight:600}"
@@ -90,35 +90,45 @@ void draw_curve(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& pane
     canvas.path(data, "curve");
 }
 
-void draw_limits(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& panel,
-                 const std::vector<TurnMark>& marks) {
+/// Above or below the line, at its beginning, its end, or between.
+void draw_limits(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& panel, PlacedTexts& labels) {
     for (const TurnLimit& limit : panel.limits) {
         if (!frame.vertical.holds(limit.value)) continue;
-        const double y = frame.vertical.place(limit.value), from = frame.horizontal.place(limit.begin);
-        canvas.line(from, y, frame.horizontal.place(limit.end), y, "limit");
-        const auto covers = [&](const TurnMark& mark) {
-            return std::abs(frame.vertical.place(mark.value) - y) < label_height &&
-                   frame.horizontal.place(mark.at) < from + 2.0 * label_room;
-        };
-        const bool at_end = std::ranges::any_of(marks, covers);
-        canvas.text(at_end ? frame.horizontal.place(limit.end) - 6 : from + 6,
-                    limit.value > 0.0 ? y - 6 : y + 15, limit.words,
-                    at_end ? "limit-label end" : "limit-label");
+        const double y = frame.vertical.place(limit.value), from = frame.horizontal.place(limit.begin),
+                     to = frame.horizontal.place(limit.end), middle = 0.5 * (from + to);
+        canvas.line(from, y, to, y, "limit");
+        if (limit.words.empty()) continue;
+        std::vector<TextPlace> places;
+        for (const bool outside : {true, false}) {
+            const double base = (limit.value > 0.0) == outside ? y - 6 : y + 15;
+            places.push_back({from + 6, base, TextSide::start});
+            places.push_back({to - 6, base, TextSide::end});
+            places.push_back({middle, base, TextSide::middle});
+            places.push_back({to + 6, base, TextSide::start});
+            places.push_back({from - 6, base, TextSide::end});
+        }
+        labels.draw(canvas, limit.words, places, "limit-label", limit_font);
     }
 }
 
-void draw_extreme(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& panel, const TurnMark& mark) {
+/// Beside its mark; where others stand there, farther away from it or to its side.
+void draw_extreme(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& panel, const TurnMark& mark,
+                  PlacedTexts& labels) {
     if (!frame.vertical.holds(mark.value) || mark.value == 0.0) return;
     const double x = frame.horizontal.place(mark.at), y = frame.vertical.place(mark.value);
     canvas.circle(x, y, 4, "peak");
-    const bool at_left = x<left + label_room, at_right = x> right - label_room;
-    const char* const css_class = at_left ? "peak-label" : at_right ? "peak-label end" : "peak-label middle";
-    canvas.text(at_left    ? std::max(x, left + 6)
-                : at_right ? std::min(x, right - 6)
-                           : x,
-                mark.above ? y - 9 : y + 19,
-                fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, angle_digits)),
-                css_class);
+    std::vector<TextPlace> places;
+    for (const bool as_wished : {true, false})
+        for (const double farther : {0.0, 16.0}) {
+            const double base = mark.above == as_wished ? y - 9 - farther : y + 19 + farther;
+            places.push_back({x, base, TextSide::middle});
+            places.push_back({std::max(x, left + 6), base, TextSide::start});
+            places.push_back({std::min(x, right - 6), base, TextSide::end});
+        }
+    places.push_back({x + 9, y + 4, TextSide::start});
+    places.push_back({x - 9, y + 4, TextSide::end});
+    labels.draw(canvas, fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, angle_digits)),
+                places, "peak-label", peak_font, true);
 }
 
 void draw_turn_panel(SvgCanvas& canvas, const TurnDiagram& diagram, const TurnPanel& panel, double top) {
@@ -133,8 +143,9 @@ void draw_turn_panel(SvgCanvas& canvas, const TurnDiagram& diagram, const TurnPa
     draw_curve(canvas, frame, panel);
     const std::vector<TurnMark> marks = panel.marks.value_or(std::vector<TurnMark>{
         {extremes.most_at, extremes.most, true}, {extremes.least_at, extremes.least, false}});
-    draw_limits(canvas, frame, panel, marks);
-    for (const TurnMark& mark : marks) draw_extreme(canvas, frame, panel, mark);
+    PlacedTexts labels(left, top - 2, right, top + panel_height + 2);
+    for (const TurnMark& mark : marks) draw_extreme(canvas, frame, panel, mark, labels);
+    draw_limits(canvas, frame, panel, labels);
     canvas.text(left, top - 9, panel.caption, "caption");
     if (!frame.vertical.holds(extremes.most) || !frame.vertical.holds(extremes.least))
         canvas.text(right, top - 9, "it leaves the frame", "warning end");

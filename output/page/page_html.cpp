@@ -32,8 +32,9 @@ std::string script_json(std::string_view text) {
     return safe;
 }
 
-std::string script(std::string_view text) {
-    return fmt::format("<script>\n{}\n</script>\n", text);
+std::string script(std::string_view text, const std::string& nonce) {
+    return fmt::format("<script{}>\n{}\n</script>\n",
+                       nonce.empty() ? "" : fmt::format(" nonce=\"{}\"", xml_text(nonce)), text);
 }
 
 /// The licences of what the page carries, for who reads its text.
@@ -76,10 +77,10 @@ std::string filled(std::string_view skeleton, const std::vector<PagePart>& parts
 std::string page_html(const PageHtml& page) {
     std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
     for (const std::string& text : page.styles) styles += style(text);
-    std::string scripts = licences(page.solids) + script(page_asset("vendor/uPlot.iife.min.js"));
-    if (page.solids) scripts += script(page_asset("vendor/three.min.js"));
-    for (const char* const name : page_scripts) scripts += script(page_asset(name));
-    for (const std::string& text : page.scripts) scripts += script(text);
+    std::string scripts = licences(page.solids) + script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
+    if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
+    for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);
+    for (const std::string& text : page.scripts) scripts += script(text, page.nonce);
     return filled(page_asset("assets/page.html"), {{"@CONNECT@", xml_text(page.connect)},
                                                    {"@TITLE@", xml_text(page.title)},
                                                    {"@STYLES@", std::move(styles)},

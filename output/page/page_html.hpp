@@ -19,6 +19,8 @@ struct PageHtml {
     /// the policy's connect-src): the studio's.
     std::vector<std::string> scripts = {}, styles = {};
     std::string connect = "'none'";
+    /// Of the scripts, for a policy that a server sends; empty: none.
+    std::string nonce = {};
 };
 
 [[nodiscard]] std::string page_html(const PageHtml& page);

@@ -8,6 +8,7 @@
 #include "output/page/study_parts.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/sweep_text.hpp"
 #include "scene/cost_table.hpp"
@@ -107,19 +108,21 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
     page.add_column("objective", "objective", number([](const ComparisonRow& row) { return row.objective; }));
     page.add_column("loss", "loss (%)",
                     column_of(rows, [](const ComparisonRow& row) { return cell_json(row.loss_percent); }));
+    for (const PhysicalPeak& peak : physical_peaks(comparison))
+        page.add_column(peak.title.substr(0, 1), peak.title,
+                        number([&](const ComparisonRow& row) { return peak.value(row); }));
+    const ShownUnit length = shown_units(comparison.optimum.scene).length;
     page.add_column("velocity", "V",
                     number([](const ComparisonRow& row) { return row.peaks.velocity.value; }));
     page.add_column("acceleration", "A",
                     number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
     page.add_column("jerk", "J", number([](const ComparisonRow& row) { return row.peaks.jerk.value; }));
-    if (has_bases(comparison)) {
-        const ShownUnit length = shown_units(comparison.optimum.scene).length;
+    if (has_bases(comparison))
         page.add_column("base", fmt::format("needed base radius ({})", length.name),
                         column_of(rows, [&](const ComparisonRow& row) {
                             return row.base && row.base->radius ? cell_json(length.factor * *row.base->radius)
                                                                 : words_json(base_words(comparison, row));
                         }));
-    }
     page.add_column(
         "breaks", "breaks",
         column_of(rows,

@@ -82,16 +82,18 @@ ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summar
 }  // namespace
 
 std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = cam_motion(solution), drawn = drawn_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const ProfileShape shape = disk_shape(solution, motion).value();
+    // The diagrams show the motion alone: along a dwell arc nothing changes.
+    const ProfileShape shape = disk_shape(solution, motion).value(),
+                       whole = disk_shape(solution, drawn).value();
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
     const ProfileDiagramLimits limits{
         pressure_spans(solution.scene, motion),
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    return {csv_of(solution, shape.cam, motion, options), profile_svg(shape, title),
+    return {csv_of(solution, shape.cam, drawn, options), profile_svg(whole, title),
             profile_diagrams_svg(shape, limits, title, marks)};
 }
 

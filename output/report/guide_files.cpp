@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
-#include "output/chart/paper_figure_svg.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/drawing/guide_svg.hpp"
 #include "output/drawing/mechanism_figures.hpp"
 #include "output/report/cam_texts.hpp"
-#include "output/words/shown_units.hpp"
 #include "studies/check/check_cam.hpp"
-
-#include <fmt/format.h>
 
 namespace camopt {
 
@@ -17,12 +14,7 @@ using units::degree, units::millimetre;
 
 constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
 
-/// Both walls at the same cam angles.
-struct Walls {
-    MechanismProfile left, right;
-};
-
-std::string csv_of_walls(const Walls& walls) {
+std::string csv_of_walls(const GuideWalls& walls) {
     std::string text =
         "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
         "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
@@ -39,33 +31,6 @@ std::string csv_of_walls(const Walls& walls) {
     return text;
 }
 
-template <class Place>
-PaperSeries path(const std::string& title, const MechanismProfile& profile, double factor,
-                 const Place& place) {
-    PaperSeries series{title, {}, {}};
-    for (const MechanismPoint& point : profile.points) {
-        series.x.push_back(factor * place(point).x());
-        series.y.push_back(factor * place(point).y());
-    }
-    return series;
-}
-
-std::string drawing_of(const Walls& walls, const std::string& title, const ShownUnit& length) {
-    PaperFigure figure{"guide",
-                       title + ": the guide in its body",
-                       fmt::format("x ({})", length.name),
-                       fmt::format("y ({})", length.name),
-                       {}};
-    figure.equal_scales = true;
-    const auto contact = [](const MechanismPoint& point) { return point.contact; };
-    figure.series.push_back(path("left wall", walls.left, length.factor, contact));
-    figure.series.push_back(path("right wall", walls.right, length.factor, contact));
-    figure.series.push_back(path("roller's centre", walls.left, length.factor,
-                                 [](const MechanismPoint& point) { return point.pitch; }));
-    figure.series.push_back({"body's pivot", {0.0}, {0.0}, true});
-    return paper_figure_svg(figure);
-}
-
 }  // namespace
 
 std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options) {
@@ -73,11 +38,9 @@ std::vector<std::string> guide_texts(const Solution& solution, const CamFileOpti
     const MotionScale scale = motion_scale(solution.scene);
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
-    const Walls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
-                      mechanism_profile(mechanism, motion, scale, count, right_wall)};
-    const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
-    return {csv_of_walls(walls), drawing_of(walls, title, shown_units(solution.scene).length),
-            pressure_angle_svg(solution, walls.left)};
+    const GuideWalls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
+                           mechanism_profile(mechanism, motion, scale, count, right_wall)};
+    return {csv_of_walls(walls), guide_svg(solution, walls), pressure_angle_svg(solution, walls.left)};
 }
 
 }  // namespace camopt

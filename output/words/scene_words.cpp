@@ -100,9 +100,11 @@ std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& p
         for (std::size_t order = 0; order < point.wanted.size(); ++order) {
             if (!point.wanted[order]) continue;
             const ShownDerivative& unit = shown.motion[order];
-            append(values, fmt::format("{} {} ({} normalised)", unit.name,
-                                       unit.first.normalised_text(*point.wanted[order]),
-                                       short_text(*point.wanted[order])));
+            const double wanted = *point.wanted[order];
+            append(values,
+                   fmt::format("{} {} ({}{} normalised)", unit.name, unit.first.normalised_text(wanted),
+                               unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
+                               short_text(wanted)));
         }
         const std::string where =
             point.is_region() ? fmt::format("from {} to {} deg", degrees(point.begin), degrees(point.end))

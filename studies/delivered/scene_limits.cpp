@@ -41,10 +41,11 @@ LimitOutcome exact_point(std::string name, std::string key, double wanted, doubl
 void add_set_points(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
     for (SetPointReport& report : set_point_reports(scene.motion, scene.spline.degree, motion)) {
         const bool kept = report.distance <= just_reached * std::max(1.0, report.size);
+        const double off = std::abs(report.found - report.wanted);  // as it was written
         all.push_back({{set_point_name(report.order), std::move(report.key), report.wanted, report.found,
                         std::move(report.unit), report.at, true},
                        kept,
-                       report.distance});
+                       off});
     }
 }
 

@@ -81,17 +81,18 @@ bool is_general(const Scene& scene, SceneModels& models) {
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
-                               const SolveControl& control) {
+                               const SolveControl& control, GridMemory* memory) {
     const Scene& scene = solution.scene;
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
     if (!needs_starts(problem.model())) {
         ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+        if (memory != nullptr) memory->keep(problem);
         if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
         return result;
     }
     StartsResult all =
         solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
-                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
+                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control, memory);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
     const int planned = scene.solver.starts.value_or(default_starts);
@@ -100,7 +101,8 @@ ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Soluti
             fmt::format("interrupted in the search: {} of {} starts were begun", all.starts, planned));
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
-        if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
+        if (wants_tie_break(scene, all.result.certificate))
+            break_tie(problem, scene, all.result, control, memory);
         solution.notes.emplace_back(
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
             "optimum of the whole");
@@ -179,9 +181,8 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
         return found;
     }
     const Stopwatch solve_watch;
-    ContinuousResult result = solve_problem(problem, solver, solution, control);
+    ContinuousResult result = solve_problem(problem, solver, solution, control, memory);
     solution.seconds_solve = solve_watch.seconds();
-    if (memory != nullptr) memory->keep(problem);
 
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;

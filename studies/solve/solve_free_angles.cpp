@@ -4,7 +4,7 @@
 #include "core/deadline.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "scene/limit_table.hpp"
+#include "scene/cost_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 
@@ -59,6 +59,9 @@ bool is_normalised(const SetPoint& point) {
 /// Whether the least objective can only fall where an angle grows (solve_free_angles.hpp).
 bool falls_with_angles(const Scene& scene) {
     if (scene.cam || scene.mechanism || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
+    // A mean over the turn weighs segments by their angles.
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
     const std::vector<ProgramSegment>& segments = scene.motion.segments;
     const std::size_t count = segments.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -403,6 +406,7 @@ Solution AngleSearch::deliver() {
     solution.scene = with_segment_angles(scene_, angles);
     solution.seconds_solve = solution.seconds_total = watch_.seconds();
     solution.solver.convex = false;
+    for (std::string& note : solution.notes) note = "for these angles: " + note;
     judge(solution);
     tell(solution);
     return solution;

@@ -136,11 +136,13 @@ struct Relaxed {
 };
 
 Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOptions& exchange,
-                      const JudgeOptions& judge, const SolveControl& control) {
+                      const JudgeOptions& judge, const SolveControl& control, GridMemory* memory) {
     ExchangeOptions options = exchange;
     options.backend.native.clear();  // they belong to the backend the user chose
-    const auto problem = std::make_shared<CamProblem>(std::move(part));
+    const auto problem = std::make_shared<CamProblem>(memory != nullptr ? memory->problem(std::move(part))
+                                                                        : CamProblem(std::move(part)));
     Relaxed relaxed{solve_continuous(*problem, *make_structured_solver(), options, judge, control), problem};
+    if (memory != nullptr) memory->keep(*problem);
     Certificate& certificate = relaxed.result.certificate;
     drop_idle_bound(certificate);
     relaxed.settled = certificate.verdict == Verdict::infeasible;
@@ -162,16 +164,16 @@ bool needs_starts(const CamModel& model) {
 
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
-                               const SolveControl& control) {
+                               const SolveControl& control, GridMemory* memory) {
     const SolveControl timed = control.sooner(exchange.backend.max_seconds);
     StartsResult all;
     const CamProblem whole(model);
     CamModel always_convex = convex_part(model, ConvexOver::every_motion);
     CamModel usually_convex = convex_part(model, ConvexOver::sensible_motion);
     const bool more_rules = usually_convex.rules.size() > always_convex.rules.size();
-    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, timed);
+    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, timed, memory);
     if (!relaxed.settled && more_rules && !timed.ending()) {
-        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, timed);
+        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, timed, memory);
         const bool unproved = !tighter.result.certificate.lower_bound;
         if (unproved && !tighter.settled) {  // keep the bound at hand, start from the better motion
             if (tighter.result.x.size() > 0) relaxed.result.x = tighter.result.x;

@@ -2,6 +2,7 @@
 """Headless Chromium for the tests of pages: start it, open a file, wait, look. Skips loudly where it is not there."""
 
 import base64
+import contextlib
 import pathlib
 import shutil
 import subprocess
@@ -11,8 +12,10 @@ import time
 
 SKIPPED = 77
 ARGUMENTS = ("--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-             "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             "--window-size=1440,1000")
+             "--disable-component-update", "--disable-sync", "--window-size=1440,1000")
+# Three dimensions drawn by the processor: slow, also for all that is flat.
+SOLIDS = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+FLAT = ("--disable-gpu",)
 
 
 def skip(missing):
@@ -21,8 +24,8 @@ def skip(missing):
     sys.exit(SKIPPED)
 
 
-def open_browser(downloads=None):
-    """A driver with the console's log on; `downloads`: the folder into which files go."""
+def open_browser(downloads=None, arguments=SOLIDS):
+    """A driver with the console's log on; `downloads`: the folder into which files go; `arguments`: more of them."""
     try:
         from selenium import webdriver
         from selenium.webdriver.chrome.options import Options
@@ -37,12 +40,27 @@ def open_browser(downloads=None):
         skip("chromium-driver")
     options = Options()
     options.binary_location = program
-    for argument in ARGUMENTS:
+    for argument in (*ARGUMENTS, *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     if downloads:
-        options.add_experimental_option("prefs", {"download.default_directory": str(downloads)})
+        options.add_experimental_option("prefs", {
+            "download.default_directory": str(downloads),
+            "profile.default_content_setting_values.automatic_downloads": 1})
     return webdriver.Chrome(options=options, service=Service(driver))
+
+
+@contextlib.contextmanager
+def browser_of(width=1440, scheme="light", downloads=None, arguments=()):
+    """A fresh browser for as long as it is used, for pages without three dimensions."""
+    driver = open_browser(downloads, (*FLAT, *arguments))
+    try:
+        page = Page(driver)
+        page.width(width)
+        page.media(scheme)
+        yield page
+    finally:
+        driver.quit()
 
 
 def wait_for(what, condition, seconds=20.0):

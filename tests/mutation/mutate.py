@@ -31,6 +31,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 from switched import Switched
@@ -180,9 +181,10 @@ class Tests:
 
     def measured(self, target, program):
         report = self.build / "unmutated.json"
-        started = processor_seconds()
+        started, begun = processor_seconds(), time.monotonic()
         status, output = run([program, f"--gtest_output=json:{report}"], program.parent, 1800)
         seconds = processor_seconds() - started
+        share = min(1.0, seconds / (time.monotonic() - begun))  # of a processor, on a machine that is not idle
         names, slow_seconds = [], 0.0
         if status != 0:
             # A machine that is busy may make a test fail that has a time limit: it tells nothing then.
@@ -191,7 +193,7 @@ class Tests:
                 sys.exit(f"{target} fails unmutated:\n{output[-3000:]}")
         for suite in json.loads(report.read_text())["testsuites"]:
             for test in suite["testsuite"]:
-                own = float(test["time"].rstrip("s"))
+                own = share * float(test["time"].rstrip("s"))
                 if own > self.slow:
                     names.append(f"{suite['name']}.{test['name']}")
                     slow_seconds += own
@@ -213,9 +215,14 @@ class Tests:
                     return "killed", f"{target}: {killer}"
         return "alive", ""
 
-    def killer_in(self, folder, number):
-        """Which test of a folder notices a mutant that is compiled already and only switched on; "": none."""
-        for seconds, target, pattern in self.programs[folder]:
+    def killer_in(self, folder, path, number):
+        """Which test of a folder notices a mutant that is compiled already and only switched on; "": none.
+
+        First those whose name says that they are about the mutant's room or file.
+        """
+        words = {*path.parts[1:-1], path.stem}
+        for seconds, target, pattern in sorted(
+                self.programs[folder], key=lambda program: not any(word in program[1] for word in words)):
             killer = self.killer(self.program(target), pattern, 60.0 + 10.0 * seconds, number)
             if killer:
                 return f"{target}: {killer}"
@@ -298,7 +305,7 @@ class Together:
         for number in numbers:
             if self.switched.way[number] == "alone":
                 continue
-            killer = self.tests.killer_in(folder, number)
+            killer = self.tests.killer_in(folder, self.mutants[number][0], number)
             if killer:
                 del left[number]
                 tell(number, "killed", killer)

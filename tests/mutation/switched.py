@@ -7,6 +7,7 @@ encloses it, or to what stands outside every expression (`,` `;` `=` `?` `:` `re
 does not compile (both sides of another type, a constant expression) the whole statement is doubled:
 `if (camopt_mutant == N) { … } else { … }`; where that does not either, the mutant is left to a build of its own.
 """
+import json
 import re
 from pathlib import Path
 
@@ -133,7 +134,8 @@ class Expressions:
 class Switched:
     """Mutants of a copy of the sources that stand in it together.
 
-    mutants: (path, offset, old, new) by number from 1. `way` of each: "expression", "statement" or "alone".
+    mutants: (path, offset, old, new) by number from 1. `way` of each: "expression", "statement" or "alone"; what
+    an earlier call found out about the same mutants is kept beside the copy.
     """
 
     WAYS = ("expression", "statement", "alone")
@@ -143,7 +145,9 @@ class Switched:
         self.mutants = {number: self.narrowed(*mutant) for number, mutant in mutants.items()}
         self.originals = {path: (copy / path).read_text() for path, _, _, _ in mutants.values()}
         self.known = {path: Expressions(blanked(text)) for path, text in self.originals.items()}
-        self.way = dict.fromkeys(mutants, "expression")
+        self.kept = copy.parent / "ways.json"
+        known = json.loads(self.kept.read_text()) if self.kept.exists() else {}
+        self.way = {number: known.get(self.key(number), "expression") for number in mutants}
         self.header = copy.parent / "camopt_mutant.hpp"
         self.header.write_text(HEADER)
 
@@ -164,8 +168,12 @@ class Switched:
             self.next_way(number)
         return None
 
+    def key(self, number):
+        return "|".join(map(str, (number, *self.mutants[number])))
+
     def next_way(self, number):
         self.way[number] = self.WAYS[self.WAYS.index(self.way[number]) + 1]
+        self.kept.write_text(json.dumps({self.key(one): way for one, way in self.way.items() if way != "expression"}))
 
     def changed(self, number, begin, end):
         path, offset, old, new = self.mutants[number]
