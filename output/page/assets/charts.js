@@ -7,7 +7,7 @@
   const font = '11px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
   /** Value range with room; a limit far beyond the curve stays out of sight. */
-  function rangeOf(curve, shown) {
+  function rangeOf(curve, shown, height, titled) {
     let low = Infinity, high = -Infinity;
     const take = (value) => { if (value !== null && value !== undefined) { low = Math.min(low, value); high = Math.max(high, value); } };
     curve.values.forEach(take);
@@ -19,10 +19,13 @@
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
-    const room = 0.1 * (high - low) || Math.abs(high) || 1;
-    // Above and below marked points a label needs its own height.
-    const labelled = (sign) => shown.marks && curve.marks.some((mark) => (mark.value >= 0 ? 1 : -1) === sign) ? 2.1 : 1;
-    return [low - (low === 0 ? 0.25 : labelled(-1)) * room, high + labelled(1) * room];
+    const size = high - low || Math.abs(high) || 1;
+    // Above and below marked points a label needs its own height: this part of the axis.
+    const part = Math.min(25 / Math.max(height - 32, 60), 0.3);
+    const labelled = (sign) => shown.marks && curve.marks.some((mark) => (mark.value >= 0 ? 1 : -1) === sign);
+    const above = titled || labelled(1), below = low !== 0 && labelled(-1);
+    const room = size * part / (1 - part * (above + below));
+    return [low - (low === 0 ? 0.03 * size : below ? room : 0.08 * size), high + (above ? room : 0.08 * size)];
   }
 
   /** A text beside a place on the canvas, within the plot and over no other; false where there is no room. */
@@ -189,6 +192,7 @@
 
     show(curve) {
       this.curve = curve;
+      this.noise = 1e-11 * Math.max(...curve.values.map((value) => Math.abs(value || 0)));
       const unit = curve.unit ? ', ' + curve.unit : '';
       this.heading.replaceChildren(curve.title + ' ', element('span', { class: 'symbol' }, curve.symbol), unit);
       const marks = curve.marks.map((mark) => mark.words + ' at ' + numberText(mark.at, 5) + ' degrees');
@@ -212,7 +216,7 @@
         cursor: { y: false, sync: { key: all.syncKey, setSeries: false }, drag: { x: true, y: false },
           points: { size: 7, fill: () => colour('curve') } },
         scales: { x: { time: false, range: (u, low, high) => [low, high] },
-          y: { range: () => rangeOf(self.curve, all.shown) } },
+          y: { range: () => rangeOf(self.curve, all.shown, all.height(), self.curve.key === 'displacement' && all.data.segments.length > 0) } },
         axes: [
           Object.assign({}, axis, { size: 26, space: 56, values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'),
             incrs: [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 120] }),
@@ -252,7 +256,8 @@
     }
 
     read() {
-      const value = this.curve.values[this.all.angle.index];
+      const exact = this.curve.values[this.all.angle.index];
+      const value = exact !== null && Math.abs(exact) < this.noise ? 0 : exact;  // what rounding leaves of nothing
       const unit = this.curve.unit ? ' ' + this.curve.unit : '';
       let text = numberText(value, 6) + unit;
       if (this.curve.beside && value !== null) text += '  (' + numberText(value * this.curve.beside.factor, 5) + ' ' + this.curve.beside.unit + ')';
