@@ -13,9 +13,10 @@
 
 namespace camopt {
 
-/// Outline and hole turn to the left; the hole may be empty. Indices count the outline's corners, then the
-/// hole's; the triangles turn to the left. Throws InputError for fewer than three corners and where the lines
-/// cross each other or the hole lies outside.
+/// Outline and hole turn to the left and cross neither themselves nor each other; the hole may be empty.
+/// Indices count the outline's corners, then the hole's; the triangles turn to the left. Throws InputError
+/// for fewer than three corners, for lines that turn to the right, and where crossing lines leave no ear to
+/// cut.
 [[nodiscard]] std::vector<std::array<int, 3>> plane_triangles(std::span<const Eigen::Vector2d> outline,
                                                               std::span<const Eigen::Vector2d> hole);
 

@@ -123,7 +123,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, solver; did you mean 'title'?"},
+         "measured, limits, drawing, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -167,7 +167,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, solver; did you mean 'spline.degree'?"},
+         "measured, limits, drawing, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -234,7 +234,7 @@ std::vector<BrokenScene> broken_files() {
          "[solvers]\n"
          "name = \"auto\"\n",
          "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, solver; did you mean 'solver'?"},
+         "measured, limits, drawing, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"
