@@ -226,7 +226,7 @@ TEST(LawParameters, RefusalsNameFoundAndAllowed) {
         "cycloidal_cv50, gutman_13, freudenstein_13, freudenstein_135, double_harmonic, "
         "asymmetric_parabolic, asymmetric_cycloidal, asymmetric_polynomial_345, asymmetric_modified_sine, "
         "asymmetric_modified_trapezoid, one_dwell_modified_sine, one_dwell_modified_trapezoid, "
-        "one_dwell_cycloidal, one_dwell_polynomial_345, one_dwell_polynomial_3456");
+        "one_dwell_cycloidal, one_dwell_polynomial_345, one_dwell_polynomial_3456, constant_velocity");
     EXPECT_EQ(refusal([] { (void)make_law("cycloidal")->at(1.5); }),
               "cycloidal: x = 1.5 found, allowed 0 <= x <= 1");
 }
