@@ -5,7 +5,7 @@
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
-#include "output/chart/comparison_svg.hpp"
+#include "output/chart/studies/comparison_svg.hpp"
 #include "output/csv/comparison_csv.hpp"
 #include "output/json/comparison_json.hpp"
 #include "output/page/study_html.hpp"

@@ -7,7 +7,7 @@
 #include "apps/sweep/sweep_request.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/chart/pareto_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"

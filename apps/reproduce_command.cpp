@@ -4,7 +4,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
-#include "output/chart/paper_figure_svg.hpp"
+#include "output/chart/studies/paper_figure_svg.hpp"
 #include "output/csv/paper_report_csv.hpp"
 #include "output/json/paper_report_json.hpp"
 #include "output/report/folder_update.hpp"

@@ -3,7 +3,7 @@
 
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/units.hpp"
-#include "output/drawing/cam_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/spatial_spec.hpp"

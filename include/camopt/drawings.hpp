@@ -4,6 +4,6 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "output/drawing/cam_dxf.hpp"
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 #include "output/report/cam_files.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_painter.hpp"
 #include "output/surface/bspline_surface.hpp"

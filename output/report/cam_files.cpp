@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "output/chart/force_diagrams_svg.hpp"
-#include "output/drawing/cam_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/cam_texts.hpp"
 #include "studies/check/check_cam.hpp"
 

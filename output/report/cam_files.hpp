@@ -5,7 +5,8 @@
 //   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
 //   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
-// The columns of profile.csv stand in csv/profile_csv.hpp, the layers of profile.dxf in drawing/cam_dxf.hpp.
+// The columns of profile.csv stand in csv/profile_csv.hpp, the layers of profile.dxf in
+// drawing/dxf/cam_dxf.hpp.
 //
 // guide.csv, in the frame of the body (origin: its pivot; x axis: through the roller where the body stands at
 // angle 0), has the columns theta_deg, s_mm (the feeder's), middle_x_mm, middle_y_mm (the roller's centre),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_dxf.hpp"
 
-#include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/sheet/dimension_marks.hpp"
 
 #include <algorithm>

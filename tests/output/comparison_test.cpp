@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The texts of a comparison, against one made by hand: an optimum, a law that keeps its limit, one that
 // breaks it with an infinite jerk, one that does not fit.
-#include "output/chart/comparison_svg.hpp"
+#include "output/chart/studies/comparison_svg.hpp"
 #include "output/csv/comparison_csv.hpp"
 #include "output/json/comparison_json.hpp"
 #include "output/words/comparison_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A paper's report as text, Markdown, JSON, CSV and picture, against a small one made by hand.
-#include "output/chart/paper_figure_svg.hpp"
+#include "output/chart/studies/paper_figure_svg.hpp"
 #include "output/csv/paper_report_csv.hpp"
 #include "output/json/paper_report_json.hpp"
 #include "output/words/paper_report_text.hpp"

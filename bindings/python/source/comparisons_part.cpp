@@ -4,7 +4,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "bindings/python/source/solved_scene.hpp"
 #include "bindings/python/source/watch.hpp"
-#include "output/chart/comparison_svg.hpp"
+#include "output/chart/studies/comparison_svg.hpp"
 #include "output/json/comparison_json.hpp"
 
 #include <fmt/format.h>

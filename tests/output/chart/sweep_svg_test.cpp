@@ -2,7 +2,7 @@
 // Pictures of sweeps and fronts, against tables made by hand.
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/chart/pareto_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "tests/output/well_formed.hpp"
 

@@ -3,7 +3,7 @@
 // points of the cam between and on the knots (x_mm, y_mm), for dxf_read_back.py.
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 #include "output/report/text_file.hpp"
 #include "tests/studies/cam_samples.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/drawing/cam_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check/check_cam.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"

@@ -4,7 +4,7 @@
 #include "output/sheet/sheet.hpp"
 
 #include "core/errors.hpp"
-#include "output/drawing/dxf_scaffold.hpp"
+#include "output/drawing/dxf/dxf_scaffold.hpp"
 #include "output/sheet/dimension_marks.hpp"
 #include "output/sheet/sheet_dxf.hpp"
 #include "output/sheet/sheet_furniture.hpp"

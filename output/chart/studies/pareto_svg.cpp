@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/pareto_svg.hpp"
+#include "output/chart/studies/pareto_svg.hpp"
 
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/csv/pareto_csv.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/paper_figure_svg.hpp"
+#include "output/chart/studies/paper_figure_svg.hpp"
 
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/cam_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 
 #include "core/errors.hpp"
 #include "core/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "output/drawing/arc_chain.hpp"
-#include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 
 #include "output/drawing/arc_chain.hpp"
-#include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/comparison_svg.hpp"
+#include "output/chart/studies/comparison_svg.hpp"
 
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"

@@ -5,7 +5,7 @@
 // owner (330). Only dxf_drawing.cpp uses this.
 #pragma once
 
-#include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 
 #include <Eigen/Core>
 

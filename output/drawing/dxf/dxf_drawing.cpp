@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/dxf_drawing.hpp"
+#include "output/drawing/dxf/dxf_drawing.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/drawing/dxf_scaffold.hpp"
+#include "output/drawing/dxf/dxf_scaffold.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lenient readers take less; AutoCAD refuses a file without the classes of its objects, a layer's plot style
 // (390), the subclass marker of the dimension styles' table, the group dictionary or the layouts.
-#include "output/drawing/dxf_scaffold.hpp"
+#include "output/drawing/dxf/dxf_scaffold.hpp"
 
 #include "output/words/number_text.hpp"
 

@@ -7,7 +7,7 @@
 //   inverse  layers WALLS (both of the slot), PITCH, ROLLER, AXES; frame of the body, its pivot at the origin
 #pragma once
 
-#include "output/drawing/profile_dxf.hpp"
+#include "output/drawing/dxf/profile_dxf.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {
