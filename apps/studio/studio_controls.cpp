@@ -3,6 +3,7 @@
 
 #include "apps/completion/key_values.hpp"
 #include "apps/studio/slider_range.hpp"
+#include "core/text/number_parsing.hpp"
 #include "input/document.hpp"
 #include "input/keys/scene_keys.hpp"
 
@@ -120,7 +121,7 @@ ControlJson value_json(const Node& value) {
 ControlJson choices_json(const KeyRow& row) {
     ControlJson choices = ControlJson::array();
     for (const std::string& choice : values_of_key(row))
-        choices.push_back(row.type == KeyType::integer ? ControlJson(std::stoi(choice))
+        choices.push_back(row.type == KeyType::integer ? ControlJson(integer_in(choice).value())
                                                        : ControlJson(choice));
     return choices;
 }
