@@ -19,6 +19,7 @@ struct SolveRequest {
     std::optional<int> points;          ///< of profile.csv; none: by chord tolerance
     bool dxf = false;                   ///< write profile.dxf too
     bool json = false;
+    std::string units;    ///< "mm", "in": of lengths for people; empty: as the scene is written
     std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode solve_command(const SolveRequest& request);
@@ -37,6 +38,7 @@ struct CompareRequest {
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
     bool json = false;
+    std::string units;    ///< as of solve
     std::string command;  ///< the whole command line, for the record
 };
 [[nodiscard]] ExitCode compare_command(const CompareRequest& request);
@@ -46,18 +48,31 @@ struct ExportRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
+    std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
+    std::optional<double> step_deg;     ///< of table.csv; none: by points
+    std::string columns;                ///< of table.csv, between commas; empty: the usual ones
+    std::optional<int> digits;          ///< of table.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
-    int sections = 9;                            ///< of a flank along the roller
-    std::optional<int> points = {};              ///< over the turn
-    double thickness_mm = 20.0, bore_mm = 10.0;  ///< of disk cams: not in the scene, chosen
-    std::string post;                            ///< file of the post-processor; empty: the generic one
-    std::optional<double> cutter_mm;             ///< none: the roller's diameter; disk cams: 16
+    std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
+    int sections = 9;                             ///< of a flank along the roller
+    std::optional<int> points = {};               ///< over the turn
+    std::optional<double> thickness_mm, bore_mm;  ///< of disk cams, in place of the scene's [drawing]
+    std::string post;                             ///< file of the post-processor; empty: the generic one
+    std::optional<double> cutter_mm;              ///< none: the roller's diameter; disk cams: 16
     double stock_mm = 0.0, z_offset_mm = 0.0, chord_mm = 1e-3, gouge_mm = 1e-2;
     std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
     double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;
     double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
+    std::optional<double> rough_step_over_mm, rough_step_down_mm;  ///< none of both: no roughing
+    double finish_allowance_mm = 0.3, ramp_deg = 3.0;
+    std::optional<double> lead_mm;  ///< none: the cutter's radius
+    std::string direction, spindle = "clockwise",
+                           compensation = "none";  ///< direction empty: climb where there is one
+    std::optional<int> tool_number, compensation_register;
 };
 [[nodiscard]] ExitCode export_command(const ExportRequest& request);
+/// Of a workshop drawing: "svg", "pdf", "dxf".
+[[nodiscard]] std::vector<std::string> drawing_formats();
 
 struct ReportRequest {
     std::string folder;  ///< a result folder
@@ -67,6 +82,7 @@ struct ReportRequest {
 struct CheckRequest {
     std::string scene;
     std::vector<std::string> settings;
+    std::string units;  ///< as of solve
 };
 [[nodiscard]] ExitCode check_command(const CheckRequest& request);
 
@@ -75,7 +91,7 @@ struct ListRequest {
     bool json = false;
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
-/// "laws", "followers", "solvers", "keys".
+/// "laws", "followers", "solvers", "keys", "columns", "controllers".
 [[nodiscard]] std::vector<std::string> list_topics();
 
 /// A front instead of a sweep.

@@ -36,7 +36,8 @@ Comparison compare_with_progress(const Scene& scene) {
 ExitCode compare_command(const CompareRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
-    const Comparison comparison = compare_with_progress(loaded.scene);
+    Comparison comparison = compare_with_progress(loaded.scene);
+    show_in(comparison.optimum.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);

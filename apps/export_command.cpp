@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt export: the cam of a scene, which is optimised, or of a result folder, which is used as it is:
-// points, surfaces, drawings, solids, a picture, the NC program with its check.
+// points, surfaces, drawings, solids, a picture, the NC program with its check. Of its motion, with or
+// without a cam: a uniform table, electronic cams.
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
@@ -8,12 +9,19 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/csv/uniform_csv.hpp"
 #include "output/disk/disk_export.hpp"
+#include "output/disk/disk_solid.hpp"
 #include "output/drawing/profile_shape.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/result_folder_reader.hpp"
+#include "output/sheet/cam_sheet.hpp"
+#include "output/sheet/pdf/sheet_pdf.hpp"
+#include "output/sheet/sheet_dxf.hpp"
+#include "output/sheet/sheet_svg.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
@@ -26,6 +34,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -38,6 +47,7 @@ namespace camopt::apps {
 namespace {
 
 constexpr int flank_points = 361;  // over the turn
+constexpr double cubic_millimetre = units::millimetre * units::millimetre * units::millimetre;
 
 /// What was written, and what the check of a program found.
 struct Exported {
@@ -51,23 +61,43 @@ bool is_folder(const std::string& what) {
     return std::filesystem::is_directory(what, ignored);
 }
 
+/// What needs no cam.
+bool wants_only_motion(const ExportRequest& request) {
+    const bool cam = request.stl || request.obj || request.step || request.picture || request.dxf ||
+                     request.nc || !request.sheet.empty();
+    return !cam && (request.csv || !request.plc.empty());
+}
+
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
     const std::optional<MechanismSpec> cam = cam_of(scene);
-    if (!cam)
+    if (!cam) {
+        if (wants_only_motion(request)) return;
         throw InputError(
-            fmt::format("{}: export is for disk, barrel and cylindrical cams, remote and inverse "
-                        "ones, and this scene has none",
+            fmt::format("{}: export writes --csv and --plc of a motion; the rest is for disk, barrel and "
+                        "cylindrical cams, "
+                        "remote and inverse ones, and this scene has none",
                         request.scene));
+    }
+    if (request.sheet == "pdf") require_pdf();
     if (!cam_kind(cam->type)->is_plane_curve) {
+        if (!request.sheet.empty())
+            throw InputError(
+                fmt::format("{}: --drawing: found with a cam of type \"{}\"; allowed: with a disk cam",
+                            request.scene, cam->type));
         if (!request.dxf) return;
         throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
                                      request.scene, cam->type));
     }
     const bool direct = cam->formulas->is_direct();
-    if (direct && (request.step || request.obj))
+    if (direct && request.obj)
         throw InputError(fmt::format(
-            "{}: of a disk cam export writes --stl and --nc, --csv, --dxf and --picture", request.scene));
+            "{}: of a disk cam export writes --csv, --dxf, --drawing, --picture, --stl, --step and --nc",
+            request.scene));
+    if (!direct && !request.sheet.empty())
+        throw InputError(
+            fmt::format("{}: --drawing: found with a cam of type \"{}\"; allowed: with a disk cam",
+                        request.scene, cam->type));
     if (!direct && (request.step || request.obj || request.stl || request.nc))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));
@@ -107,11 +137,12 @@ PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
 }
 
 void write_program(FolderUpdate& folder, const CheckedProgram& program, Exported& result) {
-    result.text = nc_check_text(program);
+    const std::string check = nc_check_text(program);
+    result.text += check;
     result.fault = program.fault();
     folder.remove_earlier("cam.nc");  // it does not go with this check
     if (result.fault.empty()) folder.write("cam.nc", program.program.text);
-    folder.write("cam_nc_check.txt", result.text);
+    folder.write("cam_nc_check.txt", check);
 }
 
 /// The same of all cams.
@@ -127,6 +158,21 @@ void set_safety(const ExportRequest& request, Options& options) {
     options.clearance = request.clearance_mm * units::millimetre;
     options.safe_distance = request.safe_mm * units::millimetre;
     options.gouge_tolerance = request.gouge_mm * units::millimetre;
+    MillingChoice& milling = options.milling;
+    milling.step_over = metres(request.rough_step_over_mm);
+    milling.step_down = metres(request.rough_step_down_mm);
+    milling.finish_allowance = request.finish_allowance_mm * units::millimetre;
+    if (!request.direction.empty())
+        milling.direction =
+            request.direction == "climb" ? MillingDirection::climb : MillingDirection::conventional;
+    milling.spindle =
+        request.spindle == "clockwise" ? SpindleSense::clockwise : SpindleSense::counterclockwise;
+    milling.tool_number = request.tool_number;
+    milling.compensation =
+        request.compensation == "control" ? CompensationWords::control : CompensationWords::none;
+    milling.compensation_register = request.compensation_register;
+    milling.lead_radius = metres(request.lead_mm);
+    milling.ramp_angle = request.ramp_deg * units::degree;
 }
 
 NcExportOptions nc_options(const ExportRequest& request) {
@@ -178,23 +224,55 @@ void export_plane(const ExportRequest& request, const Solution& solution, Folder
         if (is_wanted(request, file.view)) folder.write(file.name, file.text);
 }
 
+CamSheetOptions sheet_options(const ExportRequest& request) {
+    CamSheetOptions options;
+    if (request.bore_mm) options.bore = *request.bore_mm * units::millimetre;
+    if (request.thickness_mm) options.thickness = *request.thickness_mm * units::millimetre;
+    return options;
+}
+
+std::string mesh_text(const DiskMesh& solid) {
+    return fmt::format(
+        "  cam.stl: {} triangles, at most {:.3g} um from the cam; {:.6g} mm3, {:.2g} of it {} than the "
+        "cam's own\n",
+        solid.mesh.triangles.size(), solid.deviation * 1e6, solid.volume / cubic_millimetre,
+        std::abs(solid.volume / solid.exact - 1.0), solid.volume < solid.exact ? "less" : "more");
+}
+
+void write_sheet(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
+    const Sheet sheet = cam_sheet(solution, sheet_options(request));
+    if (request.sheet == "svg") folder.write("drawing.svg", sheet_svg(sheet));
+    if (request.sheet == "pdf") folder.write("drawing.pdf", sheet_pdf(sheet));
+    if (request.sheet == "dxf") folder.write("drawing.dxf", sheet_dxf(sheet));
+}
+
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = drawn_motion(solution);
     const std::optional<ProfileShape> found = disk_shape(solution, motion);
     if (!found) return;
     const ProfileShape& shape = *found;
+    const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
     if (request.stl) {
-        const DiskSolid solid{request.thickness_mm * units::millimetre,
-                              0.5 * request.bore_mm * units::millimetre,
-                              request.points.value_or(flank_points)};
-        folder.write("cam.stl", stl_bytes(disk_solid(shape, solid), title_of(solution)));
+        DiskMeshOptions mesh;
+        mesh.points = request.points;
+        const DiskMesh solid = disk_mesh(shape, drawing, mesh);
+        folder.write("cam.stl", stl_bytes(solid.mesh, title_of(solution)));
+        result.text += mesh_text(solid);
     }
+    if (request.step) {
+        const std::string name = "cam.step";
+        const double volume =
+            write_step_solid(folder.aside() / name, disk_plate(shape, drawing, title_of(solution)));
+        folder.add(name);
+        result.text += fmt::format("  cam.step: a solid of {:.6g} mm3\n", volume / cubic_millimetre);
+    }
+    if (!request.sheet.empty()) write_sheet(request, solution, folder);
     if (request.nc) {
         DiskNcOptions nc;
         if (request.cutter_mm) nc.cutter_diameter = *request.cutter_mm * units::millimetre;
         nc.stock = request.stock_mm * units::millimetre;
-        nc.thickness = request.thickness_mm * units::millimetre;
+        nc.thickness = drawing.thickness.value();
         nc.feed = request.feed_mm_min * units::millimetre / 60.0;
         nc.spindle_rpm = request.spindle_rpm;
         nc.chord_tolerance = request.chord_mm * units::millimetre;
@@ -205,7 +283,30 @@ void export_disk(const ExportRequest& request, const Solution& solution, FolderU
     }
 }
 
+/// What every motion has, with or without a cam.
+void export_motion(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                   Exported& result) {
+    if (!solution.motion) return;
+    if (request.csv) {
+        UniformTableOptions options{request.points, request.step_deg, {}, request.digits};
+        if (request.step_deg) options.rows.reset();
+        if (!request.columns.empty()) options.columns = column_names(request.columns);
+        const UniformTable table = uniform_table(solution, options);
+        folder.write("table.csv", table.text);
+        result.text += fmt::format("\nTable: {}\n", table.words());
+    }
+    if (!request.plc.empty()) {
+        const PlcExport exported = plc_export(solution, request.plc, {request.points});
+        for (const PlcFile& file : exported.files) folder.write(file.name, file.text);
+        result.text += exported.text;
+    }
+}
+
 }  // namespace
+
+std::vector<std::string> drawing_formats() {
+    return {"svg", "pdf", "dxf"};
+}
 
 ExitCode export_command(const ExportRequest& request) {
     prepare_folder(request.out);
@@ -213,6 +314,7 @@ ExitCode export_command(const ExportRequest& request) {
     const Solution solution = delivered(request);
     Exported exported;
     FolderUpdate folder(request.out);
+    export_motion(request, solution, folder, exported);
     if (solution.cam) {
         if (has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
         export_plane(request, solution, folder);

@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt::apps {
@@ -24,6 +25,9 @@ struct LoadedScene {
 };
 [[nodiscard]] LoadedScene load_scene_and_text(const std::string& file,
                                               const std::vector<std::string>& settings);
+
+/// In which lengths people read it: "mm" or "in"; empty: as the scene is written.
+void show_in(Scene& scene, std::string_view units);
 
 /// A scene file that is read once and made into scenes many times.
 struct SceneText {

@@ -9,11 +9,14 @@
 #include "output/json/result_json.hpp"
 #include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/spatial/drum_pictures.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/scene_cam.hpp"
+#include "studies/check/check_cam.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
+#include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +66,16 @@ Solution solve_with_progress(const Scene& scene) {
     return solution;
 }
 
+/// Of a drum, the pictures that no plane cam has.
+std::vector<FolderFile> drum_files(const Solution& solution) {
+    if (!solution.cam || !has_spatial_cam(solution)) return {};
+    const SpatialCam cam = solved_spatial_cam(solution);
+    const MotionChain turn = whole_turn(solution);
+    const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
+    const Drum drum{solution, cam, motion};
+    return {{drum_picture, drum_svg(drum)}, {developed_picture, developed_svg(drum)}};
+}
+
 std::vector<std::filesystem::path> write_results(const SolveRequest& request, const RunOrigin& origin,
                                                  Solution& solution) {
     if (request.out.empty()) return {};
@@ -70,6 +83,7 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     if (!InterruptWatch::interrupted()) add_forward_check(solution);
     WriteOptions options{request.points, request.dxf, {}};
     options.also.push_back({"report.html", report_html(solution, origin)});
+    for (FolderFile& file : drum_files(solution)) options.also.push_back(std::move(file));
     return write_result_folder(request.out, solution, origin, options);
 }
 
@@ -81,6 +95,7 @@ ExitCode solve_command(const SolveRequest& request) {
         prepare_folder(request.out);  // a wrong folder is told before the work, not after
     const InterruptWatch watch;       // until the files are written: Ctrl-C must not lose them
     Solution solution = solve_with_progress(loaded.scene);
+    show_in(solution.scene, request.units);
     const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     const std::vector<std::filesystem::path> written = write_results(request, origin, solution);
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);

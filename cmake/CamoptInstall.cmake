@@ -25,6 +25,7 @@ set(camopt_package_of_camopt_ipopt_package CamoptIpopt)
 set(camopt_package_of_camopt_spqr_package CamoptSPQR)
 set(camopt_package_of_camopt_suitesparse_package CamoptSuiteSparse)
 set(camopt_package_of_camopt_opencascade_package CamoptOpenCascade)
+set(camopt_package_of_camopt_cairo_package CamoptCairo)
 
 # camopt_link_line(<module> <components> <packages>): the folders and the packages that a module names itself.
 function(camopt_link_line module components packages)
@@ -123,7 +124,8 @@ if(CAMOPT_C)
   configure_file(cmake/camopt_c.pc.in package/camopt_c.pc @ONLY)
 endif()
 install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
-  cmake/FindCamoptSuiteSparse.cmake cmake/FindCamoptOpenCascade.cmake
+  cmake/FindCamoptSuiteSparse.cmake cmake/CamoptSuiteSparsePart.cmake cmake/FindCamoptOpenCascade.cmake
+  cmake/FindCamoptCairo.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)

@@ -10,6 +10,7 @@ constexpr bool has_nlopt = CAMOPT_BUILT_WITH_NLOPT;
 constexpr bool has_spqr = CAMOPT_BUILT_WITH_SPQR;
 constexpr bool has_suitesparse = CAMOPT_BUILT_WITH_SUITESPARSE;
 constexpr bool has_opencascade = CAMOPT_BUILT_WITH_OPENCASCADE;
+constexpr bool has_cairo = CAMOPT_BUILT_WITH_CAIRO;
 constexpr bool has_httplib = CAMOPT_BUILT_WITH_HTTPLIB;
 
 }  // namespace
@@ -33,6 +34,7 @@ std::vector<LicensedPart> licensed_parts() {
     }
     if (has_opencascade)
         parts.push_back({"Open CASCADE", "LGPL-2.1-only WITH OCCT-exception-1.0", "STEP files"});
+    if (has_cairo) parts.push_back({"cairo", "LGPL-2.1-only OR MPL-1.1", "PDF drawings"});
     if (has_httplib) {
         parts.push_back({"cpp-httplib", "MIT", "the studio's server"});
         parts.push_back(
@@ -52,7 +54,7 @@ std::string terms_of_binary() {
                "holds "
                "parts of SuiteSparse. Built with CAMOPT_GPL=OFF it may be passed on under the MIT license.";
     std::string text = "A binary of this build may be passed on under the MIT license";
-    if (has_nlopt || has_opencascade || has_ipopt)
+    if (has_nlopt || has_opencascade || has_cairo || has_ipopt)
         text += ", with the libraries it is linked to under theirs";
     return text + ".";
 }

@@ -37,8 +37,6 @@ std::string number_text(double number) {
     return text;
 }
 
-std::string value_text(const Node& node);
-
 std::string list_text(const Node& node) {
     std::string text;
     if (node.kind == NodeKind::array) {
@@ -49,6 +47,8 @@ std::string list_text(const Node& node) {
         text += (text.empty() ? "" : ", ") + key_text(member.name) + " = " + value_text(member.value);
     return "{" + text + "}";
 }
+
+}  // namespace
 
 std::string value_text(const Node& node) {
     switch (node.kind) {
@@ -68,6 +68,8 @@ std::string value_text(const Node& node) {
     }
     throw InputError("a scene is written as TOML: found a date or time; allowed: what scenes hold");
 }
+
+namespace {
 
 void append(std::string& text, const std::vector<Member>& members, bool tables) {
     for (const Member& member : members)

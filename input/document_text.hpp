@@ -13,4 +13,10 @@ namespace camopt::input {
 /// that read back as the same double. Throws InputError for a date or time: no scene holds one.
 [[nodiscard]] std::string document_text(const Node& root);
 
+/// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.
+[[nodiscard]] std::string value_text(const Node& node);
+
+/// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.
+[[nodiscard]] std::string value_text(const Node& node);
+
 }  // namespace camopt::input

@@ -4,6 +4,8 @@
 #include "apps/commands.hpp"
 #include "apps/completion/key_values.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "output/csv/uniform_csv.hpp"
+#include "output/plc/plc_format.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <algorithm>
@@ -64,6 +66,15 @@ bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;
 }
 
+/// The columns after those that are typed already.
+WordList column_words(std::string_view typed) {
+    const std::size_t comma = typed.rfind(',');
+    const std::string before(comma == std::string_view::npos ? "" : typed.substr(0, comma + 1));
+    WordList words;
+    for (const TableColumn& column : table_columns()) words.push_back(before + column.key);
+    return words;
+}
+
 /// By the word that --help shows for the value.
 WordList value_words(const CLI::Option& option, std::string_view typed) {
     const std::string& type = option.get_type_name();
@@ -73,6 +84,8 @@ WordList value_words(const CLI::Option& option, std::string_view typed) {
     if (type.starts_with("WEIGHTS"))
         return {std::string_view("simplex:").starts_with(typed) ? "simplex:" : ":files"};
     if (option.check_lname("solver")) return solver_words();
+    if (option.check_lname("plc")) return plc_format_keys();
+    if (option.check_lname("columns")) return column_words(typed);
     return {};
 }
 

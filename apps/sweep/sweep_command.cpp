@@ -85,7 +85,7 @@ ExitCode sweep_command(const SweepRequest& request) {
     const PoolOutcome outcome =
         solve_missing_chunks(folder, scenes, worker_count(request), [&] { lock.leave_to_parent(); });
     if (outcome == PoolOutcome::stopped) return tell_interruption(folder);
-    return finish_sweep(folder);
+    return finish_sweep(folder, &scenes.scene(0));
 }
 
 }  // namespace camopt::apps

@@ -9,6 +9,6 @@ namespace camopt::apps {
 
 /// Writes sweep.csv (of a whole sweep, not of a shard), prints the summary. failure where a row failed: an
 /// infeasible row is a result, a failed one is none.
-[[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder);
+[[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene = nullptr);
 
 }  // namespace camopt::apps

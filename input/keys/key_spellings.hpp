@@ -12,6 +12,10 @@ using camopt::spellings::force;
 using camopt::spellings::length;
 using camopt::spellings::moment;
 using camopt::spellings::plain;
+using camopt::spellings::set_point_acceleration;
+using camopt::spellings::set_point_displacement;
+using camopt::spellings::set_point_place;
+using camopt::spellings::set_point_velocity;
 
 inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
                                     {"_in", "in", units::inch},
@@ -39,9 +43,10 @@ using camopt::spellings::positive;
 
 namespace camopt::input {
 
-/// Rows of [cam], [forces] and of what [objective] says about a cam.
+/// Rows of [cam], [forces], [drawing] and of what [objective] says about a cam.
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
+[[nodiscard]] std::vector<KeyRow> drawing_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 
 }  // namespace camopt::input

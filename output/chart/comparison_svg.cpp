@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace camopt {
@@ -39,18 +40,23 @@ const char* page_style =
 
 struct Column {
     std::string title;
-    std::string (*cell)(const ComparisonRow&);
+    std::function<std::string(const ComparisonRow&)> cell;
 };
 
 std::vector<Column> columns_of(const Comparison& comparison) {
     std::vector<Column> columns = {
         {"objective", [](const ComparisonRow& row) { return fixed_text(row.objective, 4); }},
-        {"loss", [](const ComparisonRow& row) { return loss_words(row); }},
+        {"loss", [](const ComparisonRow& row) { return loss_words(row); }}};
+    for (const PhysicalPeak& peak : physical_peaks(comparison))
+        columns.push_back({peak.title, [peak](const ComparisonRow& row) { return peak.text(row); }});
+    const std::vector<Column> normalised = {
         {"V", [](const ComparisonRow& row) { return fixed_text(row.peaks.velocity.value, 3); }},
         {"A", [](const ComparisonRow& row) { return fixed_text(row.peaks.acceleration.value, 3); }},
         {"J", [](const ComparisonRow& row) { return fixed_text(row.peaks.jerk.value, 2); }}};
+    columns.insert(columns.end(), normalised.begin(), normalised.end());
     if (has_bases(comparison))
-        columns.push_back({"base mm", [](const ComparisonRow& row) { return base_words(row); }});
+        columns.push_back(
+            {base_title(comparison), [&](const ComparisonRow& row) { return base_words(comparison, row); }});
     return columns;
 }
 

@@ -5,13 +5,15 @@
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/limit_spans.hpp"
 #include "output/chart/motion_panel.hpp"
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +35,7 @@ const char* page_style =
 struct Picture {
     const Solution& solution;
     ReferenceMotion reference;
-    DisplayScale scale;
+    ShownUnits shown;
     std::vector<PeakRow> peaks;
 };
 
@@ -54,11 +56,16 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical =
-        fmt::format("{} {}", short_text(content.factor * row.motion.value, 5), content.unit);
+    const std::string physical = row.first_text(5), beside = row.beside_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program ? physical : normalised + " · " + physical;
+    if (program)
+        content.peak_words = beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
+    else if (picture.shown.in_time)
+        content.peak_words = physical + " · " + normalised;
+    else
+        content.peak_words = normalised + " · " + physical;
+    if (!program && !beside.empty()) content.caption += fmt::format(" (peak {})", beside);
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(
@@ -83,18 +90,30 @@ std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) 
     return all;
 }
 
+std::vector<PanelMark> panel_marks(const Solution& solution, std::size_t order) {
+    std::vector<PanelMark> marks;
+    for (const PlacedPoint& point : placed_points(solution.scene.motion)) {
+        if (!point.wanted[order]) continue;
+        marks.push_back({point.begin, order == 1 ? point.end : point.begin, *point.wanted[order]});
+    }
+    return marks;
+}
+
 PanelContent panel_content(const Picture& picture, int order) {
-    static constexpr std::array<const char*, 4> captions = {"Displacement s", "Velocity ds/dθ",
-                                                            "Acceleration d²s/dθ²", "Jerk d³s/dθ³"};
+    static constexpr std::array<const char*, 4> captions = {"Displacement", "Velocity", "Acceleration",
+                                                            "Jerk"};
     const auto index = static_cast<std::size_t>(order);
     PanelContent content;
     content.order = order;
     content.optimum = picture.solution.motion.get();
     content.reference = picture.reference.motion.get();
-    content.caption = captions[index];
-    content.factor = picture.scale.by_angle.factor[index];
-    content.unit = picture.scale.by_angle.unit[index];
-    content.degrees_per_x = picture.scale.degrees_per_x;
+    if (picture.solution.measured) content.measured = picture.solution.measured->motion.get();
+    if (order < 3) content.marks = panel_marks(picture.solution, index);
+    const MotionUnit& unit = picture.shown.motion[index].first;
+    content.caption = fmt::format("{} {}", captions[index], unit.symbol);
+    content.factor = unit.per_normalised;
+    content.unit = unit.name;
+    content.degrees_per_x = picture.shown.degrees_per_x;
     content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
     content.angle_labels = order == 3;
     content.segments = panel_segments(picture.solution, order == 0);
@@ -117,6 +136,7 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     };
     entry("optimum", "this motion");
     if (picture.reference.motion) entry("reference", picture.reference.title);
+    if (picture.solution.measured) entry("measured", "measured");
     const LimitSpec& limits = picture.solution.scene.limits;
     if (std::ranges::any_of(peak_limit_rows(),
                             [&](const PeakLimitRow& row) { return row.in(limits).has_value(); }))
@@ -124,6 +144,11 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     canvas.circle(x + 4, y - 4, 4, "peak");
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;
+    if (!placed_points(picture.solution.scene.motion).empty()) {
+        canvas.rectangle(x, y - 8, 8, 8, "set-point");
+        canvas.text(x + 15, y, "set points", "subtitle");
+        x += 96;
+    }
     if (!picture.solution.segments.empty()) {
         canvas.line(x, y - 11, x, y + 3, "segment");
         canvas.text(x + 8, y, "segments", "subtitle");
@@ -134,21 +159,32 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
                 "subtitle");
 }
 
+/// In two lines where it is too long for one.
+void draw_objective(SvgCanvas& canvas, const std::string& words) {
+    constexpr std::string_view dot = " · ";
+    constexpr double first = 76, second = 91, font = 13, room = page_width - panel_left - 8;
+    std::size_t end = words.size();
+    while (end != std::string::npos && end > 0 && text_width(words.substr(0, end), font) > room)
+        end = words.rfind(dot, end - 1);
+    if (end == 0 || end == std::string::npos) end = words.size();
+    canvas.text(panel_left, first, words.substr(0, end), "subtitle");
+    if (end < words.size()) canvas.text(panel_left, second, words.substr(end + dot.size()), "subtitle");
+}
+
 }  // namespace
 
 std::string motion_svg(const Solution& solution) {
     if (!solution.motion) throw InputError("motion.svg needs a motion, and this solution has none");
     ReferenceMotion reference = reference_motion(solution.scene);
     std::vector<PeakRow> peaks = peak_comparison(solution, reference);
-    const Picture picture{solution, std::move(reference), display_scale(solution.scene.motion),
-                          std::move(peaks)};
+    const Picture picture{solution, std::move(reference), shown_units(solution.scene), std::move(peaks)};
 
     const std::string title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
     SvgCanvas canvas(page_width, page_height, std::string(panel_style()) + page_style, title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(panel_left, 36, title, "title");
     canvas.text(panel_left, 58, verdict_sentence(solution), "subtitle");
-    canvas.text(panel_left, 77, objective_line(solution, " · "), "subtitle");
+    draw_objective(canvas, objective_line(solution, " · "));
     draw_legend(canvas, picture);
     for (int order = 0; order < 4; ++order) {
         const PanelFrame frame{panel_left, first_panel + order * panel_distance, panel_width, panel_height};

@@ -4,6 +4,7 @@
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -18,18 +19,44 @@ namespace {
 constexpr double margin = 40, top = 118, main_left = 100, main_width = 560, main_height = 470;
 constexpr double side_left = 780, side_width = 400, side_height = 190, page_width = 1220;
 
-std::string goal_title(const ParetoFront& front, int goal) {
-    if (goal == 0 && front.request.keep_weights)
-        return words_of(name_of(front.request.goals[0])) + " and the scene’s other weights";
-    const FrontGoal& which = front.request.goals[static_cast<std::size_t>(goal)];
-    if (std::holds_alternative<DimensionIndex>(which)) return words_of(name_of(which)) + " (mm)";
-    const CostTerm& term = cost_term(std::get<FrontFigure>(which));
-    return words_of(term.name()) +
-           (term.kind == CostTerm::Kind::peak ? fmt::format(" {}", term.symbol) : std::string());
+/// How a goal is shown: its name, and what its value in the front (normalised, m) is multiplied by. With a
+/// speed a peak of one rise or return stands in its unit; a program's is of its segments, each by its own
+/// angle.
+struct GoalAxis {
+    std::string title;
+    double factor = 1.0;
+};
+
+GoalAxis figure_axis(const Scene& scene, const CostTerm& term) {
+    const ShownUnits units = shown_units(scene);
+    std::string name = words_of(term.name());
+    if (term.kind != CostTerm::Kind::peak) return {std::move(name), 1.0};
+    if (units.in_time && scene.motion.type != MotionType::program)
+        for (const ShownDerivative& derivative : units.motion)
+            if (derivative.name == name)
+                return {fmt::format("{} {} ({})", name, derivative.first.symbol, derivative.first.name),
+                        derivative.first.per_normalised};
+    return {fmt::format("{} {}", name, term.symbol), 1.0};
 }
 
-double shown(const ParetoFront& front, const FrontPoint& point, int goal) {
-    return goal_value(front, goal, point.value[static_cast<std::size_t>(goal)]);
+GoalAxis goal_axis(const ParetoPicture& picture, int goal) {
+    const FrontRequest& request = picture.front.request;
+    const FrontGoal& which = request.goals[static_cast<std::size_t>(goal)];
+    if (goal == 0 && request.keep_weights)
+        return {words_of(name_of(request.goals[0])) + " and the scene’s other weights", 1.0};
+    if (std::holds_alternative<DimensionIndex>(which)) {
+        const ShownUnit length = shown_units(picture.scene).length;
+        return {fmt::format("{} ({})", words_of(name_of(which)), length.name), length.factor};
+    }
+    return figure_axis(picture.scene, cost_term(std::get<FrontFigure>(which)));
+}
+
+std::string goal_title(const ParetoPicture& picture, int goal) {
+    return goal_axis(picture, goal).title;
+}
+
+double shown(const ParetoPicture& picture, const FrontPoint& point, int goal) {
+    return goal_axis(picture, goal).factor * point.value[static_cast<std::size_t>(goal)];
 }
 
 bool is_drawn(const FrontPoint& point) {
@@ -55,7 +82,9 @@ std::vector<LawMark> law_marks(const ParetoPicture& picture) {
         if (row.is_optimum() || !row.misfit.empty()) continue;
         const auto x = law_value(row.peaks, picture.front.request.goals[0]);
         const auto y = law_value(row.peaks, picture.front.request.goals[1]);
-        if (x && y && std::isfinite(*x) && std::isfinite(*y)) marks.push_back({*x, *y, row.title});
+        if (x && y && std::isfinite(*x) && std::isfinite(*y))
+            marks.push_back(
+                {goal_axis(picture, 0).factor * *x, goal_axis(picture, 1).factor * *y, row.title});
     }
     return marks;
 }
@@ -110,10 +139,12 @@ void draw_front(SvgCanvas& canvas, const ParetoPicture& picture) {
     ValueRange x, y;
     for (const FrontPoint& point : front.points) {
         if (!is_drawn(point)) continue;
-        all.push_back({shown(front, point, 0), shown(front, point, 1)});
+        all.push_back({shown(picture, point, 0), shown(picture, point, 1)});
         x.add(all.back()[0]);
         y.add(all.back()[1]);
-        if (const auto bound = any_curve_point(front, point)) limit.push_back(*bound);
+        if (const auto bound = any_curve_point(front, point))
+            limit.push_back(
+                {goal_axis(picture, 0).factor * (*bound)[0], goal_axis(picture, 1).factor * (*bound)[1]});
     }
     if (all.empty()) return;
     // Beyond the last break of its shape the limit runs to infinity: what leaves the picture is not drawn.
@@ -128,8 +159,8 @@ void draw_front(SvgCanvas& canvas, const ParetoPicture& picture) {
         y.add(mark.y);
     }
     PlotFrame frame = frame_of(x, y, {main_left, top, main_width, main_height});
-    frame.horizontal_title = goal_title(front, 0);
-    frame.vertical_title = goal_title(front, 1);
+    frame.horizontal_title = goal_title(picture, 0);
+    frame.vertical_title = goal_title(picture, 1);
     draw_plot_frame(canvas, frame);
     std::erase_if(limit, [&](const auto& point) {
         return !frame.horizontal.holds(point[0]) || !frame.vertical.holds(point[1]);
@@ -141,32 +172,37 @@ void draw_front(SvgCanvas& canvas, const ParetoPicture& picture) {
     for (const FrontPoint& point : front.points) {
         if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
         canvas.circle(
-            frame.horizontal.place(shown(front, point, 0)), frame.vertical.place(shown(front, point, 1)), 4.0,
+            frame.horizontal.place(shown(picture, point, 0)), frame.vertical.place(shown(picture, point, 1)),
+            4.0,
             fmt::format("{} r{}", point.end == FrontEnd::cut_off ? "row-dot off" : "row-dot", point.number));
     }
 }
 
 /// A figure that is no goal, along the front.
-void draw_other(SvgCanvas& canvas, const ParetoFront& front, FrontFigure figure, double panel_top) {
+void draw_other(SvgCanvas& canvas, const ParetoPicture& picture, FrontFigure figure, double panel_top) {
+    const ParetoFront& front = picture.front;
+    const GoalAxis axis = figure_axis(picture.scene, cost_term(figure));
+    const auto value = [&](const FrontPoint& point) {
+        return axis.factor * value_of(point.solution, FrontGoal(figure));
+    };
     Points all;
     ValueRange x, y;
     for (const FrontPoint& point : front.points) {
         if (!is_drawn(point)) continue;
-        all.push_back({shown(front, point, 0), value_of(point.solution, FrontGoal(figure))});
+        all.push_back({shown(picture, point, 0), value(point)});
         x.add(all.back()[0]);
         y.add(all.back()[1]);
     }
     if (all.empty()) return;
     PlotFrame frame = frame_of(x, y, {side_left, panel_top, side_width, side_height});
-    frame.horizontal_title = goal_title(front, 0);
-    frame.vertical_title = words_of(name_of(FrontGoal(figure)));
+    frame.horizontal_title = goal_title(picture, 0);
+    frame.vertical_title = axis.title;
     draw_plot_frame(canvas, frame);
     draw_polyline(canvas, frame, all, "row-line");
     for (const FrontPoint& point : front.points) {
         if (!is_drawn(point) || (point.place < 0 && front.complete)) continue;
-        canvas.circle(frame.horizontal.place(shown(front, point, 0)),
-                      frame.vertical.place(value_of(point.solution, FrontGoal(figure))), 3.0,
-                      fmt::format("row-dot r{}", point.number));
+        canvas.circle(frame.horizontal.place(shown(picture, point, 0)), frame.vertical.place(value(point)),
+                      3.0, fmt::format("row-dot r{}", point.number));
     }
 }
 
@@ -191,7 +227,8 @@ bool is_attained(const FrontPoint& point) {
     return point.end == FrontEnd::attained;
 }
 
-std::string end_sentence(const ParetoFront& front) {
+std::string end_sentence(const ParetoPicture& picture) {
+    const ParetoFront& front = picture.front;
     std::string text;
     for (const FrontPoint& point : front.points) {
         if (point.end == FrontEnd::cut_off)
@@ -200,9 +237,9 @@ std::string end_sentence(const ParetoFront& front) {
                 words_of(name_of(front.request.goals[static_cast<std::size_t>(1 - point.minimized)])),
                 short_text(front.request.cut_off, 3));
         if (point.end == FrontEnd::beyond)
-            text += fmt::format("Beyond: {} {} at {} {}. ", words_of(goal_column(front, 0)),
-                                short_text(shown(front, point, 0), 5), words_of(goal_column(front, 1)),
-                                short_text(shown(front, point, 1), 5));
+            text += fmt::format("Beyond: {} {} at {} {}. ", goal_title(picture, 0),
+                                short_text(shown(picture, point, 0), 5), goal_title(picture, 1),
+                                short_text(shown(picture, point, 1), 5));
     }
     if (front.spacing.jumps > 0) text += fmt::format("Jumps in the front: {}. ", front.spacing.jumps);
     if (!text.empty()) return text;
@@ -215,14 +252,14 @@ std::string pareto_svg(const ParetoPicture& picture) {
     const ParetoFront& front = picture.front;
     const std::string title =
         fmt::format("{}: {} against {}", picture.scene.title.empty() ? "Front" : picture.scene.title,
-                    goal_title(front, 0), goal_title(front, 1));
+                    goal_title(picture, 0), goal_title(picture, 1));
     const double height = top + main_height + 64;
     SvgCanvas canvas(page_width, height, sweep_panel_style(), title);
     canvas.rectangle(0, 0, page_width, height, "page");
     canvas.text(margin, 38, title, "title");
     canvas.text(margin, 61, count_sentence(front), "subtitle");
     canvas.text(margin, 80,
-                end_sentence(front) + " Dashed: what no curve can pass. Diamonds: classical laws.",
+                end_sentence(picture) + " Dashed: what no curve can pass. Diamonds: classical laws.",
                 "subtitle");
     draw_front(canvas, picture);
     double side_top = top;
@@ -230,7 +267,7 @@ std::string pareto_svg(const ParetoPicture& picture) {
     for (const FrontFigure figure : {FrontFigure::jerk, FrontFigure::acceleration, FrontFigure::velocity}) {
         const auto& goals = front.request.goals;
         if (std::ranges::find(goals, FrontGoal(figure)) != goals.end() || panels == 2) continue;
-        draw_other(canvas, front, figure, side_top);
+        draw_other(canvas, picture, figure, side_top);
         side_top += main_height - side_height;
         ++panels;
     }
@@ -239,7 +276,7 @@ std::string pareto_svg(const ParetoPicture& picture) {
 
 std::string pareto_text(const ParetoPicture& picture) {
     const ParetoFront& front = picture.front;
-    std::string text = fmt::format("  {}\n  {}\n", count_sentence(front), end_sentence(front));
+    std::string text = fmt::format("  {}\n  {}\n", count_sentence(front), end_sentence(picture));
     for (const FrontPoint* point : tabulated_points(front)) {
         if (!point->is_feasible()) {
             text += fmt::format("  solve {}: {} {}\n", point->number,
@@ -249,8 +286,8 @@ std::string pareto_text(const ParetoPicture& picture) {
         }
         text += fmt::format(
             "  {:>4}  {} {:<10}  {} {:<10}  {}\n", point->place >= 0 ? std::to_string(point->place) : "",
-            goal_column(front, 0), short_text(shown(front, *point, 0), 7), goal_column(front, 1),
-            short_text(shown(front, *point, 1), 7), name_of(point->solution.certificate.verdict));
+            goal_title(picture, 0), short_text(shown(picture, *point, 0), 7), goal_title(picture, 1),
+            short_text(shown(picture, *point, 1), 7), name_of(point->solution.certificate.verdict));
     }
     return text;
 }

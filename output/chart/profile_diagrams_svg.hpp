@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // profile_diagrams.svg: pressure angle and curvature of the cam over the cam angle, with their limits dotted
-// and their extremes marked. Curvature in 1/mm, > 0 convex; where it grows beyond all bounds the curve leaves
-// the frame.
+// and their extremes marked. Curvature in 1/mm (1/in where the scene is written in inches), > 0 convex; where
+// it grows beyond all bounds the curve leaves the frame.
 #pragma once
 
 #include "output/chart/limit_spans.hpp"

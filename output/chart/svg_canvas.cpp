@@ -65,6 +65,11 @@ void SvgCanvas::text(double x, double y, std::string_view words, std::string_vie
                             svg_number(y), css_class, rotation, xml_text(words));
 }
 
+void SvgCanvas::insert(double x, double y, std::string_view elements) {
+    content_ +=
+        fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", svg_number(x), svg_number(y), elements);
+}
+
 std::string SvgCanvas::finish() const {
     return content_ + "</svg>\n";
 }

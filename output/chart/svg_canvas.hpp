@@ -25,6 +25,9 @@ class SvgCanvas {
     /// (x, y): the anchor on the text's baseline; rotated counterclockwise by `turn` degrees about it.
     void text(double x, double y, std::string_view words, std::string_view css_class, double turn = 0.0);
 
+    /// SVG elements made elsewhere, moved to (x, y).
+    void insert(double x, double y, std::string_view elements);
+
     [[nodiscard]] std::string finish() const;
 
  private:

@@ -3,7 +3,9 @@
 
 #include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -34,13 +36,24 @@ void append_values(std::string& line, const MotionPoint& point, const Derivative
         append_cell(line, scale.factor[r] * point.derivative[r]);
 }
 
-std::string header(const DisplayScale& scale) {
+/// What people read and no column shows yet: "a_m_s2", "v_rad_s".
+std::vector<MotionUnit> further_units(const DisplayScale& scale, const MotionSpec& spec) {
+    std::vector<MotionUnit> units;
+    if (!scale.by_time) return units;
+    for (const ShownDerivative& shown : shown_units(spec).motion)
+        if (std::ranges::find(scale.by_time->column, shown.first.column) == scale.by_time->column.end())
+            units.push_back(shown.first);
+    return units;
+}
+
+std::string header(const DisplayScale& scale, const MotionSpec& spec) {
     std::string line = "theta_deg";
     for (const std::string& column : scale.by_angle.column) line += "," + column;
     line += ",x,y,dy,ddy,dddy";
     if (scale.by_time) {
         line += ",t_s";
         for (std::size_t r = 1; r < 4; ++r) line += "," + scale.by_time->column[r];
+        for (const MotionUnit& unit : further_units(scale, spec)) line += "," + unit.column;
     }
     return line + "\n";
 }
@@ -70,7 +83,8 @@ std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
 
 std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec) {
     const DisplayScale scale = display_scale(spec);
-    std::string text = header(scale);
+    const std::vector<MotionUnit> further = further_units(scale, spec);
+    std::string text = header(scale, spec);
     for (const MotionRow& row : motion_rows(motion, peaks)) {
         const MotionPoint point = motion.at(row.x, row.side);
         text += round_trip_text(scale.degrees_per_x * row.x);
@@ -80,6 +94,8 @@ std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpe
         if (scale.by_time) {
             append_cell(text, scale.seconds_per_x * row.x);
             append_values(text, point, *scale.by_time, 1);
+            for (const MotionUnit& unit : further)
+                append_cell(text, unit.per_normalised * point.derivative[unit.order]);
         }
         text += "\n";
     }

@@ -3,7 +3,8 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/nc/plane_cutter_path.hpp"
+#include "output/disk/disk_solid.hpp"
+#include "output/nc/milling/plane_passes.hpp"
 
 #include <fmt/format.h>
 
@@ -20,12 +21,6 @@ constexpr int checked_points = 1440;
 
 void require(bool holds, const char* what, double found) {
     if (!holds) throw InputError(fmt::format("plane cam: {}, found {:g}", what, found));
-}
-
-void check_closed(const ProfileShape& shape) {
-    if (!shape.closed)
-        throw InputError(
-            "plane cam: it is an open sector; only a cam of a whole turn can be milled or made a solid");
 }
 
 std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
@@ -71,18 +66,27 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     job.blank = blank_of(shape, options);
     job.clearance = options.clearance;
     job.safe_distance = options.safe_distance;
+    set_words(job, options.milling);
 
     CuttingTask& task = work.task;
     const PlaneContour around = [&shape](double theta) {
         const ProfilePoint point = shape.at(theta);
         return ContourPoint{point.contact, point.normal};
     };
-    task.passes = {
-        {"around the cam", plane_cutter_path(around, {options.cutter_diameter, options.stock, -depth})}};
+    task.finished = plane_finished_cam({around, shape.knots});
+    PlanePasses milled = plane_passes({around,
+                                       shape.knots,
+                                       {options.cutter_diameter, options.stock, -depth},
+                                       job.blank,
+                                       options.safe_distance,
+                                       options.chord_tolerance,
+                                       task.finished.get(),
+                                       options.milling});
+    task.passes = std::move(milled.passes);
+    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
     task.knots = shape.knots;
     task.blocks.chord_tolerance = options.chord_tolerance;
     task.cutter = {options.cutter_diameter, depth};
-    task.finished = plane_finished_cam({around, shape.knots});
     task.gouge_tolerance = options.gouge_tolerance;
     WantedSurface surface{"the cam's contour", {}};
     for (const Eigen::Vector2d& point : contour(shape, checked_points))
@@ -94,25 +98,6 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine, const PostProcessor& post,
                        const DiskNcOptions& options) {
     return checked_program(machine, post, disk_nc_work(shape, options));
-}
-
-TriangleMesh disk_solid(const ProfileShape& shape, const DiskSolid& solid) {
-    check_closed(shape);
-    require(std::isfinite(solid.thickness) && solid.thickness > 0.0, "the thickness must be > 0 m",
-            solid.thickness);
-    require(solid.bore_radius > 0.0, "the bore's radius must be > 0 m", solid.bore_radius);
-    require(solid.points >= 16, "there must be 16 points or more", solid.points);
-    std::vector<std::vector<Eigen::Vector3d>> sections;
-    for (const Eigen::Vector2d& point : contour(shape, solid.points)) {
-        require(point.norm() > solid.bore_radius, "the bore's radius must be below the cam's least radius, m",
-                solid.bore_radius);
-        const Eigen::Vector2d bore = solid.bore_radius * point.normalized();
-        sections.push_back({{bore.x(), bore.y(), 0.0},
-                            {bore.x(), bore.y(), -solid.thickness},
-                            {point.x(), point.y(), -solid.thickness},
-                            {point.x(), point.y(), 0.0}});
-    }
-    return swept_solid(sections, true);
 }
 
 }  // namespace camopt

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Plane cams for machine and CAD: the checked program of an end mill around them, and their solid.
+// Plane cams for the machine: the checked program of an end mill around them.
 //
 // Frame of profiles/disk/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. m.
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"
 #include "output/nc/checked_program.hpp"
-#include "output/surface/triangle_mesh.hpp"
+#include "output/nc/milling/milling_choice.hpp"
 
 #include <string>
 
@@ -24,6 +24,7 @@ struct DiskNcOptions {
     BlankChoice blank;               ///< allowance: around the cam; its faces are those of the cam
     double clearance = 0.02;         ///< m: of the clearance plane above the blank
     double safe_distance = 2e-3;     ///< m: rapids keep so far from the blank
+    MillingChoice milling;
     std::string title = "cam";
 };
 
@@ -34,13 +35,5 @@ struct DiskNcOptions {
 /// Throws like disk_nc_work. A program with a fault is returned with it.
 [[nodiscard]] CheckedProgram disk_nc(const ProfileShape& shape, const Machine& machine,
                                      const PostProcessor& post, const DiskNcOptions& options);
-
-struct DiskSolid {
-    double thickness = 20e-3;   ///< m
-    double bore_radius = 5e-3;  ///< m, below the cam's least radius
-    int points = 720;           ///< about so many around it
-};
-/// Throws InputError for an open cam and numbers that are not valid.
-[[nodiscard]] TriangleMesh disk_solid(const ProfileShape& shape, const DiskSolid& solid);
 
 }  // namespace camopt

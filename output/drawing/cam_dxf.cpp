@@ -104,7 +104,7 @@ ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, c
     drawing.polyline("PITCH", pitch.vertices, pitch.closed);
     result.pitch_arcs = pitch.arcs;
     result.pitch_deviation = pitch.deviation;
-    const MechanismPoint first = outline.at(motion.begin(), 0);
+    const MechanismPoint first = outline.at(std::clamp(0.0, motion.begin(), motion.end()), 0);
     drawing.circle("ROLLER", first.pitch.head<2>(), (first.contact - first.pitch).norm());
     drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
@@ -117,7 +117,7 @@ ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, c
 ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
     if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
         throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = drawn_motion(solution);
     if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
         return profile_dxf(*shape, tolerance);
     return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);

@@ -5,14 +5,18 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf_scaffold.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
 void DxfDrawing::begin_entity(const char* type, std::string_view layer, const char* subclass) {
     append_tag(entities_, 0, type);
     append_tag(entities_, 5, dxf_handle(dxf_first_entity + entity_count_++));
-    append_tag(entities_, 330, dxf_handle(dxf_model_space));
+    append_tag(entities_, 330, dxf_handle(owner_ == 0 ? dxf_model_space : owner_));
     append_tag(entities_, 100, "AcDbEntity");
     append_tag(entities_, 8, layer);
     append_tag(entities_, 100, subclass);
@@ -63,9 +67,100 @@ void DxfDrawing::line(std::string_view layer, const Eigen::Vector2d& from, const
     append_tag(entities_, 31, dxf_real(0.0));
 }
 
+void DxfDrawing::text(std::string_view layer, const DxfText& words) {
+    widen(words.at);
+    begin_entity("TEXT", layer, "AcDbText");
+    point(10, words.at);
+    append_tag(entities_, 30, dxf_real(0.0));
+    append_tag(entities_, 40, dxf_real(words.height / units::millimetre));
+    append_tag(entities_, 1, dxf_text(words.words));
+    append_tag(entities_, 50, dxf_real(words.turn / units::degree));
+    if (words.anchor != DxfText::Anchor::start) {
+        append_tag(entities_, 72, words.anchor == DxfText::Anchor::middle ? "1" : "2");
+        point(11, words.at);
+        append_tag(entities_, 31, dxf_real(0.0));
+    }
+    append_tag(entities_, 100, "AcDbText");
+}
+
+void DxfDrawing::triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners) {
+    for (const Eigen::Vector2d& corner : corners) widen(corner);
+    begin_entity("SOLID", layer, "AcDbTrace");
+    for (int i = 0; i < 4; ++i) {
+        point(10 + i, corners[static_cast<std::size_t>(std::min(i, 2))]);
+        append_tag(entities_, 30 + i, dxf_real(0.0));
+    }
+}
+
+void DxfDrawing::dimension(std::string_view layer, const DxfDimension& dimension,
+                           const std::function<void()>& draw_marks) {
+    using Kind = DxfDimension::Kind;
+    DxfPart block;
+    block.name = fmt::format("*D{}", blocks_.size() + 1);
+    block.record = dxf_first_entity + entity_count_;
+    entity_count_ += 3;
+    std::swap(entities_, block.entities);
+    owner_ = block.record;
+    draw_marks();
+    owner_ = 0;
+    std::swap(entities_, block.entities);
+
+    const auto place = [&](int code, const Eigen::Vector2d& at) {
+        point(code, at);
+        append_tag(entities_, code + 20, dxf_real(0.0));
+    };
+    begin_entity("DIMENSION", layer, "AcDbDimension");
+    append_tag(entities_, 2, block.name);
+    const Eigen::Vector2d opposite = 2.0 * dimension.first - dimension.second;
+    place(10, dimension.kind == Kind::diameter ? opposite
+              : dimension.kind == Kind::radius ? dimension.first
+                                               : dimension.line);
+    place(11, dimension.text.at);
+    constexpr int own_block = 32,
+                  own_place = 128;  // no other dimension has the block; words stand where we put them
+    const int kind = dimension.kind == Kind::linear     ? 0
+                     : dimension.kind == Kind::diameter ? 3
+                     : dimension.kind == Kind::radius   ? 4
+                                                        : 5;
+    append_tag(entities_, 70, std::to_string(kind + own_block + own_place));
+    append_tag(entities_, 71, "8");  // their foot's middle
+    const bool angle = dimension.kind == Kind::angle;
+    append_tag(entities_, 42, dxf_real(dimension.measured / (angle ? 1.0 : units::millimetre)));
+    append_tag(entities_, 1, dimension.across ? "%%c<>" : "<>");
+    append_tag(entities_, 3, dxf_dimension_style);
+    switch (dimension.kind) {
+        case Kind::linear:
+            append_tag(entities_, 100, "AcDbAlignedDimension");
+            place(13, dimension.first);
+            place(14, dimension.second);
+            append_tag(entities_, 50, dxf_real(dimension.direction / units::degree));
+            append_tag(entities_, 100, "AcDbRotatedDimension");
+            break;
+        case Kind::diameter:
+        case Kind::radius:
+            append_tag(entities_, 100,
+                       dimension.kind == Kind::radius ? "AcDbRadialDimension" : "AcDbDiametricDimension");
+            place(15, dimension.second);
+            append_tag(entities_, 40, dxf_real(0.0));
+            break;
+        case Kind::angle:
+            append_tag(entities_, 100, "AcDb3PointAngularDimension");
+            place(13, dimension.first);
+            place(14, dimension.second);
+            place(15, dimension.vertex);
+            break;
+    }
+    blocks_.push_back(std::move(block));
+}
+
 std::string DxfDrawing::finish() const {
-    return dxf_before_entities({layers_, least_, most_, dxf_first_entity + entity_count_}) + entities_ +
-           dxf_after_entities();
+    std::vector<DxfBlock> blocks;
+    for (const DxfPart& part : blocks_) blocks.push_back({part.name, part.record, part.entities});
+    DxfDimensionStyle style;
+    style.scale = dimension_scale_;
+    return dxf_before_entities({layers_, least_, most_, dxf_first_entity + entity_count_, blocks,
+                                blocks.empty() ? nullptr : &style}) +
+           entities_ + dxf_after_entities();
 }
 
 }  // namespace camopt

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +31,30 @@ struct DxfLayer {
     DxfLine line = DxfLine::continuous;
 };
 
+/// Of one line, standing on its baseline. m, rad.
+struct DxfText {
+    Eigen::Vector2d at = {0.0, 0.0};
+    double height = 2.5e-3;
+    std::string words;  ///< UTF-8
+    enum class Anchor { start, middle, end } anchor = Anchor::start;
+    double turn = 0.0;  ///< counterclockwise
+};
+
+/// A dimension as CAD systems know it: they measure again what its points say. m, rad.
+struct DxfDimension {
+    enum class Kind { linear, diameter, radius, angle };
+    Kind kind = Kind::linear;
+    Eigen::Vector2d first = {0.0, 0.0}, second = {0.0, 0.0};  ///< linear: what is measured. diameter, radius:
+                                                              ///< centre, and the point at the words' end.
+                                                              ///< angle: a point on either ray
+    Eigen::Vector2d vertex = {0.0, 0.0};                      ///< angle
+    Eigen::Vector2d line = {0.0, 0.0};  ///< linear: a point of the dimension line. angle: one of its arc
+    double direction = 0.0;             ///< linear: of the dimension line
+    double measured = 0.0;              ///< m, rad: what a reader finds
+    bool across = false;                ///< linear: of a diameter
+    DxfText text;                       ///< what stands there
+};
+
 class DxfDrawing {
  public:
     explicit DxfDrawing(std::vector<DxfLayer> layers) : layers_(std::move(layers)) {}
@@ -37,10 +63,25 @@ class DxfDrawing {
     void polyline(std::string_view layer, std::span<const ArcVertex> vertices, bool closed);
     void circle(std::string_view layer, const Eigen::Vector2d& center, double radius);
     void line(std::string_view layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void text(std::string_view layer, const DxfText& words);
+    /// Filled.
+    void triangle(std::string_view layer, const std::array<Eigen::Vector2d, 3>& corners);
+    /// `draw_marks` draws with this drawing what the dimension looks like, its text too; that goes to its
+    /// block.
+    void dimension(std::string_view layer, const DxfDimension& dimension,
+                   const std::function<void()>& draw_marks);
+    /// Of all dimensions; scale: mm of the drawing in one of the paper.
+    void set_dimension_scale(double scale) { dimension_scale_ = scale; }
 
     [[nodiscard]] std::string finish() const;
 
  private:
+    /// Name, handle of the record and entities of a block.
+    struct DxfPart {
+        std::string name;
+        int record = 0;
+        std::string entities;
+    };
     void begin_entity(const char* type, std::string_view layer, const char* subclass);
     void point(int code, const Eigen::Vector2d& place);
     void widen(const Eigen::Vector2d& place, double reach = 0.0);
@@ -48,6 +89,9 @@ class DxfDrawing {
     std::vector<DxfLayer> layers_;
     std::string entities_;
     int entity_count_ = 0;
+    int owner_ = 0;  ///< block record of a dimension that is being drawn; 0: the model
+    std::vector<DxfPart> blocks_;
+    double dimension_scale_ = 1.0;
     Eigen::Vector2d least_ = {0.0, 0.0}, most_ = {0.0, 0.0};  ///< mm
 };
 

@@ -121,7 +121,17 @@ void append_layers(std::string& text, std::span<const DxfLayer> layers) {
     append_tags(text, "0 ENDTAB");
 }
 
-void append_other_tables(std::string& text) {
+/// Group codes of the variables: 41 arrow, 42 and 44 extension lines, 77 words above the line, 78 no zeros at
+/// the end, 140 words, 271 decimals, 40 the scale of all of them.
+void append_dimension_style(std::string& text, const DxfDimensionStyle& style) {
+    append_tags(text,
+                fmt::format("0 DIMSTYLE|105 2B|330 4|100 AcDbSymbolTableRecord|100 AcDbDimStyleTableRecord|"
+                            "2 {}|70 0|40 {}|41 {}|42 0.6|44 1.2|77 1|78 8|140 {}|147 0.8|271 3|179 2|340 27",
+                            dxf_dimension_style, dxf_real(style.scale), dxf_real(style.arrow),
+                            dxf_real(style.text_height)));
+}
+
+void append_other_tables(std::string& text, const DxfScaffold& scaffold) {
     begin_table(text, "STYLE", "5", 1);
     append_tags(
         text,
@@ -134,11 +144,17 @@ void append_other_tables(std::string& text) {
     begin_table(text, "APPID", "3", 1);
     append_tags(
         text, "0 APPID|5 28|330 3|100 AcDbSymbolTableRecord|100 AcDbRegAppTableRecord|2 ACAD|70 0|0 ENDTAB");
-    begin_table(text, "DIMSTYLE", "4", 1);
+    begin_table(text, "DIMSTYLE", "4", scaffold.dimensions == nullptr ? 1 : 2);
     append_tags(text,
                 "100 AcDbDimStyleTable|71 0|0 DIMSTYLE|105 29|330 4|100 AcDbSymbolTableRecord|"
-                "100 AcDbDimStyleTableRecord|2 Standard|70 0|0 ENDTAB");
-    begin_table(text, "BLOCK_RECORD", "9", 2);
+                "100 AcDbDimStyleTableRecord|2 Standard|70 0");
+    if (scaffold.dimensions != nullptr) append_dimension_style(text, *scaffold.dimensions);
+    append_tags(text, "0 ENDTAB");
+    begin_table(text, "BLOCK_RECORD", "9", 2 + scaffold.blocks.size());
+    for (const DxfBlock& block : scaffold.blocks)
+        append_tags(text, fmt::format("0 BLOCK_RECORD|5 {}|330 9|100 AcDbSymbolTableRecord|"
+                                      "100 AcDbBlockTableRecord|2 {}|340 0",
+                                      dxf_handle(block.record), block.name));
     append_tags(
         text,
         "0 BLOCK_RECORD|5 17|330 9|100 AcDbSymbolTableRecord|100 AcDbBlockTableRecord|2 *Model_Space|340 1A|"
@@ -146,7 +162,20 @@ void append_other_tables(std::string& text) {
         "0 ENDTAB");
 }
 
-void append_blocks(std::string& text) {
+void append_dimension_blocks(std::string& text, std::span<const DxfBlock> blocks) {
+    for (const DxfBlock& block : blocks) {
+        const std::string record = dxf_handle(block.record);
+        append_tags(
+            text, fmt::format("0 BLOCK|5 {0}|330 {1}|100 AcDbEntity|8 0|100 AcDbBlockBegin|2 {2}|70 1|10 0.0|"
+                              "20 0.0|30 0.0|3 {2}|1 ",
+                              dxf_handle(block.record + 1), record, block.name));
+        text += block.entities;
+        append_tags(text, fmt::format("0 ENDBLK|5 {}|330 {}|100 AcDbEntity|8 0|100 AcDbBlockEnd",
+                                      dxf_handle(block.record + 2), record));
+    }
+}
+
+void append_blocks(std::string& text, std::span<const DxfBlock> blocks) {
     const auto block = [&](const char* name, const char* record, const char* begin, const char* end) {
         append_tags(text,
                     fmt::format("0 BLOCK|5 {2}|330 {1}|100 AcDbEntity|8 0|100 AcDbBlockBegin|2 {0}|70 0|"
@@ -157,6 +186,7 @@ void append_blocks(std::string& text) {
     append_tags(text, "0 SECTION|2 BLOCKS");
     block("*Model_Space", "17", "18", "19");
     block("*Paper_Space", "1B", "1C", "1D");
+    append_dimension_blocks(text, blocks);
     append_tags(text, "0 ENDSEC");
 }
 
@@ -189,6 +219,23 @@ std::string dxf_real(double value) {
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
+std::string dxf_text(std::string_view words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(words[i]);
+        if (byte < 0x80U) {
+            text += byte < 0x20U ? ' ' : words[i];
+            continue;
+        }
+        const int more = byte >= 0xf0U ? 3 : byte >= 0xe0U ? 2 : 1;
+        unsigned code = byte & (0x3fU >> more);
+        for (int k = 0; k < more && i + 1 < words.size(); ++k)
+            code = (code << 6U) | (static_cast<unsigned char>(words[++i]) & 0x3fU);
+        text += code > 0xffffU ? std::string("?") : fmt::format("\\U+{:04X}", code);
+    }
+    return text;
+}
+
 std::string dxf_before_entities(const DxfScaffold& scaffold) {
     std::string text;
     append_header(text, scaffold);
@@ -197,9 +244,9 @@ std::string dxf_before_entities(const DxfScaffold& scaffold) {
     append_view(text, scaffold);
     append_line_types(text);
     append_layers(text, scaffold.layers);
-    append_other_tables(text);
+    append_other_tables(text, scaffold);
     append_tags(text, "0 ENDSEC");
-    append_blocks(text);
+    append_blocks(text, scaffold.blocks);
     append_tags(text, "0 SECTION|2 ENTITIES");
     return text;
 }

@@ -26,7 +26,7 @@ Vector2d turned_left(const Vector2d& direction) {
 
 FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset, double largest_offset)
     : shape_(shape),
-      start_(shape.at(shape.begin())),
+      start_(shape.at(shape.start)),
       pose_(follower_pose(shape.cam, start_)),
       size_(std::max(shape.cam[DimensionIndex::base_radius], roller_of(shape.cam))),
       least_(least_offset - face_margin * size_),

@@ -2,103 +2,150 @@
 #include "output/drawing/mechanism_svg.hpp"
 
 #include "core/errors.hpp"
-#include "output/drawing/profile_canvas.hpp"
+#include "core/units.hpp"
+#include "core/whole_turn.hpp"
+#include "output/chart/placed_texts.hpp"
+#include "output/drawing/picture_page.hpp"
+#include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/scene_cam.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace camopt {
 
 namespace {
 
 using Eigen::Vector2d;
+using units::degree;
 
 constexpr int profile_points = 1440;
 constexpr int motion_samples = 720;
-constexpr double page = 900.0, margin = 46.0, head = 56.0;
+constexpr double same_end = 1e-9;  // of the largest radius
+constexpr double arrow_part = 0.45, arrow_begin = 35 * degree, arrow_end = 145 * degree, arrow_head = 9;
+constexpr double label_font = 12;
 
-const char* const style =
-    "text{font-size:13px}.cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
-    ".pitch{fill:none;stroke:#0072b2;stroke-width:1;stroke-dasharray:6 4}"
+const char* const mechanism_style =
+    ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
+    ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+    ".open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 4}"
+    ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
     ".link{fill:none;stroke:#444;stroke-width:5;stroke-linecap:round;stroke-linejoin:round}"
     ".ghost{fill:none;stroke:#9a9a9a;stroke-width:1.4;stroke-linejoin:round}"
-    ".roller{fill:#fff;fill-opacity:.75;stroke:#d55e00;stroke-width:2.2}"
+    ".roller{fill:#fff;fill-opacity:.75;stroke:#b35900;stroke-width:2}"
     ".joint{fill:#fff;stroke:#444;stroke-width:2}.pivot{fill:#222;stroke:#fff;stroke-width:1.5}"
     ".guide{stroke:#009e73;stroke-width:9;stroke-opacity:.35;stroke-linecap:round}"
-    ".slider{fill:#009e73}"
-    ".label{text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:4px}"
-    ".beside{paint-order:stroke;stroke:#fff;stroke-width:4px}";
+    ".slider{fill:#009e73;stroke:#009e73;stroke-width:9;stroke-linecap:round}"
+    ".center{stroke:#444;stroke-width:1}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
+    ".label{paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
-/// The outputs between which the mechanism moves.
-std::pair<double, double> ends_of(const MechanismDrawing& drawing) {
-    double least = 1e300, most = -1e300;
-    for (int i = 0; i <= motion_samples; ++i) {
-        const Motion& motion = drawing.motion;
-        const double x = motion.begin() + (motion.end() - motion.begin()) * i / motion_samples;
-        const double s = drawing.scale.lift * motion.at(x, i == 0 ? Side::right : Side::left).derivative[0];
-        least = std::min(least, s);
-        most = std::max(most, s);
-    }
-    return {least, most};
-}
-
-class Page {
+class MechanismPage {
  public:
-    explicit Page(const MechanismDrawing& drawing) : drawing_(drawing) {
-        std::tie(least_, most_) = ends_of(drawing);
-        const double start = drawing.scale.lift * drawing.motion.at(drawing.motion.begin()).derivative[0];
-        now_ = shapes_at(start);
+    MechanismPage(const Solution& solution, const Motion& motion)
+        : solution_(solution),
+          mechanism_(solution.cam->cam),
+          motion_(motion),
+          scale_(motion_scale(solution.scene)) {
+        std::tie(least_, most_) = ends();
+        start_ = output_at(std::clamp(0.0, motion.begin(), motion.end()));
+        now_ = shapes_at(start_);
         if (now_.empty()) throw InputError("this mechanism cannot be drawn");
         center_ = now_.front().points.front();
         for (const MechanismPoint& point :
-             mechanism_profile(drawing.mechanism, drawing.motion, drawing.scale, profile_points).points) {
+             mechanism_profile(mechanism_, motion, scale_, profile_points).points) {
             cam_.push_back(center_ + point.contact.head<2>());
             pitch_.push_back(center_ + point.pitch.head<2>());
+            box_.add(pitch_.back());
+            box_.add(cam_.back());
+            radius_ = std::max(radius_, point.contact.norm());
         }
-        for (const Vector2d& point : pitch_) see(point);
-        for (const double s : {least_, most_, start})
+        closed_ = is_whole_turn((motion.end() - motion.begin()) * scale_.unit_angle) &&
+                  (cam_.front() - cam_.back()).norm() < same_end * radius_;
+        for (const double s : {least_, most_, start_})
             for (const MechanismShape& shape : shapes_at(s))
                 for (const Vector2d& point : shape.points) {
-                    see(point - Vector2d::Constant(shape.radius));
-                    see(point + Vector2d::Constant(shape.radius));
+                    box_.add(point - Vector2d::Constant(shape.radius));
+                    box_.add(point + Vector2d::Constant(shape.radius));
                 }
     }
 
-    [[nodiscard]] std::string drawn(std::string_view title) const {
-        const Vector2d size = high_ - low_;
-        const double scale = (page - 2.0 * margin) / std::max(size.x(), size.y());
-        const double width = scale * size.x() + 2.0 * margin;
-        const double height = scale * size.y() + 2.0 * margin + head;
-        SvgCanvas canvas(std::max(width, 480.0), height, style, title);
-        canvas.rectangle(0, 0, std::max(width, 480.0), height, "page");
-        canvas.text(margin, 34, title, "title");
-        const ProfileCanvas on{
-            canvas, {margin - scale * low_.x(), height - margin + scale * low_.y()}, scale};
-        on.polyline(cam_, true, "cam");
-        on.polyline(pitch_, true, "pitch");
+    [[nodiscard]] std::string drawn() const {
+        const std::string title = solution_.scene.title.empty() ? "Cam and linkage" : solution_.scene.title;
+        SvgCanvas canvas(picture_width, picture_height, mechanism_style + std::string(picture_style()),
+                         title);
+        canvas.rectangle(0, 0, picture_width, picture_height, "page");
+        canvas.text(picture_left, 38, title, "title");
+        const ProfileCanvas on = fitted_canvas(canvas, box_.with_room());
+        const ShownUnit length = shown_units(solution_.scene).length;
+        draw_length_frame(on, length, "x, y in " + length.name + " (frame that stands still)");
+        on.polyline(cam_, closed_, closed_ ? "cam" : "sector");
+        on.polyline(pitch_, closed_, "pitch");
+        if (!closed_) on.line(cam_.front(), cam_.back(), "open");
+        draw_turning(on);
         for (const double s : {least_, most_}) draw_ghost(on, s);
         draw_guide(on);
         for (const MechanismShape& shape : now_) draw(on, shape);
         draw_labels(on);
+        draw_legend(canvas, length);
         return canvas.finish();
     }
 
  private:
-    const MechanismDrawing& drawing_;
-    double least_ = 0.0, most_ = 0.0;
+    const Solution& solution_;
+    const DrivenMechanism& mechanism_;
+    const Motion& motion_;
+    MotionScale scale_;
+    double least_ = 0.0, most_ = 0.0, start_ = 0.0, radius_ = 0.0;
+    bool closed_ = true;
     Vector2d center_;
     std::vector<MechanismShape> now_;
     std::vector<Vector2d> cam_, pitch_;
-    Vector2d low_ = Vector2d::Constant(1e300), high_ = Vector2d::Constant(-1e300);
+    PictureBox box_;
 
-    void see(const Vector2d& point) {
-        low_ = low_.cwiseMin(point);
-        high_ = high_.cwiseMax(point);
+    [[nodiscard]] double output_at(double x) const {
+        return scale_.lift * motion_.at(x, x < motion_.end() ? Side::right : Side::left).derivative[0];
+    }
+    /// The outputs between which the mechanism moves.
+    [[nodiscard]] std::pair<double, double> ends() const {
+        double least = HUGE_VAL, most = -HUGE_VAL;
+        for (int i = 0; i <= motion_samples; ++i) {
+            const double s =
+                output_at(motion_.begin() + (motion_.end() - motion_.begin()) * i / motion_samples);
+            least = std::min(least, s);
+            most = std::max(most, s);
+        }
+        return {least, most};
     }
     [[nodiscard]] std::vector<MechanismShape> shapes_at(double s) const {
-        return drawing_.mechanism.formulas->shapes({drawing_.mechanism.dimensions, {s, 0.0, 0.0}});
+        return mechanism_.formulas->shapes({mechanism_.dimensions, {s, 0.0, 0.0}});
+    }
+    /// The sense in which the cam turns, about its centre.
+    void draw_turning(const ProfileCanvas& on) const {
+        const double arm = on.px(9.0), sense = sense_of(mechanism_.formulas->rotation());
+        double least = radius_;
+        for (const Vector2d& point : cam_) least = std::min(least, (point - center_).norm());
+        on.line(center_ - Vector2d(arm, 0.0), center_ + Vector2d(arm, 0.0), "center");
+        on.line(center_ - Vector2d(0.0, arm), center_ + Vector2d(0.0, arm), "center");
+        const auto at = [&](double angle) -> Vector2d {
+            return center_ + arrow_part * least * Vector2d(std::cos(angle), std::sin(angle));
+        };
+        std::vector<Vector2d> arc;
+        for (int i = 0; i <= 40; ++i) arc.push_back(at(arrow_begin + (arrow_end - arrow_begin) * i / 40));
+        if (sense < 0.0) std::ranges::reverse(arc);
+        on.polyline(arc, false, "arrow");
+        const Vector2d out = (arc.back() - center_).normalized(), ahead = sense * Vector2d(-out.y(), out.x());
+        const Vector2d side = 0.45 * on.px(arrow_head) * out;
+        on.polyline(std::array<Vector2d, 3>{arc.back() + on.px(arrow_head) * ahead, arc.back() + side,
+                                            arc.back() - side},
+                    true, "arrow-head");
     }
     void draw_ghost(const ProfileCanvas& on, double s) const {
         for (const MechanismShape& shape : shapes_at(s)) {
@@ -119,40 +166,79 @@ class Page {
                 on.polyline(shape.points, false, "link");
                 for (const Vector2d& point : shape.points) on.circle(point, on.px(4.5), "joint");
                 return;
+            case MechanismShape::Kind::face:
+                return;  // a disk cam's, which has a picture of its own
             case MechanismShape::Kind::circle:
                 return on.circle(shape.points.front(), shape.radius, "roller");
             case MechanismShape::Kind::pivot:
                 return on.circle(shape.points.front(), on.px(6.5), "pivot");
             case MechanismShape::Kind::guide:
-                return on.circle(shape.points.back(), on.px(9), "slider");
-            case MechanismShape::Kind::face:
-                return;  // a disk cam's, which has a drawing of its own
+                return on.circle(shape.points.back(), on.px(5), "slider");
         }
     }
+
     void draw_labels(const ProfileCanvas& on) const {
+        PlacedTexts labels(picture_left + 4, picture_top + 4, picture_left + picture_frame_width - 4,
+                           picture_top + picture_frame_height - 4);
         for (const MechanismShape& shape : now_) {
             if (shape.kind == MechanismShape::Kind::pivot) {
                 draw(on, shape);  // above the links that meet there
                 continue;
             }
-            const std::string words = words_of(shape.name);
-            if (shape.kind == MechanismShape::Kind::guide)
-                on.text(shape.points.back() + Vector2d(on.px(16), 0.0), words, "beside");
-            if (shape.kind == MechanismShape::Kind::circle) on.text(shape.points.front(), words, "label");
-            if (shape.kind == MechanismShape::Kind::link) {
-                const bool bent = shape.points.size() > 2;  // its arms leave no room between them
-                const Vector2d &from = shape.points[shape.points.size() - 2], &to = shape.points.back();
-                const Vector2d beside = bent ? Vector2d(0.0, -on.px(20)) : Vector2d(on.px(10), on.px(8));
-                on.text(from + (bent ? 0.3 : 0.5) * (to - from) + beside, words, "beside");
-            }
+            labels.draw(on.canvas, words_of(shape.name), places_of(on, shape), "label", label_font);
         }
+    }
+    /// Inside a roller; beside a slider; to either side of a link, along it.
+    static std::vector<TextPlace> places_of(const ProfileCanvas& on, const MechanismShape& shape) {
+        std::vector<TextPlace> places;
+        const auto around = [&](const Vector2d& px, double distance) {
+            places.push_back({px.x() + distance, px.y() + 4, TextSide::start});
+            places.push_back({px.x() - distance, px.y() + 4, TextSide::end});
+            places.push_back({px.x(), px.y() + distance + 8, TextSide::middle});
+            places.push_back({px.x(), px.y() - distance, TextSide::middle});
+        };
+        if (shape.kind == MechanismShape::Kind::circle) {
+            const Vector2d px = on.place(shape.points.front());
+            places.push_back({px.x(), px.y() + 4, TextSide::middle});
+            around(px, on.scale * shape.radius + 5);
+            return places;
+        }
+        if (shape.kind == MechanismShape::Kind::guide) {
+            around(on.place(shape.points.back()), 13);
+            return places;
+        }
+        for (std::size_t i = shape.points.size() - 1; i > 0; --i)
+            for (const double part : {0.5, 0.35, 0.65, 0.2, 0.8})
+                around(on.place(shape.points[i - 1] + part * (shape.points[i] - shape.points[i - 1])), 12);
+        return places;
+    }
+
+    void draw_legend(SvgCanvas& canvas, const ShownUnit& length) const {
+        const int lines = 8, words = 6;
+        LegendColumn column(canvas, length,
+                            lines + words + dimension_entries(solution_) + figure_entries(solution_));
+        column.sample(closed_ ? "cam" : "sector", "cam");
+        column.sample("pitch", "pitch curve (roller centre)");
+        column.sample("roller", "roller");
+        column.sample("link", "links at θ = 0");
+        column.sample("ghost", "at both ends of the motion");
+        if (std::ranges::any_of(
+                now_, [](const MechanismShape& s) { return s.kind == MechanismShape::Kind::guide; }))
+            column.sample("guide", "way of the slider");
+        column.heading("dimensions");
+        add_dimensions(column, solution_);
+        column.words(fmt::format("turns {}", name_of(mechanism_.formulas->rotation())));
+        column.heading("figures");
+        add_figures(column, solution_);
+        if (!closed_) add_opening(column, solution_);
     }
 };
 
 }  // namespace
 
-std::string mechanism_svg(const MechanismDrawing& drawing, std::string_view title) {
-    return Page(drawing).drawn(title);
+std::string mechanism_svg(const Solution& solution, const Motion& motion) {
+    if (!solution.cam) throw InputError("a picture of a mechanism needs one, and this solution has none");
+    return MechanismPage(solution, motion).drawn();
 }
 
 }  // namespace camopt

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 // mechanism.svg: a planar cam mechanism to scale. The cam and its pitch curve at cam angle 0, roller, levers,
-// couplers and slider there, and thin the links at the two ends of the output's motion.
+// couplers and slider there, and thin the links at the two ends of the output's motion; beside it dimensions
+// and figures. The frame that stands still.
 #pragma once
 
-#include "studies/delivered/driven_mechanism.hpp"
+#include "core/motion.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace camopt {
 
-/// What is drawn: a mechanism, its motion.
-struct MechanismDrawing {
-    const DrivenMechanism& mechanism;
-    const Motion& motion;
-    MotionScale scale;
-};
-
-/// Throws InputError for a mechanism that cannot be drawn.
-[[nodiscard]] std::string mechanism_svg(const MechanismDrawing& drawing, std::string_view title);
+/// Along this motion (drawn_motion of studies/check/check_cam.hpp). Throws InputError for a mechanism that
+/// cannot be drawn.
+[[nodiscard]] std::string mechanism_svg(const Solution& solution, const Motion& motion);
 
 }  // namespace camopt

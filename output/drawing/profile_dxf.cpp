@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double pivot_size = 0.05;  // of the base radius
+constexpr double pivot_size = 0.05, opening_text = 0.05;  // of the base radius
 
 std::vector<DxfLayer> layers() {
     return {{"CAM", 7, DxfLine::continuous},     {"PITCH", 5, DxfLine::dashed},
@@ -32,21 +32,14 @@ std::vector<double> knots_with_cusps(const ProfileShape& shape) {
 }
 
 ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape& shape, double tolerance) {
-    const bool is_cam = std::string_view(layer) == "CAM";
-    const PlaneCurve curve = [&](double theta) {
-        const ProfilePoint point = shape.at(theta);
-        return CurvePoint{is_cam ? point.contact : point.pitch, point.normal};
-    };
-    ArcChainOptions options;
-    options.tolerance = tolerance;
-    ArcChain chain = arc_chain(curve, is_cam ? knots_with_cusps(shape) : shape.knots, shape.closed, options);
+    ArcChain chain = outline_chain(shape, std::string_view(layer) == "CAM", tolerance);
     drawing.polyline(layer, chain.vertices, chain.closed);
     return chain;
 }
 
 void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach) {
     const DiskCam& cam = shape.cam;
-    const ProfilePoint point = shape.at(shape.begin());
+    const ProfilePoint point = shape.at(shape.start);
     const FollowerPose pose = follower_pose(cam, point);
     if (has_roller(cam.follower)) drawing.circle("ROLLER", point.pitch, cam[DimensionIndex::roller_radius]);
     if (is_oscillating(cam.follower)) {
@@ -65,10 +58,31 @@ void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach)
     drawing.line("FACE", middle - half * along, middle + half * along);
 }
 
+/// Where the scene says nothing of the cam, a line between its ends, and what is missing.
+void draw_opening(DxfDrawing& drawing, const ProfileShape& shape, double size) {
+    if (shape.closed || shape.open_because.empty()) return;
+    const Vector2d from = shape.at(shape.begin()).contact, to = shape.at(shape.end()).contact;
+    drawing.line("OPEN", from, to);
+    drawing.text("OPEN",
+                 {1.1 * to, opening_text * size, "OPEN: " + shape.open_because, DxfText::Anchor::start, 0.0});
+}
+
 }  // namespace
 
+ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance) {
+    const PlaneCurve curve = [&](double theta) {
+        const ProfilePoint point = shape.at(theta);
+        return CurvePoint{of_cam ? point.contact : point.pitch, point.normal};
+    };
+    ArcChainOptions options;
+    options.tolerance = tolerance;
+    return arc_chain(curve, of_cam ? knots_with_cusps(shape) : shape.knots, shape.closed, options);
+}
+
 ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
-    DxfDrawing drawing(layers());
+    std::vector<DxfLayer> used = layers();
+    if (!shape.closed && !shape.open_because.empty()) used.push_back({"OPEN", 1, DxfLine::dashed});
+    DxfDrawing drawing(std::move(used));
     ProfileDxf result;
     const ArcChain outline = drawn_chain(drawing, "CAM", shape, tolerance);
     result.arcs = outline.arcs;
@@ -85,6 +99,7 @@ ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
     drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
     draw_follower(drawing, shape, reach);
+    draw_opening(drawing, shape, base);
     result.text = drawing.finish();
     return result;
 }

@@ -4,6 +4,7 @@
 // mm; the cam's centre at the origin, cam frame of profiles/disk/disk_cam.hpp.
 #pragma once
 
+#include "output/drawing/arc_chain.hpp"
 #include "output/drawing/profile_shape.hpp"
 
 #include <string>
@@ -17,6 +18,9 @@ struct ProfileDxf {
     int pitch_arcs = 0;      ///< 0 where there is no pitch curve beside the cam
     double pitch_deviation = 0.0;
 };
+
+/// The cam's outline, or its pitch curve, as arcs. Throws as below.
+[[nodiscard]] ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance);
 
 /// tolerance: m, > 0. Closed polylines for a closed cam. An undercut cam is drawn with its loops, as it is.
 /// Throws InputError for a tolerance that is not positive and a cam that is not finite.

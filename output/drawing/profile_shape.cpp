@@ -39,6 +39,7 @@ ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const Motio
     ProfileShape shape;
     shape.cam = cam;
     for (const double x : motion.breakpoints()) shape.knots.push_back(scale.unit_angle * x);
+    shape.start = std::clamp(0.0, shape.begin(), shape.end());
     const double last = motion.end();
     shape.at = [cam, &motion, scale, last](double theta) {
         const double x = std::clamp(theta / scale.unit_angle, motion.begin(), last);
@@ -56,6 +57,8 @@ std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& m
     if (!cam) return std::nullopt;
     ProfileShape shape = profile_shape(*cam, motion, motion_scale(solution.scene));
     shape.face_half_width = solution.scene.cam->face_half_width;
+    if (!shape.closed) shape.open_because = open_because(solution);
+    shape.length = shown_units(solution.scene).length;
     return shape;
 }
 

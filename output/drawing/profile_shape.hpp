@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/motion.hpp"
+#include "core/units.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/solution.hpp"
@@ -12,6 +14,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace camopt {
@@ -20,9 +23,12 @@ struct ProfileShape {
     DiskCam cam;
     std::function<ProfilePoint(double theta)> at;
     std::vector<double> knots;  ///< θ where the motion changes its formula, begin and end included; ascending
-    bool closed = true;         ///< the end of the cam is its beginning; false: a sector
+    bool closed = true;         ///< the end of the cam is its beginning; false: it is open
+    double start = 0.0;         ///< θ where the motion begins: dwell may lie before it
+    std::string open_because = {};  ///< what is missing where it is open; empty: nothing is said of it
     /// m: of a flat face that is pushed straight; none: it is drawn as wide as the contact needs, and wider.
     std::optional<double> face_half_width = {};
+    ShownUnit length = {"mm", 1.0 / units::millimetre};  ///< in which its drawings are labelled
 
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }
@@ -31,7 +37,7 @@ struct ProfileShape {
 /// Keeps a reference to the motion. Closed where the motion takes a whole turn and its end meets its begin.
 [[nodiscard]] ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale);
 
-/// Of a delivered disk cam along its whole motion (cam_motion of studies/check/check_cam.hpp), to which it
+/// Of a delivered disk cam along its whole motion (drawn_motion of studies/check/check_cam.hpp), to which it
 /// keeps a reference; none: the solution has no disk cam.
 [[nodiscard]] std::optional<ProfileShape> disk_shape(const Solution& solution, const Motion& motion);
 

@@ -2,9 +2,8 @@
 #include "output/drawing/profile_svg.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/axis_ticks.hpp"
-#include "output/chart/plot_frame.hpp"
 #include "output/drawing/follower_drawing.hpp"
+#include "output/drawing/picture_page.hpp"
 #include "output/drawing/profile_canvas.hpp"
 #include "output/drawing/profile_legend.hpp"
 #include "output/words/number_text.hpp"
@@ -22,13 +21,10 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree, units::millimetre;
+using units::degree;
 
 // Layout, px.
-constexpr double page_width = 1000, page_height = 760, left = 74, top = 60, width = 660, height = 640,
-                 legend_left = 760, legend_top = 76;
-constexpr double margin = 0.05;  // of the drawing's size, on each side
-constexpr int steps = 1440;      // a quarter of a degree
+constexpr int steps = 1440;  // a quarter of a degree
 constexpr double mark_step = 30 * degree, ghost_step = 60 * degree;
 constexpr double mark_length = 8, mark_distance = 19, mark_room = 9;  // px
 constexpr double label_width = 28, label_height = 12;                 // px
@@ -45,9 +41,10 @@ const char* page_style =
     ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
     ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
     "width:3px}"
-    ".bare{stroke:#fff}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
+    ".bare{stroke:#fff}.open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 "
+    "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
     ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
-    ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}.warning{fill:#d00000;font-weight:600}";
+    ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
 
 using Pieces = std::vector<std::vector<ProfilePoint>>;
 
@@ -60,16 +57,8 @@ void for_each_angle(const ProfileShape& shape, double step, Use use) {
         use(std::clamp(k * step, shape.begin(), shape.end()));
 }
 
-struct Extent {
-    Vector2d least = Vector2d::Zero(), most = Vector2d::Zero();
-    void add(const Vector2d& point) {
-        least = least.cwiseMin(point);
-        most = most.cwiseMax(point);
-    }
-};
-
-Extent extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
-    Extent extent;
+PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
+    PictureBox extent;
     const double roller = has_roller(shape.cam.follower) ? shape.cam[DimensionIndex::roller_radius] : 0.0;
     const Vector2d prime = Vector2d::Constant(shape.cam[DimensionIndex::base_radius] + roller);
     extent.add(prime);
@@ -83,8 +72,7 @@ Extent extent_of(const ProfileShape& shape, const Pieces& pieces, const Follower
     for_each_angle(shape, ghost_step, [&](double theta) {
         for (const Vector2d& point : follower.ghost_reach(theta)) extent.add(point);
     });
-    const Vector2d room = Vector2d::Constant(margin * (extent.most - extent.least).maxCoeff());
-    return {extent.least - room, extent.most + room};
+    return extent.with_room();
 }
 
 FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces) {
@@ -97,26 +85,6 @@ FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces
     return {shape, least, largest};
 }
 
-ProfileCanvas fitted_canvas(SvgCanvas& canvas, const Extent& extent) {
-    const Vector2d size = extent.most - extent.least, middle = 0.5 * (extent.least + extent.most);
-    const double scale = std::min(width / size.x(), height / size.y());
-    return {
-        canvas, {left + 0.5 * width - scale * middle.x(), top + 0.5 * height + scale * middle.y()}, scale};
-}
-
-void draw_frame(const ProfileCanvas& drawing) {
-    const double mm = drawing.scale * millimetre;
-    PlotFrame frame;
-    frame.horizontal = {(left - drawing.origin.x()) / mm, (left + width - drawing.origin.x()) / mm, left,
-                        left + width};
-    frame.vertical = {(drawing.origin.y() - top - height) / mm, (drawing.origin.y() - top) / mm, top + height,
-                      top};
-    frame.horizontal_ticks = labelled_ticks(frame.horizontal.lower, frame.horizontal.upper, 8);
-    frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 8);
-    frame.horizontal_title = "x, y in mm (cam frame)";
-    draw_plot_frame(drawing.canvas, frame);
-}
-
 void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pieces& pieces) {
     std::vector<Vector2d> outline, pitch;
     for (const std::vector<ProfilePoint>& piece : pieces)
@@ -125,6 +93,8 @@ void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pie
             pitch.push_back(point.pitch);
         }
     drawing.polyline(outline, shape.closed, shape.closed ? "cam" : "sector");
+    if (!shape.closed && !shape.open_because.empty())
+        drawing.line(shape.at(shape.begin()).contact, shape.at(shape.end()).contact, "open");
     const double base = shape.cam[DimensionIndex::base_radius];
     drawing.circle({0.0, 0.0}, base, "circle");
     if (!has_roller(shape.cam.follower)) return;
@@ -156,6 +126,12 @@ bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
     return found;
 }
 
+/// From 0 to 360: a dwell arc may lie before the motion.
+double turned_degrees(double theta) {
+    const double turns = std::floor(theta / units::turn + 1e-9);
+    return theta == 0.0 ? 0.0 : std::abs((theta - turns * units::turn) / degree);
+}
+
 /// Where marks crowd, on a sharp nose, the later labels stay away.
 void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
     std::vector<Vector2d> labels;
@@ -171,7 +147,7 @@ void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
         };
         if (std::ranges::any_of(labels, covers)) return;
         labels.push_back(place);
-        drawing.text(place, fmt::format("{:.0f}°", std::abs(theta / degree)),
+        drawing.text(place, fmt::format("{:.0f}°", turned_degrees(theta)),
                      shape.closed ? "mark-label" : "mark-label bare");
     });
 }
@@ -200,21 +176,21 @@ void draw_center(const ProfileCanvas& drawing, const DiskCam& cam) {
 std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     const Pieces pieces = profile_pieces(shape, steps);
     const FollowerDrawing follower = follower_drawing(shape, pieces);
-    SvgCanvas canvas(page_width, page_height,
-                     page_style + std::string(follower_style()) + std::string(profile_legend_style()), title);
-    canvas.rectangle(0, 0, page_width, page_height, "page");
-    canvas.text(left, 38, title, "title");
+    SvgCanvas canvas(picture_width, picture_height,
+                     page_style + std::string(follower_style()) + std::string(picture_style()), title);
+    canvas.rectangle(0, 0, picture_width, picture_height, "page");
+    canvas.text(picture_left, 38, title, "title");
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
-    draw_frame(drawing);
+    draw_length_frame(drawing, shape.length, "x, y in " + shape.length.name + " (cam frame)");
     for_each_angle(shape, ghost_step, [&](double theta) {
-        if (theta > shape.begin()) follower.draw_ghost(drawing, theta);
+        if (std::abs(theta - shape.start) > 1e-9) follower.draw_ghost(drawing, theta);
     });
     draw_cam(drawing, shape, pieces);
     const bool undercut = draw_undercut(drawing, pieces);
     draw_marks(drawing, shape);
     draw_center(drawing, shape.cam);
     follower.draw_whole(drawing);
-    draw_profile_legend(canvas, shape, {legend_left, legend_top, undercut});
+    draw_profile_legend(canvas, shape, undercut);
     return canvas.finish();
 }
 

@@ -75,6 +75,7 @@ Json curve_json(const CurveText& text, Json values) {
             {"beside", nullptr},
             {"values", std::move(values)},
             {"reference", nullptr},
+            {"measured", nullptr},
             {"limits", Json::array()},
             {"marks", Json::array()}};
 }

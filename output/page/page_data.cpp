@@ -15,7 +15,6 @@ namespace camopt {
 
 namespace {
 
-constexpr int significant_digits = 8;
 constexpr int dwell_steps = 24;  // rows over the dwell that closes a cam
 
 Json angle_part(const Solution& solution, const PageRows& rows) {
@@ -44,11 +43,11 @@ Json breakpoints_part(const Solution& solution) {
 
 }  // namespace
 
-Json rounded_json(double value) {
+Json rounded_json(double value, int digits) {
     if (!std::isfinite(value)) return nullptr;
     if (value == 0.0) return 0;
     const double power =
-        std::pow(10.0, significant_digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+        std::pow(10.0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
     const double rounded = std::isfinite(power) && power > 0.0 ? std::round(value * power) / power : value;
     return rounded;
 }

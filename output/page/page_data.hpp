@@ -15,10 +15,11 @@
 //   curves[]      by cam angle:
 //     key, group ("motion", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
 //     beside        null, or unit and factor: value · factor is the same by the cam angle
-//     reference     null, or the law's values[]
+//     reference     null, or title and values[] of the law
+//     measured      null, or title and values[] of the measured motion
 //     limits[]      from, to, at (signed), words; outside (+1: values above are out, −1: below)
 //     marks[]       at, value, words: the peaks and extremes that the tables name, at the tables' angles;
-//                   given: true: an exact point of the scene
+//                   given: true: an exact point of the scene; with "to" that velocity is held so far
 //   segments[]    from, to, title: of a program
 //   breakpoints[] cam angles
 //   drawing       null, or a plane cam and its mechanism in the frame that stands still:

@@ -4,6 +4,7 @@
 #include "output/chart/reference_motion.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/words/tables/peak_comparison.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -42,20 +43,17 @@ Json values_of(const MotionCurve& curve) {
     return values;
 }
 
-Json reference_values(const MotionCurve& curve, const ReferenceMotion& reference) {
-    if (!reference.motion) return nullptr;
+/// Another motion beside it, by the same rows: null where there is none.
+Json values_beside(const MotionCurve& curve, const Motion* motion, const std::string& title) {
+    if (motion == nullptr) return nullptr;
     Json values = Json::array();
     for (std::size_t i = 0; i < curve.rows.rows.size(); ++i) {
         const MotionRow& row = curve.rows.rows[i];
-        const bool inside =
-            i < curve.rows.own && row.x >= reference.motion->begin() && row.x <= reference.motion->end();
-        values.push_back(
-            inside
-                ? curve.value(
-                      reference.motion->at(row.x, row.side).derivative[static_cast<std::size_t>(curve.order)])
-                : Json(nullptr));
+        const bool inside = i < curve.rows.own && row.x >= motion->begin() && row.x <= motion->end();
+        const auto order = static_cast<std::size_t>(curve.order);
+        values.push_back(inside ? curve.value(motion->at(row.x, row.side).derivative[order]) : Json(nullptr));
     }
-    return {{"title", reference.title}, {"values", std::move(values)}};
+    return {{"title", title}, {"values", std::move(values)}};
 }
 
 Json limits_of(const MotionCurve& curve) {
@@ -91,19 +89,19 @@ Json peak_mark(const MotionCurve& curve, const PeakRow& row) {
     return all;
 }
 
-/// The exact points that the scene demands, on the curve of what they demand.
+/// The exact points that the scene demands, on the curve of what they demand; of a region, which is run
+/// through at a constant velocity, with its end as "to".
 void add_given_points(Json& curves, const Solution& solution, const ShownUnits& units) {
-    for (const SetPoint& point : solution.scene.motion.via) {
-        const std::array<std::optional<double>, 3> demanded = {point.displacement, point.velocity,
-                                                               point.acceleration};
-        for (std::size_t order = 0; order < demanded.size(); ++order) {
-            if (!demanded[order]) continue;
+    for (const PlacedPoint& point : placed_points(solution.scene.motion)) {
+        for (std::size_t order = 0; order < point.wanted.size(); ++order) {
+            if (!point.wanted[order]) continue;
             const MotionUnit& unit = units.motion[order].first;
-            curves[order]["marks"].push_back(
-                {{"at", rounded_json(units.degrees_per_x * point.at)},
-                 {"value", rounded_json(unit.per_normalised * *demanded[order])},
-                 {"words", "given: " + unit.normalised_text(*demanded[order], mark_digits)},
-                 {"given", true}});
+            Json mark = {{"at", rounded_json(units.degrees_per_x * point.begin)},
+                         {"value", rounded_json(unit.per_normalised * *point.wanted[order])},
+                         {"words", "given: " + unit.normalised_text(*point.wanted[order], mark_digits)},
+                         {"given", true}};
+            if (point.is_region() && order == 1) mark["to"] = rounded_json(units.degrees_per_x * point.end);
+            curves[order]["marks"].push_back(std::move(mark));
         }
     }
 }
@@ -115,6 +113,7 @@ Json motion_curves(const Solution& solution, const PageRows& rows) {
     if (!solution.motion) return all;
     const ShownUnits units = shown_units(solution.scene);
     const ReferenceMotion reference = reference_motion(solution.scene);
+    const Motion* const measured = solution.measured ? solution.measured->motion.get() : nullptr;
     const std::vector<PeakRow> peaks = peak_comparison(solution, reference);
     for (int order = 0; order < 4; ++order) {
         const auto index = static_cast<std::size_t>(order);
@@ -132,7 +131,8 @@ Json motion_curves(const Solution& solution, const PageRows& rows) {
                        {"unit", shown.first.name},
                        {"beside", std::move(beside)},
                        {"values", values_of(curve)},
-                       {"reference", reference_values(curve, reference)},
+                       {"reference", values_beside(curve, reference.motion.get(), reference.title)},
+                       {"measured", values_beside(curve, measured, "measured")},
                        {"limits", limits_of(curve)},
                        {"marks", order == 0 ? Json::array() : peak_mark(curve, peaks[index - 1])}});
     }

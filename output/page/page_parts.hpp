@@ -17,8 +17,8 @@
 
 namespace camopt {
 
-/// To as many significant digits as a page can show: eight. null for what is not finite.
-[[nodiscard]] Json rounded_json(double value);
+/// To so many significant digits: eight are as many as a page can show. null for what is not finite.
+[[nodiscard]] Json rounded_json(double value, int digits = 8);
 
 /// Where all curves and poses are taken: the rows of motion.csv, then the dwell that closes the cam.
 struct PageRows {

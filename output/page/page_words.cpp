@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a page says in words and tables: for the engineer first, how it was found last.
+#include "core/units.hpp"
 #include "core/version.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/reference_motion.hpp"
@@ -227,15 +228,19 @@ TextTable dimension_rows(const Solution& solution) {
     TextTable table;
     table.columns = {{"dimension", true}, {"value"}, {"", true}};
     const MechanismSpec spec = cam_of(solution.scene).value();
+    const ShownUnits shown = shown_units(solution.scene);
+    const auto value_text = [&](const DimensionValue& dimension) {
+        if (!dimension.shown) return std::string("free");
+        return dimension.is_angle ? shown.angle.text(*dimension.shown * units::degree)
+                                  : shown.length.text(*dimension.shown * units::millimetre);
+    };
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
         const auto found = std::ranges::find(spec.dimensions, dimension.name, &MechanismDimension::name);
-        const bool chosen = found != spec.dimensions.end() && found->value.is_variable();
-        table.rows.push_back(
-            {words_of(dimension.name),
-             dimension.shown ? short_text(*dimension.shown) + (dimension.is_angle ? " deg" : " mm") : "free",
-             chosen                           ? "chosen by the optimiser"
-             : found == spec.dimensions.end() ? "follows"
-                                              : "given"});
+        const bool given = found != spec.dimensions.end();
+        table.rows.push_back({words_of(dimension.name), value_text(dimension),
+                              !given                       ? "follows"
+                              : found->value.is_variable() ? "chosen by the optimiser"
+                                                           : "given"});
     }
     return table;
 }

@@ -8,6 +8,7 @@
 #include "output/page/study_parts.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/sweep_text.hpp"
 #include "scene/cost_table.hpp"
@@ -61,9 +62,7 @@ Json overlay_of(const Comparison& comparison) {
                 const double value =
                     shown.first.per_normalised * row.motion->at(place(i), side).derivative[order];
                 constexpr int drawn_digits = 5;
-                line.push_back(std::isfinite(value)
-                                   ? Json(std::stod(fmt::format("{:.{}g}", value, drawn_digits)))
-                                   : Json(nullptr));
+                line.push_back(rounded_json(value, drawn_digits));
             }
             lines.push_back(std::move(line));
         }
@@ -109,16 +108,20 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
     page.add_column("objective", "objective", number([](const ComparisonRow& row) { return row.objective; }));
     page.add_column("loss", "loss (%)",
                     column_of(rows, [](const ComparisonRow& row) { return cell_json(row.loss_percent); }));
+    for (const PhysicalPeak& peak : physical_peaks(comparison))
+        page.add_column(peak.title.substr(0, 1), peak.title,
+                        number([&](const ComparisonRow& row) { return peak.value(row); }));
+    const ShownUnit length = shown_units(comparison.optimum.scene).length;
     page.add_column("velocity", "V",
                     number([](const ComparisonRow& row) { return row.peaks.velocity.value; }));
     page.add_column("acceleration", "A",
                     number([](const ComparisonRow& row) { return row.peaks.acceleration.value; }));
     page.add_column("jerk", "J", number([](const ComparisonRow& row) { return row.peaks.jerk.value; }));
     if (has_bases(comparison))
-        page.add_column("base", "needed base radius (mm)", column_of(rows, [](const ComparisonRow& row) {
-                            return row.base && row.base->radius
-                                       ? cell_json(*row.base->radius / units::millimetre)
-                                       : words_json(base_words(row));
+        page.add_column("base", fmt::format("needed base radius ({})", length.name),
+                        column_of(rows, [&](const ComparisonRow& row) {
+                            return row.base && row.base->radius ? cell_json(length.factor * *row.base->radius)
+                                                                : words_json(base_words(comparison, row));
                         }));
     page.add_column(
         "breaks", "breaks",
@@ -262,12 +265,14 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
                             return point.value[goal] / (length ? units::millimetre : 1.0);
                         }));
     }
-    page.add_column("velocity", "V",
-                    number([](const FrontPoint& point) { return point.solution.peaks.velocity.value; }));
-    page.add_column("acceleration", "A",
-                    number([](const FrontPoint& point) { return point.solution.peaks.acceleration.value; }));
-    page.add_column("jerk", "J",
-                    number([](const FrontPoint& point) { return point.solution.peaks.jerk.value; }));
+    const auto is_goal = [&](FrontFigure figure) {
+        return std::ranges::find(front.request.goals, FrontGoal(figure)) != front.request.goals.end();
+    };
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::peak && !is_goal(term.figure))
+            page.add_column(term.name(), term.symbol, number([&term](const FrontPoint& point) {
+                                return term.measured.of(point.solution.peaks);
+                            }));
     page.add_column("verdict", "verdict",
                     column_of(front.points,
                               [](const FrontPoint& point) {

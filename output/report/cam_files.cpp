@@ -2,8 +2,10 @@
 #include "output/report/cam_files.hpp"
 
 #include "core/errors.hpp"
+#include "output/chart/force_diagrams_svg.hpp"
 #include "output/drawing/cam_dxf.hpp"
 #include "output/report/cam_texts.hpp"
+#include "studies/check/check_cam.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +18,7 @@ namespace {
 using enum CamView;
 
 constexpr const char* drawing_name = "profile.dxf";
+const CamFile force_file = {diagram, "forces.svg", "Force, torque and pressure", ""};
 
 /// The files of a kind and what makes them.
 struct KindFiles {
@@ -59,13 +62,17 @@ const KindFiles* kind_of(const Solution& solution) {
 
 std::vector<CamFile> cam_file_list(const Solution& solution) {
     const KindFiles* const kind = kind_of(solution);
-    return kind == nullptr ? std::vector<CamFile>{} : kind->files;
+    if (kind == nullptr) return {};
+    std::vector<CamFile> files = kind->files;
+    if (solution.cam->summary.forces) files.push_back(force_file);
+    return files;
 }
 
 std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& options) {
     std::vector<CamFile> files = cam_file_list(solution);
     if (files.empty()) return files;
     std::vector<std::string> texts = kind_of(solution)->texts(solution, options);
+    if (solution.cam->summary.forces) texts.push_back(force_diagrams_svg(solution, cam_motion(solution)));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
     if (options.drawing)
         files.push_back({drawing, drawing_name, "", cam_dxf(solution, options.dxf_tolerance).text});
@@ -82,7 +89,7 @@ std::string cam_view(const Solution& solution, CamView view, CamFileOptions opti
 }
 
 std::vector<std::string> cam_file_names() {
-    std::vector<std::string> names = {drawing_name};
+    std::vector<std::string> names = {drawing_name, force_file.name};
     for (const KindFiles& kind : kinds())
         for (const CamFile& file : kind.files) names.push_back(file.name);
     return names;

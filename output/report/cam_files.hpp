@@ -2,7 +2,7 @@
 // The files of a delivered plane cam, of whatever kind, as texts: its points, its pictures, its drawing. A
 // new kind of plane cam is a row of cam_files.cpp.
 //
-//   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf
+//   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
 //   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
 // The columns of profile.csv stand in csv/profile_csv.hpp, the layers of profile.dxf in drawing/cam_dxf.hpp.

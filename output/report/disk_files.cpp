@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/infinity.hpp"
 #include "output/chart/limit_spans.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
@@ -22,8 +23,28 @@ std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
     return limit->value;
 }
 
-std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
+/// Of each point; none where the scene has no forces. What does not exist is not finite.
+std::vector<FollowerLoads> loads_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
+                                    const MechanismProfile& profile) {
+    if (!solution.cam->summary.forces) return {};
+    const MotionScale scale = motion_scale(solution.scene);
+    std::vector<FollowerLoads> all;
+    for (const MechanismPoint& point : profile.points) {
+        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
+        const FollowerState state =
+            state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+        all.push_back(
+            follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed, state, point));
+        if (!solution.cam->summary.no_contact) continue;
+        all.back().normal_force = infinity;
+        all.back().hertz_pressure = std::nullopt;
+    }
+    return all;
+}
+
+std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
                    const CamFileOptions& options) {
+    const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
     for (const ProfilePoint& point :
          sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance})) {
@@ -31,7 +52,10 @@ std::string csv_of(const DiskCam& cam, const Motion& motion, const MotionScale& 
         profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    return profile_csv(profile, {is_oscillating(cam.follower), has_flat_face(cam.follower)});
+    ProfileColumns columns{.swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower)};
+    columns.loads = loads_of(solution, cam, motion, profile);
+    columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
+    return profile_csv(profile, columns);
 }
 
 /// Where the report says that the extremes are: one source, so that both name the same angle where a
@@ -58,16 +82,18 @@ ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summar
 }  // namespace
 
 std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = cam_motion(solution), drawn = drawn_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    const ProfileShape shape = disk_shape(solution, motion).value();
+    // The diagrams show the motion alone: along a dwell arc nothing changes.
+    const ProfileShape shape = disk_shape(solution, motion).value(),
+                       whole = disk_shape(solution, drawn).value();
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
     const ProfileDiagramLimits limits{
         pressure_spans(solution.scene, motion),
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    return {csv_of(shape.cam, motion, scale, options), profile_svg(shape, title),
+    return {csv_of(solution, shape.cam, drawn, options), profile_svg(whole, title),
             profile_diagrams_svg(shape, limits, title, marks)};
 }
 

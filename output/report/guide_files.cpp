@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
-#include "output/chart/paper_figure_svg.hpp"
 #include "output/csv/csv_line.hpp"
+#include "output/drawing/guide_svg.hpp"
 #include "output/drawing/mechanism_figures.hpp"
 #include "output/report/cam_texts.hpp"
 #include "studies/check/check_cam.hpp"
@@ -14,12 +14,7 @@ using units::degree, units::millimetre;
 
 constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
 
-/// Both walls at the same cam angles.
-struct Walls {
-    MechanismProfile left, right;
-};
-
-std::string csv_of_walls(const Walls& walls) {
+std::string csv_of_walls(const GuideWalls& walls) {
     std::string text =
         "theta_deg,s_mm,middle_x_mm,middle_y_mm,left_x_mm,left_y_mm,right_x_mm,right_y_mm,"
         "pressure_angle_deg,middle_radius_mm,regularity_left,regularity_right\n";
@@ -36,28 +31,6 @@ std::string csv_of_walls(const Walls& walls) {
     return text;
 }
 
-template <class Place>
-PaperSeries path(const std::string& title, const MechanismProfile& profile, const Place& place) {
-    PaperSeries series{title, {}, {}};
-    for (const MechanismPoint& point : profile.points) {
-        series.x.push_back(place(point).x() / millimetre);
-        series.y.push_back(place(point).y() / millimetre);
-    }
-    return series;
-}
-
-std::string drawing_of(const Walls& walls, const std::string& title) {
-    PaperFigure figure{"guide", title + ": the guide in its body", "x (mm)", "y (mm)", {}};
-    figure.equal_scales = true;
-    const auto contact = [](const MechanismPoint& point) { return point.contact; };
-    figure.series.push_back(path("left wall", walls.left, contact));
-    figure.series.push_back(path("right wall", walls.right, contact));
-    figure.series.push_back(
-        path("roller's centre", walls.left, [](const MechanismPoint& point) { return point.pitch; }));
-    figure.series.push_back({"body's pivot", {0.0}, {0.0}, true});
-    return paper_figure_svg(figure);
-}
-
 }  // namespace
 
 std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options) {
@@ -65,10 +38,9 @@ std::vector<std::string> guide_texts(const Solution& solution, const CamFileOpti
     const MotionScale scale = motion_scale(solution.scene);
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
-    const Walls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
-                      mechanism_profile(mechanism, motion, scale, count, right_wall)};
-    const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
-    return {csv_of_walls(walls), drawing_of(walls, title), pressure_angle_svg(solution, walls.left)};
+    const GuideWalls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
+                           mechanism_profile(mechanism, motion, scale, count, right_wall)};
+    return {csv_of_walls(walls), guide_svg(solution, walls), pressure_angle_svg(solution, walls.left)};
 }
 
 }  // namespace camopt

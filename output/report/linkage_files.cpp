@@ -8,14 +8,13 @@
 namespace camopt {
 
 std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution);
+    const MotionChain motion = drawn_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
-    const std::string title = solution.scene.title.empty() ? "Cam and linkage" : solution.scene.title;
-    return {profile_csv(profile, {mechanism.formulas->swings(), false}),
-            mechanism_svg({mechanism, motion, scale}, title), pressure_angle_svg(solution, profile),
+    return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}),
+            mechanism_svg(solution, motion), pressure_angle_svg(solution, profile),
             curvature_svg(solution, profile)};
 }
 

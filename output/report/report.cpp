@@ -5,12 +5,14 @@
 #include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/report/report_sections.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/set_point_table.hpp"
+#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -67,21 +69,26 @@ std::string verdict_section(const Solution& solution) {
 
 std::string peak_table(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
-    std::string text = fmt::format(
-        "\n## Peaks\n\n| | this motion | | at (deg) | {} | change | curve of least objective "
-        "|\n|---|--:|--:|--:|--:|--:|--:|\n",
-        reference_title(reference));
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const ShownUnits shown = shown_units(solution.scene);
+    TextTable table;
+    table.columns = {{"", true}, {"peak"}};
+    if (shown.in_time) table.columns.push_back({"by the cam angle"});
+    for (const std::string& title :
+         {std::string("normalised"), std::string("at (deg)"), reference_title(reference),
+          std::string("change"), std::string("curve of least objective")})
+        table.columns.push_back({title});
     for (const PeakRow& row : peak_comparison(solution, reference)) {
-        const std::string physical =
-            row.factor > 0.0 ? fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit) : "";
-        text += fmt::format("| {} {} | {} | {} | {} | {} | {} | {} |\n", row.name, row.symbol,
-                            short_text(row.optimum.value), physical,
-                            short_text(row.optimum.at * degrees_per_x), optional_text(row.reference),
-                            row.reference ? change_text(row.optimum.value, *row.reference) : "–",
-                            optional_text(row.any_curve));
+        std::vector<std::string> cells = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
+        if (shown.in_time) cells.push_back(row.beside_text());
+        cells.insert(cells.end(),
+                     {short_text(row.optimum.value), short_text(row.optimum.at * shown.degrees_per_x),
+                      optional_text(row.reference),
+                      row.reference ? change_text(row.optimum.value, *row.reference) : "–",
+                      optional_text(row.any_curve)});
+        table.rows.push_back(std::move(cells));
     }
-    return text + "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
+    return "\n## Peaks\n\n" + markdown_text(table) +
+           "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
            any_curve_note(solution);
 }
 
@@ -97,13 +104,18 @@ std::string limits_section(const Solution& solution) {
     if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
         text += fmt::format(
             "| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
             row.no_contact ? std::string(no_contact_words) : short_text(row.worst, 9) + " " + row.unit,
             short_text(row.at * degrees_per_x), row.active ? "active: it shapes the motion" : "not active");
     return text;
+}
+
+std::string set_point_section(const Solution& solution) {
+    const TextTable table = set_point_table(solution);
+    return table.rows.empty() ? std::string() : "\n## Set points\n\n" + markdown_text(table);
 }
 
 std::string relaxation_section(const Solution& solution) {
@@ -171,11 +183,12 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
     text += own_terms_section(solution);
-    text += limits_section(solution);
+    text += limits_section(solution) + set_point_section(solution);
+    if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     text += cam_section(solution);
     return text + design_section(solution.design) + solver_section(solution, origin) +
-           notes_section(solution.notes);
+           notes_section(solution.notes) + scene_section(origin);
 }
 
 }  // namespace camopt

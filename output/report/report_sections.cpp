@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "output/report/report_sections.hpp"
 
+#include "core/text/printable.hpp"
+#include "input/keys/written_keys.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/text_table.hpp"
@@ -49,25 +51,52 @@ std::string cam_section(const Solution& solution) {
 
 std::string program_peak_section(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
-    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    const ShownUnits shown = shown_units(solution.scene);
     TextTable table;
-    table.columns = {{"", true}, {"spline segments"}, {"at (deg)"}, {reference_title(reference)},
-                     {"change"}, {"whole motion"},    {"at (deg)"}};
+    table.columns = {{"", true}, {"whole motion"}};
+    if (shown.in_time) table.columns.push_back({"by the cam angle"});
+    for (const std::string& title :
+         {std::string("at (deg)"), std::string("spline segments"), std::string("at (deg)"),
+          reference_title(reference), std::string("change")})
+        table.columns.push_back({title});
     for (const PeakRow& row : peak_comparison(solution, reference)) {
-        std::vector<std::string> cells = {
-            fmt::format("{} {}", row.name, row.symbol), short_text(row.optimum.value),
-            short_text(row.optimum.at * degrees_per_x), row.reference ? short_text(*row.reference) : "–",
-            row.reference ? change_text(row.optimum.value, *row.reference) : "–"};
-        if (row.factor > 0.0) {
-            cells.push_back(fmt::format("{} {}", short_text(row.factor * row.motion.value), row.unit));
-            cells.push_back(short_text(row.motion.at * degrees_per_x));
-        }
+        std::vector<std::string> cells = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
+        if (shown.in_time) cells.push_back(row.beside_text());
+        cells.insert(cells.end(),
+                     {row.shown ? short_text(row.motion.at * shown.degrees_per_x) : std::string{},
+                      short_text(row.optimum.value), short_text(row.optimum.at * shown.degrees_per_x),
+                      row.reference ? short_text(*row.reference) : "–",
+                      row.reference ? change_text(row.optimum.value, *row.reference) : "–"});
         table.rows.push_back(std::move(cells));
     }
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
            "segment's "
            "own angle and displacement; those of the whole motion include the law segments.\n";
+}
+
+namespace {
+
+std::string code(const std::string& text) {
+    return text.find('`') == std::string::npos ? fmt::format("`{}`", text) : text;
+}
+
+}  // namespace
+
+std::string scene_section(const RunOrigin& origin) {
+    if (origin.scene_text.empty()) return {};
+    TextTable table;
+    table.columns = {{"key", true}, {"value", true}, {"unit", true}, {"meaning", true}};
+    for (const input::WrittenKey& row : input::keys_written_in(origin.scene_text, origin.scene_file))
+        table.rows.push_back({code(printable(row.key)), code(row.value), row.unit, row.meaning});
+    std::string fence = "```";
+    while (origin.scene_text.find(fence) != std::string::npos) fence += '`';
+    const bool ends = origin.scene_text.ends_with('\n');
+    return fmt::format(
+        "\n## The scene, key by key\n\nWhat is not listed has its default (`camopt list keys`).\n\n{}\n"
+        "## The scene file\n\nIn a file of its own it repeats this report: `camopt solve FILE --out DIR`.\n\n"
+        "{}toml\n{}{}{}\n",
+        markdown_text(table), fence, printable_lines(origin.scene_text), ends ? "" : "\n", fence);
 }
 
 std::string segment_section(const Solution& solution) {

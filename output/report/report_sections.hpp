@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sections of report.md that only scenes with a cam and programs have. Empty where they have nothing to say.
+// Sections of report.md that not every result has. Empty where they have nothing to say.
 #pragma once
 
+#include "output/json/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>
@@ -20,5 +21,9 @@ namespace camopt {
 /// "Why this spline has no motion, and what would have to change", in words; "no motion exists" where that is
 /// known.
 [[nodiscard]] std::string infeasible_section(const Solution& solution);
+
+/// "The scene, key by key" and the scene file itself: the report alone repeats the run. Empty where the
+/// origin has no text.
+[[nodiscard]] std::string scene_section(const RunOrigin& origin);
 
 }  // namespace camopt

@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/whole_turn.hpp"
+#include "output/spatial/drum_pictures.hpp"
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/surface/mesh_files.hpp"
@@ -53,14 +54,7 @@ TriangleMesh body_of(const IndexingBody& body) {
 
 std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, const FlankGrid& grid,
                        const std::string& title) {
-    MeshView view;
-    view.up = Eigen::Vector3d::UnitY();  // where the roller stands at cam angle 0
-    // From the side on which the first part of the motion lies.
-    view.azimuth = (90.0 - sense_of(cam.rotation) * 50.0) * std::numbers::pi / 180.0;
-    view.elevation = 28.0 * std::numbers::pi / 180.0;
-    const IndexingBodyOptions coarse{120, 4};  // a picture shows no more
-    if (indexes(cam, motion)) return mesh_svg(painted(indexing_body(cam, motion, coarse)), view, title);
-    return mesh_svg(std::vector<PaintedMesh>{{groove_body(grid), {226, 164, 84}}}, view, title);
+    return mesh_svg(drum_parts(cam, motion, grid), drum_view(cam), title);
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ class Builder {
     /// The foot of the section, inside the hub.
     void sink(Section& section) const {
         const auto foot = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
-            const double part = thread_part * least_radius_ / std::hypot(point.x(), point.y());
+            const double part = (options_.foot_on_hub ? hub_part : thread_part) * least_radius_ /
+                                std::hypot(point.x(), point.y());
             return {part * point.x(), part * point.y(), point.z()};
         };
         const auto middle = section.begin() + options_.heights;
@@ -157,7 +158,9 @@ IndexingBody indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
 }
 
 std::vector<PaintedMesh> painted(const IndexingBody& body) {
-    return {{body.hub, {150, 160, 172}}, {body.thread, {226, 164, 84}}, {body.rollers, {96, 142, 198}}};
+    return {{body.hub, {150, 160, 172}, MeshPlace::revolved},
+            {body.thread, {226, 164, 84}, MeshPlace::around_revolved},
+            {body.rollers, {96, 142, 198}, MeshPlace::around_revolved}};
 }
 
 }  // namespace camopt

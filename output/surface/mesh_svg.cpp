@@ -20,6 +20,7 @@ constexpr double ambient = 0.38;  // share of the light that comes from everywhe
 
 struct Facet {
     std::array<Eigen::Vector2d, 3> corner;
+    int group = 0;  // before, of or after what is revolved
     double depth = 0.0;
     int shade = 0;  // 0 … 255 of the full light
     std::array<int, 3> colour{};
@@ -37,7 +38,8 @@ struct Camera {
     }
 };
 
-void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camera& camera) {
+void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camera& camera,
+                bool has_revolved) {
     for (const auto& t : part.mesh.triangles) {
         std::array<Eigen::Vector3d, 3> p;
         for (std::size_t i = 0; i < 3; ++i) p[i] = part.mesh.vertices[static_cast<std::size_t>(t[i])];
@@ -46,6 +48,11 @@ void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camer
         Facet facet;
         for (std::size_t i = 0; i < 3; ++i) facet.corner[i] = {p[i].dot(camera.right), -p[i].dot(camera.up)};
         facet.depth = (p[0] + p[1] + p[2]).dot(camera.eye);
+        const Eigen::Vector3d middle = (p[0] + p[1] + p[2]) / 3.0;
+        const bool towards = middle.x() * camera.eye.x() + middle.y() * camera.eye.y() > 0.0;
+        facet.group = part.place == MeshPlace::revolved || !has_revolved     ? 1
+                      : part.place == MeshPlace::around_revolved && !towards ? 0
+                                                                             : 2;
         const double light = ambient + (1.0 - ambient) * std::max(0.0, normal.dot(camera.light));
         facet.shade = static_cast<int>(std::lround(255.0 * light));
         facet.colour = part.colour;
@@ -53,41 +60,61 @@ void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camer
     }
 }
 
-}  // namespace
-
-std::string mesh_svg(std::span<const PaintedMesh> parts, const MeshView& view, const std::string& title) {
+std::vector<Facet> sorted_facets(std::span<const PaintedMesh> parts, const MeshView& view) {
     std::vector<Facet> facets;
     const Camera camera(view);
-    for (const PaintedMesh& part : parts) add_facets(facets, part, camera);
+    const bool has_revolved =
+        std::ranges::any_of(parts, [](const PaintedMesh& part) { return part.place == MeshPlace::revolved; });
+    for (const PaintedMesh& part : parts) add_facets(facets, part, camera, has_revolved);
     if (facets.empty()) throw InputError("picture of a mesh: there is no facet to draw");
-    std::ranges::stable_sort(facets, {}, &Facet::depth);
+    std::ranges::stable_sort(facets, [](const Facet& a, const Facet& b) {
+        return a.group != b.group ? a.group < b.group : a.depth < b.depth;
+    });
+    return facets;
+}
+
+}  // namespace
+
+MeshElements mesh_elements(std::span<const PaintedMesh> parts, const MeshView& view, double height) {
+    const std::vector<Facet> facets = sorted_facets(parts, view);
     Eigen::Vector2d low = facets[0].corner[0], high = low;
     for (const Facet& facet : facets)
         for (const Eigen::Vector2d& corner : facet.corner) {
             low = low.cwiseMin(corner);
             high = high.cwiseMax(corner);
         }
-    const double scale = (view.width - 2.0 * margin) / std::max((high - low).x(), 1e-12);
-    const double height = scale * (high - low).y() + 2.0 * margin;
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
-        "height=\"{:.0f}\" role=\"img\">\n<title>{}</title>\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-width=\".6\" "
-        "stroke-linejoin=\"round\">\n",
-        view.width, height, view.width, height, xml_text(title));
+    const Eigen::Vector2d size = (high - low).cwiseMax(Eigen::Vector2d::Constant(1e-12));
+    MeshElements drawn;
+    drawn.scale = std::min(view.width / size.x(), height / size.y());
+    drawn.width = drawn.scale * size.x();
+    drawn.height = drawn.scale * size.y();
+    drawn.elements = "<g stroke-width=\".6\" stroke-linejoin=\"round\">\n";
     for (const Facet& facet : facets) {
         std::string path;
         for (const Eigen::Vector2d& corner : facet.corner) {
-            const Eigen::Vector2d px = scale * (corner - low) + Eigen::Vector2d(margin, margin);
+            const Eigen::Vector2d px = drawn.scale * (corner - low);
             fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', px.x(),
                            px.y());
         }
         const auto part = [&](std::size_t i) { return facet.colour[i] * facet.shade / 255; };
         const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
-        fmt::format_to(std::back_inserter(svg), "<path d=\"{}Z\" fill=\"{}\" stroke=\"{}\"/>\n", path, colour,
-                       colour);
+        fmt::format_to(std::back_inserter(drawn.elements), "<path d=\"{}Z\" fill=\"{}\" stroke=\"{}\"/>\n",
+                       path, colour, colour);
     }
-    return svg + "</g>\n</svg>\n";
+    drawn.elements += "</g>\n";
+    return drawn;
+}
+
+std::string mesh_svg(std::span<const PaintedMesh> parts, const MeshView& view, const std::string& title) {
+    MeshView inside = view;
+    inside.width = view.width - 2.0 * margin;
+    const MeshElements drawn = mesh_elements(parts, inside, HUGE_VAL);
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+        "height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g transform=\"translate({3:.0f} {3:.0f})\">\n"
+        "{4}</g>\n</svg>\n",
+        view.width, drawn.height + 2.0 * margin, xml_text(title), margin, drawn.elements);
 }
 
 }  // namespace camopt

@@ -6,6 +6,7 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
@@ -18,7 +19,7 @@ namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
+using units::degree;
 
 constexpr int check_digits = 2;
 // Of the prime radius, of a linkage's lift: what an undercut cam is off is far more.
@@ -78,11 +79,12 @@ std::string stroke_words(const Solution& solution, const SmallestCamReport& smal
 }
 
 std::string smallest_remark(const Solution& solution, const SmallestCamReport& smallest) {
+    const ShownUnits shown = shown_units(solution.scene);
     return fmt::format(
-        "The smallest cam: with a pressure angle of {} deg any motion whatever needs a prime radius above {} "
-        "mm {}; this cam has {} mm.",
-        short_text(smallest.pressure_angle / degree), short_text(smallest.prime_radius / millimetre),
-        stroke_words(solution, smallest), short_text(smallest.given / millimetre));
+        "The smallest cam: with a pressure angle of {} any motion whatever needs a prime radius above {} {}; "
+        "this cam has {}.",
+        shown.angle.text(smallest.pressure_angle), shown.length.text(smallest.prime_radius),
+        stroke_words(solution, smallest), shown.length.text(smallest.given));
 }
 
 /// Of a disk cam.
@@ -108,17 +110,16 @@ std::string lift_off_remark(const Solution& solution, const ForceSummary& forces
 }
 
 std::string check_remark(const Solution& solution, const ForwardCheckReport& check) {
-    const bool swings = solution.scene.motion.lift_is_angle;
     const CamMechanism& cam = *solution.cam->cam.formulas;
     const std::string where = degrees_at(solution, check.at);
     if (!std::isfinite(check.deviation))
         return fmt::format("Forward check: at {} deg no place was found where the {} touches the cam.", where,
                            cam.is_direct() ? "follower" : "roller");
-    const std::string found = fmt::format(
-        "{} {} {}",
-        check.relative <= moves_as_designed ? "moves as designed within"
-                                            : "DEPARTS from the designed motion by",
-        short_text(check.deviation / (swings ? degree : millimetre), check_digits), swings ? "deg" : "mm");
+    const std::string found =
+        fmt::format("{} {}",
+                    check.relative <= moves_as_designed ? "moves as designed within"
+                                                        : "DEPARTS from the designed motion by",
+                    shown_units(solution.scene).motion[0].first.text(check.deviation, check_digits));
     const std::string run = cam.check_words(check.points);
     if (cam.is_direct())
         return fmt::format("Forward check: {}, and nothing else, {} ({} of the prime radius, at {} deg).",

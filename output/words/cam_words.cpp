@@ -5,6 +5,7 @@
 #include "output/words/angle_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
@@ -39,13 +40,9 @@ class Figures {
  public:
     explicit Figures(const Solution& solution) : solution_(solution) {}
 
-    void add(std::string name, const std::optional<CamExtreme>& extreme, double unit,
-             std::string_view unit_name) {
+    void add(std::string name, const std::optional<CamExtreme>& extreme, const ShownUnit& unit) {
         if (!extreme) return;
-        std::string value = no_contact_words;
-        if (!std::isinf(extreme->value))
-            value = fmt::format("{}{}{}", short_text(extreme->value / unit), unit_name.empty() ? "" : " ",
-                                unit_name);
+        std::string value = std::isinf(extreme->value) ? no_contact_words : unit.text(extreme->value);
         all_.push_back({std::move(name), std::move(value), degrees_at(solution_, extreme->at)});
     }
     [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }
@@ -55,31 +52,30 @@ class Figures {
     std::vector<CamFigure> all_;
 };
 
-void add_geometry(Figures& figures, const CamReport& cam) {
+void add_geometry(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
     const CamSummary& summary = cam.summary;
-    figures.add("largest pressure angle", summary.pressure_angle, degree, "deg");
+    figures.add("largest pressure angle", summary.pressure_angle, shown.angle);
     if (summary.return_pressure_angle && summary.return_pressure_angle->value > 0.0) {
-        figures.add("on the rise", summary.rise_pressure_angle, degree, "deg");
-        figures.add("on the return", summary.return_pressure_angle, degree, "deg");
+        figures.add("on the rise", summary.rise_pressure_angle, shown.angle);
+        figures.add("on the return", summary.return_pressure_angle, shown.angle);
     }
-    figures.add("least convex radius of the cam", convex_radius(summary), millimetre, "mm");
-    figures.add("least concave radius of the cam", summary.concave_radius, millimetre, "mm");
-    figures.add("largest contact offset on the face", summary.contact_offset, millimetre, "mm");
+    figures.add("least convex radius of the cam", convex_radius(summary), shown.length);
+    figures.add("least concave radius of the cam", summary.concave_radius, shown.length);
+    figures.add("largest contact offset on the face", summary.contact_offset, shown.length);
     if (!cam.cam.formulas->undercut_words().empty())
-        figures.add("least regularity (0: undercut)", summary.regularity, 1.0, "");
+        figures.add("least regularity (0: undercut)", summary.regularity, ShownUnit{});
 }
 
-void add_forces(Figures& figures, const CamReport& cam) {
+void add_forces(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
     if (!cam.summary.forces) return;
     const ForceSummary& forces = *cam.summary.forces;
     const bool swings = cam.cam.formulas->swings();
     const char* const what = swings ? "moment on the follower" : "force on the follower";
-    const char* const unit = swings ? "N m" : "N";
-    figures.add(fmt::format("least {}", what), forces.least_force, 1.0, unit);
-    figures.add(fmt::format("largest {}", what), forces.largest_force, 1.0, unit);
-    figures.add("largest camshaft torque", forces.torque, 1.0, "N m");
-    figures.add("largest force along the normal", forces.normal_force, 1.0, "N");
-    figures.add("largest Hertz pressure", forces.hertz_pressure, units::megapascal, "MPa");
+    figures.add(fmt::format("least {}", what), forces.least_force, shown.load);
+    figures.add(fmt::format("largest {}", what), forces.largest_force, shown.load);
+    figures.add("largest camshaft torque", forces.torque, shown.torque);
+    figures.add("largest force along the normal", forces.normal_force, shown.force);
+    figures.add("largest Hertz pressure", forces.hertz_pressure, shown.pressure);
 }
 
 }  // namespace
@@ -103,11 +99,16 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
 }
 
 std::string dimensions_text(const Solution& solution) {
+    const ShownUnits shown = shown_units(solution.scene);
+    const auto value_text = [&](const DimensionValue& dimension) {
+        if (!dimension.shown) return std::string("free");
+        return dimension.is_angle ? shown.angle.text(*dimension.shown * degree)
+                                  : shown.length.text(*dimension.shown * millimetre);
+    };
     std::string text;
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        text += fmt::format(
-            "{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name),
-            dimension.shown ? short_text(*dimension.shown) + (dimension.is_angle ? " deg" : " mm") : "free");
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name), value_text(dimension));
     return text;
 }
 
@@ -131,8 +132,9 @@ std::optional<CamExtreme> convex_radius(const CamSummary& summary) {
 
 std::vector<CamFigure> cam_figures(const Solution& solution) {
     Figures figures(solution);
-    add_geometry(figures, *solution.cam);
-    add_forces(figures, *solution.cam);
+    const ShownUnits shown = shown_units(solution.scene);
+    add_geometry(figures, *solution.cam, shown);
+    add_forces(figures, *solution.cam, shown);
     return figures.take();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cam of a solution in words, of whatever kind: dimensions and figures. mm, deg, N.
+// The cam of a solution in words, of whatever kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
 #include "scene/mechanism_spec.hpp"
@@ -11,7 +11,7 @@
 
 namespace camopt {
 
-/// Name and value of a dimension, as shown: mm, or deg.
+/// Name and value of a dimension as files show it: mm, or deg.
 struct DimensionValue {
     std::string name;  ///< "base_radius"
     bool is_angle = false;

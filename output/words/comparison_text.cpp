@@ -31,20 +31,24 @@ std::string limits_cell(const Comparison& comparison, const ComparisonRow& row) 
 TextTable table_of(const Comparison& comparison) {
     const bool bases = has_bases(comparison);
     TextTable table;
-    table.columns = {{"law", true}, {"objective"}, {"loss"}, {"V"}, {"A"}, {"J"}};
-    if (bases) table.columns.push_back({"base mm"});
+    const std::vector<PhysicalPeak> physical = physical_peaks(comparison);
+    table.columns = {{"law", true}, {"objective"}, {"loss"}};
+    for (const PhysicalPeak& peak : physical) table.columns.push_back({peak.title});
+    for (const char* const symbol : {"V", "A", "J"}) table.columns.push_back({symbol});
+    if (bases) table.columns.push_back({base_title(comparison)});
     table.columns.push_back({"limits", true});
     for (const ComparisonRow& row : comparison.rows) {
         std::vector<std::string> cells = {row_title(row)};
         if (row.misfit.empty()) {
-            cells.insert(cells.end(), {fixed_text(row.objective, objective_decimals), loss_words(row),
-                                       fixed_text(row.peaks.velocity.value, peak_decimals),
+            cells.insert(cells.end(), {fixed_text(row.objective, objective_decimals), loss_words(row)});
+            for (const PhysicalPeak& peak : physical) cells.push_back(peak.text(row));
+            cells.insert(cells.end(), {fixed_text(row.peaks.velocity.value, peak_decimals),
                                        fixed_text(row.peaks.acceleration.value, peak_decimals),
                                        fixed_text(row.peaks.jerk.value, peak_decimals)});
         } else {
-            cells.insert(cells.end(), 5, "");
+            cells.insert(cells.end(), 5 + physical.size(), "");
         }
-        if (bases) cells.push_back(base_words(row));
+        if (bases) cells.push_back(base_words(comparison, row));
         cells.push_back(limits_cell(comparison, row));
         table.rows.push_back(std::move(cells));
     }
@@ -67,7 +71,7 @@ std::string comparison_text(const Comparison& comparison) {
         text += wrapped_text(
             "the smallest base radius at which the motion keeps every limit, the cam's other dimensions as "
             "they are; none: no radius tried keeps them",
-            "base mm: ", comparison_line_width);
+            base_title(comparison) + ": ", comparison_line_width);
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "scene/cost_table.hpp"
 
@@ -17,7 +18,7 @@ namespace camopt {
 namespace {
 
 constexpr int table_figures = 4;
-constexpr int base_decimals = 3;  // of mm
+constexpr int base_decimals = 3, base_decimals_of_inches = 4;  // a micrometre, a ten-thousandth of an inch
 
 bool is_exact(const LimitOutcome& outcome) {
     return outcome.reached.key.starts_with("motion.") || outcome.reached.key == "spline.end_jerk";
@@ -75,10 +76,40 @@ std::vector<std::string> broken_limits(const ComparisonRow& row) {
     return words;
 }
 
-std::string base_words(const ComparisonRow& row) {
+std::string base_title(const Comparison& comparison) {
+    return "base " + shown_units(comparison.optimum.scene).length.name;
+}
+
+std::string base_words(const Comparison& comparison, const ComparisonRow& row) {
     if (!row.base) return {};
     if (!row.base->radius) return "none";
-    return fixed_text(*row.base->radius / units::millimetre, base_decimals);
+    const ShownUnit length = shown_units(comparison.optimum.scene).length;
+    return fixed_text(
+        length.factor * *row.base->radius,
+        comparison.optimum.scene.length_unit == LengthUnit::inch ? base_decimals_of_inches : base_decimals);
+}
+
+std::string PhysicalPeak::text(const ComparisonRow& row) const {
+    return fixed_text(value(row), decimals);
+}
+
+std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {
+    const ShownUnits shown = shown_units(comparison.optimum.scene);
+    if (!shown.in_time) return {};
+    std::vector<PhysicalPeak> all;
+    std::size_t order = 1;
+    for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk}) {
+        const MotionUnit& unit = shown.motion[order++].first;
+        all.push_back({unit.symbol + " " + unit.name, unit.per_normalised, peak});
+        double largest = 0.0;
+        for (const ComparisonRow& row : comparison.rows)
+            if (const double value = all.back().value(row); std::isfinite(value))
+                largest = std::max(largest, value);
+        if (largest > 0.0)
+            all.back().decimals =
+                std::max(0, table_figures - 1 - static_cast<int>(std::floor(std::log10(largest))));
+    }
+    return all;
 }
 
 bool has_bases(const Comparison& comparison) {

@@ -21,8 +21,25 @@ namespace camopt {
 /// One entry a broken limit, the heaviest (relative to the limit) first.
 [[nodiscard]] std::vector<std::string> broken_limits(const ComparisonRow& row);
 
-/// Base radius in mm; "none" where none helps; empty where the scene limits no cam.
-[[nodiscard]] std::string base_words(const ComparisonRow& row);
+/// "base mm" or "base in", and the radius in it; "none" where none helps; empty where the scene limits no
+/// cam.
+[[nodiscard]] std::string base_title(const Comparison& comparison);
+[[nodiscard]] std::string base_words(const Comparison& comparison, const ComparisonRow& row);
+
+/// The peaks of velocity, acceleration and jerk as a person reads them, where the scene has a speed; empty
+/// without one: then V, A, J say it all.
+struct PhysicalPeak {
+    std::string title;  ///< "v mm/s"
+    double per_normalised = 1.0;
+    Extremum Peaks::*peak = nullptr;
+    int decimals = 0;  ///< of all rows: four figures of the largest
+
+    [[nodiscard]] double value(const ComparisonRow& row) const {
+        return per_normalised * (row.motion_peaks.*peak).value;
+    }
+    [[nodiscard]] std::string text(const ComparisonRow& row) const;
+};
+[[nodiscard]] std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison);
 
 /// Whether any row has something to say of a base radius.
 [[nodiscard]] bool has_bases(const Comparison& comparison);

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/scene_words.hpp"
 
+#include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "output/words/cam_words.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <type_traits>
+#include <variant>
 
 namespace camopt {
 
 namespace {
 
-using units::degree, units::millimetre;
+using units::degree;
+
+constexpr double gigapascal = 1e9;  // Pa
 
 void append(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : ", ") + part;
@@ -34,10 +40,10 @@ std::string kind_of_motion(const MotionSpec& motion) {
                                           : "rise and return without a dwell at the top";
 }
 
-std::string motion_line(const MotionSpec& motion) {
-    const DisplayScale scale = display_scale(motion);
-    std::string text = fmt::format("Motion: {}, lift {} {}", kind_of_motion(motion),
-                                   short_text(scale.by_angle.factor[0]), scale.by_angle.unit[0]);
+std::string motion_line(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    std::string text = fmt::format("Motion: {}, lift {}", kind_of_motion(motion),
+                                   shown_units(scene).motion[0].first.text(motion.lift));
     if (motion.type != MotionType::program)
         text += fmt::format(", rise {} deg", short_text(motion.rise / degree));
     if (motion.type == MotionType::rr)
@@ -46,61 +52,99 @@ std::string motion_line(const MotionSpec& motion) {
     if (motion.speed)
         text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
     if (motion.symmetric) text += ", symmetric";
-    if (!motion.via.empty()) text += fmt::format(", through {} given points", motion.via.size());
+    if (const std::size_t points = placed_points(motion).size(); points > 0)
+        text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
     return text;
 }
 
 /// A closed program comes back: what moves last ends at 0 where it does not say so.
-std::string end_text(const MotionSpec& motion, std::size_t index) {
+std::string end_text(const Scene& scene, std::size_t index) {
+    const MotionSpec& motion = scene.motion;
     const ProgramSegment& segment = motion.segments[index];
     if (segment.kind == SegmentKind::dwell) return "";
     bool last = motion.closed;
     for (std::size_t i = index + 1; i < motion.segments.size(); ++i)
         last = last && motion.segments[i].kind == SegmentKind::dwell;
     if (!segment.to && !last) return " to where it is best";
-    return fmt::format(" to {} of the lift", short_text(segment.to.value_or(0.0)));
+    const double to = segment.to.value_or(0.0);
+    return fmt::format(" to {} ({} of the lift)", shown_units(scene).motion[0].first.normalised_text(to),
+                       short_text(to));
 }
 
-std::string segment_line(const MotionSpec& motion) {
+std::string range_words(const ProgramSegment& segment) {
+    if (!segment.angle_range) return {};
+    return fmt::format(" (searched from {} to {} deg)", short_text(segment.angle_range->least / degree),
+                       short_text(segment.angle_range->most / degree));
+}
+
+std::string segment_line(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
     std::string text;
     for (std::size_t i = 0; i < motion.segments.size(); ++i) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
-        append(text,
-               fmt::format("{} {} deg{}", kind, short_text(segment.angle / degree), end_text(motion, i)));
+        append(text, fmt::format("{} {} deg{}{}", kind, short_text(segment.angle / degree),
+                                 range_words(segment), end_text(scene, i)));
     }
     return "Segments: " + text;
+}
+
+/// Each in the units that a person reads, and normalised beside.
+std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& points) {
+    const ShownUnits shown = shown_units(scene);
+    const auto degrees = [&](double x) { return short_text(x * shown.degrees_per_x); };
+    std::string text;
+    for (const PlacedPoint& point : points) {
+        std::string values;
+        for (std::size_t order = 0; order < point.wanted.size(); ++order) {
+            if (!point.wanted[order]) continue;
+            const ShownDerivative& unit = shown.motion[order];
+            const double wanted = *point.wanted[order];
+            append(values,
+                   fmt::format("{} {} ({}{} normalised)", unit.name, unit.first.normalised_text(wanted),
+                               unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
+                               short_text(wanted)));
+        }
+        const std::string where =
+            point.is_region() ? fmt::format("from {} to {} deg", degrees(point.begin), degrees(point.end))
+                              : fmt::format("at {} deg", degrees(point.begin));
+        text +=
+            fmt::format("{}{} (x = {}) {}", text.empty() ? "" : "; ", where, short_text(point.begin), values);
+    }
+    return "Set points: " + text;
+}
+
+std::string measured_line(const MeasuredMotion& measured) {
+    return fmt::format("Measured motion{}: {} rows, {}",
+                       measured.name.empty() ? "" : " " + printable(measured.name), measured.angle.size(),
+                       measured.start ? "where searches begin, too" : "for comparison");
+}
+
+std::string breakpoint_text(const SplineSpec& spline) {
+    std::string text;
+    for (const double x : spline.breakpoints) append(text, short_text(x));
+    return text.empty() ? text : ", breakpoints at x = " + text;
 }
 
 std::string spline_line(const Scene& scene) {
     const SplineSpec& spline = scene.spline;
     const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
                                                             : spline.breakpoints.size() - 1;
-    return fmt::format("Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}{}",
-                       spline.degree, segments, spline.breakpoints.empty() ? "uniform " : "",
-                       scene.motion.type == MotionType::program ? " in each spline segment" : "",
-                       spline.smoothness(),
-                       spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
-                       spline.free_knots ? ", its breakpoints free" : "");
+    return fmt::format(
+        "Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}{}{}{}", spline.degree, segments,
+        spline.breakpoints.empty() ? "uniform " : "",
+        scene.motion.type == MotionType::program ? " in each spline segment" : "", spline.smoothness(),
+        spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
+        spline.free_knots ? ", its breakpoints free" : "", breakpoint_text(spline),
+        spline.design == DesignKind::automatic ? ""
+                                               : fmt::format(", design vector: {}", name_of(spline.design)));
 }
 
-/// A unit and its name.
-struct ShownIn {
-    double unit;
-    std::string name;
-};
-
-/// As the scene writes it.
-ShownIn written_unit(const Dimension& dimension) {
-    const KeyWords key = key_words(dimension.key);
-    return {dimension.unit, key.unit.empty() ? "mm" : key.unit};
-}
-
-std::string range_text(const Dimension& dimension, const ShownIn& in) {
-    const auto shown = [&](double value) { return short_text(value / in.unit); };
-    if (!dimension.is_variable()) return fmt::format("{} {}", shown(dimension.low), in.name);
-    return fmt::format("free from {} to {} {}", shown(dimension.low), shown(dimension.high), in.name);
+std::string range_text(const Dimension& dimension, const ShownUnit& unit) {
+    if (!dimension.is_variable()) return unit.text(dimension.low);
+    return fmt::format("free from {} to {}", short_text(unit.factor * dimension.low),
+                       unit.text(dimension.high));
 }
 
 /// Of a follower with a roller: base and roller as one range.
@@ -115,31 +159,37 @@ std::optional<Dimension> prime_radius(const Scene& scene) {
 std::string cam_line(const Scene& scene) {
     const MechanismSpec cam = cam_of(scene).value();
     std::string text = fmt::format("Cam: {}", cam_text(cam));
+    const ShownUnits shown = shown_units(scene);
     for (const MechanismDimension& dimension : cam.dimensions) {
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
-        // Of a disk cam as written, of others in the units of their figures.
-        const ShownIn in = scene.cam            ? written_unit(dimension.value)
-                           : dimension.is_angle ? ShownIn{degree, "deg"}
-                                                : ShownIn{millimetre, "mm"};
-        append(text, fmt::format("{} {}", words_of(dimension.name), range_text(dimension.value, in)));
+        append(text,
+               fmt::format("{} {}", words_of(dimension.name),
+                           range_text(dimension.value, dimension.is_angle ? shown.angle : shown.length)));
     }
     if (const std::optional<Dimension> prime = prime_radius(scene))
-        append(text, fmt::format("prime radius {}", range_text(*prime, written_unit(*prime))));
+        append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
     if (scene.cam && scene.cam->face_half_width)
-        append(text, fmt::format("half width of the face {} mm",
-                                 short_text(*scene.cam->face_half_width / millimetre)));
+        append(text,
+               fmt::format("half width of the face {}", shown.length.text(*scene.cam->face_half_width)));
     return text;
+}
+
+std::string material_text(const char* part, double modulus, double poisson) {
+    return fmt::format("modulus of the {} {} GPa, its Poisson's ratio {}", part,
+                       short_text(modulus / gigapascal), short_text(poisson));
 }
 
 std::string force_line(const Scene& scene) {
     const ForceSpec& forces = *scene.forces;
-    const bool swings = scene.motion.lift_is_angle;
-    std::string text = fmt::format(
-        "Forces: {} {} {}, spring {} {}, preload {} {}", swings ? "inertia" : "mass", short_text(forces.mass),
-        swings ? "kg m^2" : "kg", short_text(swings ? forces.spring_rate : forces.spring_rate * millimetre),
-        swings ? "N m/rad" : "N/mm", short_text(forces.preload), swings ? "N m" : "N");
-    if (forces.contact_width)
-        append(text, fmt::format("contact width {} mm", short_text(*forces.contact_width / millimetre)));
+    const ShownUnits shown = shown_units(scene);
+    std::string text =
+        fmt::format("Forces: {} {}, spring {}, preload {}", scene.motion.lift_is_angle ? "inertia" : "mass",
+                    shown.mass.text(forces.mass), shown.spring_rate.text(forces.spring_rate),
+                    shown.load.text(forces.preload));
+    if (!forces.contact_width) return text;
+    append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
+    append(text, material_text("cam", forces.cam_modulus, forces.cam_poisson));
+    append(text, material_text("follower", forces.follower_modulus, forces.follower_poisson));
     return text;
 }
 
@@ -181,22 +231,49 @@ std::string objective_line(const ObjectiveSpec& objective) {
     for (int i = 0; i < dimension_count; ++i)
         term(objective.dimensions[static_cast<std::size_t>(i)],
              words_of(name_of(static_cast<DimensionIndex>(i))));
-    return fmt::format("Objective: the least {}, each divided by {}{}", terms,
-                       reference_text(objective.reference),
-                       terms.size() > of_motion ? "; dimensions are divided by the lift" : "");
+    return fmt::format(
+        "Objective: the least {}, each divided by {}{}{}", terms, reference_text(objective.reference),
+        terms.size() > of_motion ? "; dimensions are divided by the lift" : "",
+        objective.tie_break == TieBreak::none ? "" : "; among equals the one of least mean jerk");
+}
+
+std::string option_text(const OptionValue& value) {
+    return std::visit(
+        [](const auto& held) -> std::string {
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, bool>)
+                return held ? "true" : "false";
+            else
+                return fmt::format("{}", held);
+        },
+        value);
+}
+
+std::string solver_line(const SolverSpec& solver) {
+    std::string text =
+        fmt::format("Solver: {}, tolerance {}, gap {}, at most {} s", solver.name,
+                    short_text(solver.tolerance), short_text(solver.gap), short_text(solver.max_seconds));
+    if (solver.starts) append(text, fmt::format("{} starts", *solver.starts));
+    append(text, fmt::format("seed {}", solver.seed));
+    for (const auto& [name, value] : solver.options)
+        append(text, fmt::format("{} = {}", name, option_text(value)));
+    return text;
 }
 
 }  // namespace
 
 std::vector<std::string> scene_lines(const Scene& given) {
     const Scene scene = with_written_limits(given);
-    std::vector<std::string> lines = {motion_line(scene.motion)};
-    if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene.motion));
+    std::vector<std::string> lines = {motion_line(scene)};
+    if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene));
+    if (const auto points = placed_points(scene.motion); !points.empty())
+        lines.push_back(set_point_line(scene, points));
+    if (scene.measured) lines.push_back(measured_line(*scene.measured));
     lines.push_back(spline_line(scene));
     if (has_cam(scene)) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
     if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);
     lines.push_back(objective_line(scene.objective));
+    lines.push_back(solver_line(scene.solver));
     return lines;
 }
 

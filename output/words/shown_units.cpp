@@ -60,6 +60,7 @@ MotionUnit motion_unit(const MotionSpec& motion, LengthUnit length, std::size_t 
     const double rate = in_time ? *motion.speed / motion.unit_angle() : 1.0 / motion.unit_angle();
     MotionUnit unit;
     unit.name = row.name;
+    unit.order = order;
     unit.factor = row.factor;
     unit.per_normalised = row.factor * motion.lift * std::pow(rate, static_cast<int>(order));
     unit.symbol = (in_time ? symbols_in_time : symbols_by_angle)[order];

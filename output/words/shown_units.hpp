@@ -16,6 +16,7 @@
 #include "scene/scene.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -31,6 +32,7 @@ struct ShownUnit {
 
 /// The unit of a derivative of the motion.
 struct MotionUnit : ShownUnit {
+    std::size_t order = 0;        ///< r
     double per_normalised = 1.0;  ///< shown value = per_normalised · y⁽ʳ⁾
     std::string
         symbol;  ///< what is shown: "s", "v", "a", "j"; by the cam angle "ds/dθ", "d²s/dθ²", "d³s/dθ³"

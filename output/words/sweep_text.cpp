@@ -2,6 +2,7 @@
 #include "output/words/sweep_text.hpp"
 
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -35,7 +38,27 @@ std::string front_line(const SweepTable& table) {
                        fmt::join(table.columns.criteria, ", "));
 }
 
-std::string best_line(const SweepTable& table) {
+/// The peaks of a row in time; empty without a speed, of a program (whose peaks are of its segments) and
+/// where the rows differ in their motion.
+std::string physical_text(const SweepTable& table, const SweepRow& row, const Scene& scene) {
+    const auto of_motion = [](const std::string& key) { return key.starts_with("motion."); };
+    const ShownUnits shown = shown_units(scene);
+    if (!shown.in_time || scene.motion.type == MotionType::program ||
+        std::ranges::any_of(table.columns.keys, of_motion))
+        return {};
+    std::string text;
+    for (const auto& [figure, order] :
+         {std::pair(SweepFigure::velocity, 1), std::pair(SweepFigure::acceleration, 2),
+          std::pair(SweepFigure::jerk, 3)}) {
+        const MotionUnit& unit = shown.motion[static_cast<std::size_t>(order)].first;
+        if (const std::optional<double>& peak = row.figure(figure))
+            text +=
+                fmt::format("{}{} {}", text.empty() ? "" : ", ", unit.symbol, unit.normalised_text(*peak));
+    }
+    return text.empty() ? text : "    peaks there: " + text + "\n";
+}
+
+std::string best_line(const SweepTable& table, const Scene* scene) {
     const SweepRow* best = nullptr;
     for (const SweepRow& row : table.rows)
         if (row.objective && (!best || *row.objective < *best->objective)) best = &row;
@@ -44,7 +67,8 @@ std::string best_line(const SweepTable& table) {
     for (std::size_t i = 0; i < table.columns.keys.size(); ++i)
         settings.push_back(fmt::format("{} {}", table.columns.keys[i], short_text(best->settings[i])));
     return fmt::format("  least objective: {} in row {} ({})\n", short_text(*best->objective, row_figures),
-                       best->number, fmt::join(settings, ", "));
+                       best->number, fmt::join(settings, ", ")) +
+           (scene != nullptr ? physical_text(table, *best, *scene) : "");
 }
 
 std::string failure_lines(const std::vector<SweepRow>& rows) {
@@ -60,11 +84,11 @@ std::string failure_lines(const std::vector<SweepRow>& rows) {
 
 }  // namespace
 
-std::string sweep_text(const SweepTable& table) {
+std::string sweep_text(const SweepTable& table, const Scene* scene) {
     double seconds = 0.0;
     for (const SweepRow& row : table.rows) seconds += row.seconds_total;
-    return verdict_line(table.rows) + front_line(table) + best_line(table) + failure_lines(table.rows) +
-           fmt::format("  solving: {} s\n", short_text(seconds, 3));
+    return verdict_line(table.rows) + front_line(table) + best_line(table, scene) +
+           failure_lines(table.rows) + fmt::format("  solving: {} s\n", short_text(seconds, 3));
 }
 
 }  // namespace camopt

@@ -2,6 +2,7 @@
 // A finished sweep in a few lines for people.
 #pragma once
 
+#include "scene/scene.hpp"
 #include "studies/sweep/sweep_row.hpp"
 
 #include <string>
@@ -9,7 +10,8 @@
 namespace camopt {
 
 /// Rows by verdict, the front where one is marked, the row of the least objective, the seconds its solves
-/// took; failed rows with their reasons. Each line indented by two spaces.
-[[nodiscard]] std::string sweep_text(const SweepTable& table);
+/// took; failed rows with their reasons. Each line indented by two spaces. scene: that of any row, to name
+/// the peaks of the best row in time where it has a speed; null: they are not named.
+[[nodiscard]] std::string sweep_text(const SweepTable& table, const Scene* scene = nullptr);
 
 }  // namespace camopt

@@ -14,6 +14,7 @@
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ ComparisonRow optimum_row(const Bench& bench, const Solution& solution) {
     row.title = "optimum";
     row.motion = solution.motion;
     row.peaks = solution.peaks;
+    row.motion_peaks = solution.motion_peaks;
     row.objective = solution.certificate.objective;
     judge_limits(row, bench, solution.motion_peaks);
     // The certificate knows better than a second look at limits that are just reached.
@@ -134,6 +136,7 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     }
     row.motion = std::move(placed.motion);
     row.peaks = placed.peaks;
+    row.motion_peaks = placed.motion_peaks;
     row.objective = objective_of(bench, *row.motion, row.peaks);
     if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
         row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
@@ -166,10 +169,11 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
 }
 
 Comparison compare(const Scene& given, const SolveControl& control) {
-    const Scene scene = with_written_limits(given);
+    Scene scene = with_written_limits(given);
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
+    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
     const Bench bench = bench_of(scene, solution);
     comparison.cam = bench.disk;
     std::optional<double> optimum;
@@ -178,6 +182,7 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
+        if (!info.rests) continue;  // no rise by itself
         if (control.progress) {
             const std::string line = "compares with " + info.title;
             control.progress(line);

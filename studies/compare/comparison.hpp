@@ -24,7 +24,8 @@ struct ComparisonRow {
     std::string misfit;  ///< why the law cannot make this motion at all; then nothing below is set
     std::shared_ptr<const MotionChain> motion;
     Peaks peaks;
-    double objective = 0.0;              ///< infinite where an infinite peak has a weight
+    Peaks motion_peaks;      ///< of the whole motion in lifts and units of x: what physical peaks come from
+    double objective = 0.0;  ///< infinite where an infinite peak has a weight
     std::optional<double> loss_percent;  ///< against the optimum; none where infinite or without an optimum
     std::vector<LimitOutcome> limits;    ///< the same ones, in the same order, in every row
     bool feasible = false;               ///< every limit is kept

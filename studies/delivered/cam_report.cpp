@@ -109,8 +109,9 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
     std::vector<ConstraintReport> all;
     add_constraints(all, scene, summary, false);
     if (scene.cam && scene.cam->face_half_width && summary.contact_offset) {
-        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_mm", units::millimetre,
-                                 "mm"};
+        const std::string unit = name_of(scene.length_unit);
+        const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_" + unit,
+                                 metres_of(scene.length_unit), unit};
         all.push_back(limit_report(width, *summary.contact_offset, 1));
         all.back().name = "face_half_width";
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst);

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,7 @@ void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
     adjustment.with = [](const Scene& one, double value) {
         Scene changed = one;
         changed.motion.rise = value * units::degree;
+        keep_written(changed.motion, one.motion);
         rescale_limits_in_time(changed, changed.motion.rise / one.motion.rise);
         return changed;
     };
@@ -190,13 +192,19 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
-    const double given = as_written(*scene.cam->face_half_width / units::millimetre);
-    Adjustment adjustment{"cam.face_half_width_mm", given, first_change * given, true, false, given,
-                          farthest_change * given,  {}};
+    const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
+    Adjustment adjustment{std::string("cam.face_half_width_") + name_of(scene.length_unit),
+                          given,
+                          first_change * given,
+                          true,
+                          false,
+                          given,
+                          farthest_change * given,
+                          {}};
     adjustment.limit = true;
-    adjustment.with = [](const Scene& one, double value) {
+    adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
-        changed.cam->face_half_width = value * units::millimetre;
+        changed.cam->face_half_width = value * unit;
         return changed;
     };
     all.push_back(std::move(adjustment));

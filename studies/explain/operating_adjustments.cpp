@@ -2,6 +2,7 @@
 // Caps on peaks, springs, speed: what a user could change beside the cam.
 #include "core/units.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <algorithm>
@@ -78,13 +79,18 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
-    const double given = as_written(*scene.forces->contact_width / units::millimetre);
-    Adjustment adjustment{
-        "forces.contact_width_mm",         given, first_operating_change * given, true, false, given,
-        farthest_operating_change * given, {}};
-    adjustment.with = [](const Scene& one, double value) {
+    const double unit = metres_of(scene.length_unit), given = as_written(*scene.forces->contact_width / unit);
+    Adjustment adjustment{std::string("forces.contact_width_") + name_of(scene.length_unit),
+                          given,
+                          first_operating_change * given,
+                          true,
+                          false,
+                          given,
+                          farthest_operating_change * given,
+                          {}};
+    adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
-        changed.forces->contact_width = value * units::millimetre;
+        changed.forces->contact_width = value * unit;
         return changed;
     };
     all.push_back(std::move(adjustment));
@@ -111,6 +117,7 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
         changed.motion.speed = value * unit;
+        keep_written(changed.motion, one.motion);
         rescale_limits_in_time(changed, *one.motion.speed / *changed.motion.speed);
         return changed;
     };

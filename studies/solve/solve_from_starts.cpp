@@ -59,9 +59,18 @@ class StartSearch {
     int ran_ = 0;
 
     [[nodiscard]] Eigen::VectorXd start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const {
-        if (index == 0 && relaxed.size() > 0) return relaxed;
-        if (index <= 1) return problem_.start();
+        const bool measured = problem_.model().start_design.size() > 0;
+        if (measured && index == 0) return start_from(problem_.model().start_design);
+        if (index == (measured ? 1 : 0) && relaxed.size() > 0) return relaxed;
+        if (index <= (measured ? 2 : 1)) return problem_.start();
         return problem_.random_start(seed + static_cast<unsigned>(index));
+    }
+
+    /// A motion that the scene brings, with the dimensions any search starts from.
+    [[nodiscard]] Eigen::VectorXd start_from(const Eigen::VectorXd& design) const {
+        Eigen::VectorXd x = problem_.start();
+        x.head(design.size()) = design.cwiseQuotient(design_scales(problem_.model()));
+        return problem_.completed(x);
     }
 
     /// Something that keeps the limits.

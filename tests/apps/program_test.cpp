@@ -153,7 +153,8 @@ TEST(Program, UnknownOptionsAndCommandsGetAHint) {
     expect_refused("sovle " + plain, "; did you mean 'solve'?");
     expect_refused("--verson", "'--verson' of camopt; did you mean '--version'?");
     expect_refused("list follower",
-                   "found 'follower'; allowed: laws, followers, solvers, keys; did you mean 'followers'?");
+                   "found 'follower'; allowed: laws, followers, solvers, keys, columns, controllers; did you "
+                   "mean 'followers'?");
     expect_refused("solve " + plain + " --frobnicate", "unknown option '--frobnicate' of camopt solve (see");
 }
 
@@ -225,7 +226,7 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
     expect_words(checked(scene("barrel_smallest")),
                  {"barrel cam", "Limits: ", "not convex", "a convex relaxation first"});
     expect_words(checked(scene("cam_drdrd")),
-                 {"a program of", "Segments: ", "spline 100 deg to 0 of the lift"});
+                 {"a program of", "Segments: ", "spline 100 deg to 0 mm (0 of the lift)"});
     expect_words(checked(scene("cam_forces")), {"Forces: mass ", "contact force"});
     expect_words(checked(scene("drd_free_knots")), {"its breakpoints free", "that move them"});
     expect_words(

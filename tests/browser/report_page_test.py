@@ -56,7 +56,7 @@ def cursor_reads_motion_csv(page, made):
             angle = page.js("return Camopt.page.angle.at")
             assert angle > 0, "the cursor did not move"
             shown = page.js("return document.querySelector(arguments[0]).textContent", f"[data-curve={key}] .read-out")
-            near = [float(row[column]) * factor for row in rows if abs(float(row["theta_deg"]) - angle) < 1e-6]
+            near = [float(row[column]) * factor for row in rows if abs(float(row["theta_deg"]) - angle) < 1e-5]
             if not near:  # in the dwell after the motion
                 assert abs(number(shown)) < 1e-6, shown
                 continue

@@ -24,6 +24,8 @@ std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
 
 std::vector<KeyCase> motion_cases();
 std::vector<KeyCase> segment_cases();
+std::vector<KeyCase> set_point_cases();
+std::vector<KeyCase> measured_cases();
 std::vector<KeyCase> spline_cases();
 std::vector<KeyCase> objective_cases();
 std::vector<KeyCase> cam_cases();
@@ -34,6 +36,7 @@ std::vector<KeyCase> force_cases();
 std::vector<KeyCase> dimension_weight_cases();
 std::vector<KeyCase> limit_cases();
 std::vector<KeyCase> cam_limit_cases();
+std::vector<KeyCase> drawing_cases();
 std::vector<KeyCase> solver_cases();
 
 }  // namespace camopt::input

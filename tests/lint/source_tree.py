@@ -31,8 +31,10 @@ MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
 MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "solvers", "input", "profiles/factory"}
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/spatial"] = {"core", "scene", "output/nc", "output/surface", "profiles/spatial"}
+MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles/spatial"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
+# Electronic cams: the motion alone, no cam.
+MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
 MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
 EVERY_MODULE = set(MAY_INCLUDE)

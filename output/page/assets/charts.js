@@ -3,26 +3,29 @@
 'use strict';
 (function (camopt) {
   const { element, numberText, colour } = camopt;
-  const chartHeight = 168, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
+  const chartHeight = 168, printHeight = 128, printWidth = 322, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
   const font = '11px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
   /** Value range with room; a limit far beyond the curve stays out of sight. */
-  function rangeOf(curve, shown) {
+  function rangeOf(curve, shown, height, titled) {
     let low = Infinity, high = -Infinity;
     const take = (value) => { if (value !== null && value !== undefined) { low = Math.min(low, value); high = Math.max(high, value); } };
     curve.values.forEach(take);
     if (!(high >= low)) return [-1, 1];
     const own = Math.max(Math.abs(low), Math.abs(high));
-    if (shown.reference && curve.reference)
-      curve.reference.values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
+    for (const name of ['reference', 'measured'])
+      if (shown[name] && curve[name]) curve[name].values.forEach((value) => { if (value !== null && Math.abs(value) < 3 * own) take(value); });
     curve.marks.forEach((mark) => take(mark.value));
     if (shown.limits) curve.limits.forEach((limit) => { if (Math.abs(limit.at) < 2.2 * own) take(limit.at); });
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
-    const room = 0.1 * (high - low) || Math.abs(high) || 1;
-    // Above and below marked points a label needs its own height.
-    const labelled = (sign) => shown.marks && curve.marks.some((mark) => (mark.value >= 0 ? 1 : -1) === sign) ? 2.1 : 1;
-    return [low - (low === 0 ? 0.25 : labelled(-1)) * room, high + labelled(1) * room];
+    const size = high - low || Math.abs(high) || 1;
+    // Above and below marked points a label needs its own height: this part of the axis.
+    const part = Math.min(25 / Math.max(height - 32, 60), 0.3);
+    const labelled = (sign) => shown.marks && curve.marks.some((mark) => (mark.value >= 0 ? 1 : -1) === sign);
+    const above = titled || labelled(1), below = low !== 0 && labelled(-1);
+    const room = size * part / (1 - part * (above + below));
+    return [low - (low === 0 ? 0.03 * size : below ? room : 0.08 * size), high + (above ? room : 0.08 * size)];
   }
 
   /** A text beside a place on the canvas, within the plot and over no other; false where there is no room. */
@@ -90,6 +93,16 @@
     for (const mark of curve.marks) {
       const x = u.valToPos(mark.at, 'x', true), y = u.valToPos(mark.value, 'y', true);
       if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top || y > box.top + box.height) continue;
+      if (mark.to !== undefined) {
+        context.strokeStyle = colour('given');
+        context.lineWidth = 5 * ratio;
+        context.globalAlpha = 0.45;
+        context.beginPath();
+        context.moveTo(x, y);
+        context.lineTo(u.valToPos(mark.to, 'x', true), y);
+        context.stroke();
+        context.globalAlpha = 1;
+      }
       context.fillStyle = colour(mark.given ? 'given' : 'curve');
       context.strokeStyle = colour('surface');
       context.lineWidth = 1.5 * ratio;
@@ -139,12 +152,13 @@
     const unit = curve.unit ? ' (' + curve.unit + ')' : '';
     const columns = [{ title: 'cam angle (' + angleUnit + ')' }, { title: curve.title + unit }];
     if (curve.beside) columns.push({ title: curve.beside.unit });
-    if (curve.reference) columns.push({ title: curve.reference.title + unit });
+    const others = [curve.reference, curve.measured].filter((one) => one);
+    others.forEach((one) => columns.push({ title: one.title + unit }));
     angles.forEach((angle, row) => {
       if (row % step !== 0 && row !== angles.length - 1 && !near.has(row)) return;
       const cells = [numberText(angle, 6), numberText(curve.values[row], 6)];
       if (curve.beside) cells.push(curve.values[row] === null ? '–' : numberText(curve.values[row] * curve.beside.factor, 6));
-      if (curve.reference) cells.push(numberText(curve.reference.values[row], 6));
+      others.forEach((one) => cells.push(numberText(one.values[row], 6)));
       rows.push(cells);
     });
     return camopt.table({ columns, rows });
@@ -172,13 +186,13 @@
 
     columns() {
       const shown = this.all.shown;
-      const data = [this.all.angle.values, this.curve.values];
-      data.push(shown.reference && this.curve.reference ? this.curve.reference.values : this.all.nothing);
-      return data;
+      const beside = (name) => shown[name] && this.curve[name] ? this.curve[name].values : this.all.nothing;
+      return [this.all.angle.values, this.curve.values, beside('reference'), beside('measured')];
     }
 
     show(curve) {
       this.curve = curve;
+      this.noise = 1e-11 * Math.max(...curve.values.map((value) => Math.abs(value || 0)));
       const unit = curve.unit ? ', ' + curve.unit : '';
       this.heading.replaceChildren(curve.title + ' ', element('span', { class: 'symbol' }, curve.symbol), unit);
       const marks = curve.marks.map((mark) => mark.words + ' at ' + numberText(mark.at, 5) + ' degrees');
@@ -197,19 +211,20 @@
       const axis = { font, stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 },
         ticks: { stroke: () => colour('grid'), size: 4, width: 1 } };
       const plot = new uPlot({
-        width: all.width(), height: chartHeight, pxAlign: 0.5, padding: [6, 20, 0, 0],
+        width: all.width(), height: all.height(), pxAlign: 0.5, padding: [6, 20, 0, 0],
         legend: { show: false },
         cursor: { y: false, sync: { key: all.syncKey, setSeries: false }, drag: { x: true, y: false },
           points: { size: 7, fill: () => colour('curve') } },
         scales: { x: { time: false, range: (u, low, high) => [low, high] },
-          y: { range: () => rangeOf(self.curve, all.shown) } },
+          y: { range: () => rangeOf(self.curve, all.shown, all.height(), self.curve.key === 'displacement' && all.data.segments.length > 0) } },
         axes: [
           Object.assign({}, axis, { size: 26, space: 56, values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'),
             incrs: [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 120] }),
           Object.assign({}, axis, { size: 62, space: 30, values: (u, splits) => splits.map((value) => numberText(value, 6)) }),
         ],
         series: [{}, { stroke: () => colour('curve'), width: 2, points: { show: false } },
-          { stroke: () => colour('reference'), width: 1.4, dash: [6, 4], points: { show: false } }],
+          { stroke: () => colour('reference'), width: 1.4, dash: [6, 4], points: { show: false } },
+          { stroke: () => colour('given'), width: 1.4, dash: [2, 3], points: { show: false } }],
         hooks: {
           drawClear: [(u) => { if (all.shown.limits) drawLimits(u, self.curve); }],
           draw: [(u) => {
@@ -241,7 +256,8 @@
     }
 
     read() {
-      const value = this.curve.values[this.all.angle.index];
+      const exact = this.curve.values[this.all.angle.index];
+      const value = exact !== null && Math.abs(exact) < this.noise ? 0 : exact;  // what rounding leaves of nothing
       const unit = this.curve.unit ? ' ' + this.curve.unit : '';
       let text = numberText(value, 6) + unit;
       if (this.curve.beside && value !== null) text += '  (' + numberText(value * this.curve.beside.factor, 5) + ' ' + this.curve.beside.unit + ')';
@@ -256,11 +272,12 @@
     const charts = new Map(), hidden = new Set();
     const self = {
       host, chips, angle, charts, data: null, nothing: [], syncKey: 'camopt-' + Math.random(),
-      shown: { reference: true, limits: true, marks: true },
+      shown: { reference: true, measured: true, limits: true, marks: true },
       printWidth: 0,
       width() { return self.printWidth || Math.max(host.clientWidth - frameWidth, 220); },
       redraw() { charts.forEach((chart) => { if (chart.plot) { chart.plot.setData(chart.columns()); } }); },
-      resize() { charts.forEach((chart) => { if (chart.plot) chart.plot.setSize({ width: self.width(), height: chartHeight }); }); },
+      height() { return self.printWidth ? printHeight : chartHeight; },
+      resize() { charts.forEach((chart) => { if (chart.plot) chart.plot.setSize({ width: self.width(), height: self.height() }); }); },
       zoomed(from) {
         if (self.zooming) return;
         self.zooming = true;
@@ -319,6 +336,7 @@
       const reference = data.curves.find((curve) => curve.reference);
       const extras = [];
       if (reference) extras.push(['reference', reference.reference.title + ' (dashed)']);
+      if (data.curves.some((curve) => curve.measured)) extras.push(['measured', 'measured (dotted)']);
       if (data.curves.some((curve) => curve.limits.length)) extras.push(['limits', 'limits']);
       extras.push(['marks', 'marked points']);
       for (const [name, words] of extras)
@@ -326,7 +344,7 @@
     }
     angle.changed.listen(() => charts.forEach((chart) => { if (!chart.figure.hidden && chart.curve) { chart.read(); chart.place(); } }));
     camopt.themeChanged.listen(() => charts.forEach((chart) => { if (chart.plot) chart.plot.redraw(false); }));
-    camopt.printing.listen((on) => { self.printWidth = on ? 680 : 0; self.resize(); });
+    camopt.printing.listen((on) => { self.printWidth = on ? printWidth : 0; self.resize(); });
     new ResizeObserver(() => { if (!self.printWidth && charts.size) self.resize(); }).observe(host);
     return self;
   };

@@ -137,7 +137,7 @@
         this.listen(dot, item);
         svg.append(dot);
       }
-      if (items.length <= 24) this.nameDots(svg, items, (item) => [px(x.values[item]), py(y.values[item])], { left, right: width - right, top, bottom: height - bottom });
+      if (items.length <= 40) this.nameDots(svg, items, (item) => [px(x.values[item]), py(y.values[item])], { left, right: width - right, top, bottom: height - bottom });
       return svg;
     }
 
@@ -162,8 +162,11 @@
       if (!overlay) return null;
       this.plots = [];
       const host = element('div', { class: 'overlay' });
-      const hue = (item) => this.data.items.tones[item] === 'good' ? colour('curve') : `hsl(${(item * 137.5) % 360} ${camopt.isDark() ? '45% 65%' : '50% 42%'})`;
-      const shown = overlay.curves[0].lines.map((line, item) => line ? item : -1).filter((item) => item >= 0);
+      // Thirty laws are a grey band; what the pointer is near stands out, the optimum always.
+      const isBest = (item) => this.data.items.tones[item] === 'good';
+      const hue = (item) => item === this.curve ? colour('now') : isBest(item) ? colour('curve') : colour('rule');
+      const shown = overlay.curves[0].lines.map((line, item) => line ? item : -1).filter((item) => item >= 0)
+        .sort((one, other) => isBest(one) - isBest(other));
       const sync = 'camopt-laws';
       for (const curve of overlay.curves) {
         const plotHost = element('div', { class: 'plot', role: 'img', 'aria-label': curve.title + ' of all laws by cam angle; the table below has their peaks' });
@@ -171,7 +174,7 @@
         host.append(element('figure', { class: 'chart', 'data-curve': curve.key }, element('figcaption', {},
           element('h3', {}, curve.title[0].toUpperCase() + curve.title.slice(1) + ' ', element('span', { class: 'symbol' }, curve.symbol), ', ' + curve.unit), name), plotHost));
         const plot = new uPlot({
-          width: 300, height: 230, pxAlign: 0.5, padding: [6, 20, 0, 0], legend: { show: false }, focus: { alpha: 0.22 },
+          width: 300, height: 230, pxAlign: 0.5, padding: [6, 20, 0, 0], legend: { show: false }, focus: { alpha: 0.55 },
           cursor: { y: false, sync: { key: sync, setSeries: true }, focus: { prox: 24 }, drag: { x: true, y: false }, points: { show: false } },
           scales: { x: { time: false, range: (u, low, high) => [low, high] } },
           axes: [{ stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 26, space: 56,
@@ -179,7 +182,7 @@
           { stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 62, space: 30,
             values: (u, splits) => splits.map((value) => numberText(value, 6)) }],
           series: [{}].concat(shown.map((item) => ({ label: this.data.items.names[item], stroke: () => hue(item),
-            width: this.data.items.tones[item] === 'good' ? 2.6 : 1.3, points: { show: false } }))),
+            width: isBest(item) ? 2.6 : 1.2, points: { show: false } }))),
           hooks: { setSeries: [(u, series) => {
             const item = series === null || series === undefined ? null : shown[series - 1];
             this.mark(this.curve, false);
@@ -200,7 +203,10 @@
 
     table() {
       const { columns, items } = this.data;
-      const heads = [{ title: this.data.kind === 'Comparison' ? 'motion' : 'solve', left: true, values: items.names }].concat(columns);
+      // A row's settings have columns of their own.
+      const names = items.names.map((name) => name.split(': ')[0]);
+      const heads = [{ title: this.data.kind === 'Comparison' ? 'motion' : 'solve', left: true, values: names }]
+        .concat(columns.filter((column) => column.key !== 'row' && column.values.some((value) => value !== null)));
       let rows = items.names.map((name, item) => item), sorted = -1, up = false;
       const body = element('tbody', {});
       const fill = () => body.replaceChildren(...rows.map((item) => lines[item]));

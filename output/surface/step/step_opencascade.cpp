@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/surface/step/silent_library.hpp"
 #include "output/surface/step/step_file.hpp"
 
 #include <fmt/format.h>
@@ -9,9 +10,6 @@
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_PrinterOStream.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
@@ -31,20 +29,6 @@
 namespace camopt {
 
 namespace {
-
-/// The library prints to stdout unless its printers are taken away; they are put back at the end.
-class SilentLibrary {
- public:
-    SilentLibrary() : printers_(Message::DefaultMessenger()->Printers()) {
-        Message::DefaultMessenger()->ChangePrinters().Clear();
-    }
-    ~SilentLibrary() { Message::DefaultMessenger()->ChangePrinters() = printers_; }
-    SilentLibrary(const SilentLibrary&) = delete;
-    SilentLibrary& operator=(const SilentLibrary&) = delete;
-
- private:
-    Message_SequenceOfPrinters printers_;
-};
 
 struct KnotList {
     std::vector<double> value;

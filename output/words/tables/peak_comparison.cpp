@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/tables/peak_comparison.hpp"
 
-#include "output/words/display_scale.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -25,25 +25,33 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
     const Peaks& law = reference.peaks;
     const Peaks& divisor = solution.reference_peaks;
     const LimitCurve limit = solution.any_curve_limit.value_or(LimitCurve{});
-    const DerivativeScale scale = display_scale(solution.scene.motion).by_angle;
+    const ShownUnits shown = shown_units(solution.scene);
     return {
         {"velocity", "V", peaks.velocity, motion.velocity,
          reference_value(reference, law.velocity.value, divisor.velocity.value), limit.velocity,
-         scale.factor[1], scale.unit[1]},
+         shown.motion[1]},
         {"acceleration", "A", peaks.acceleration, motion.acceleration,
          reference_value(reference, law.acceleration.value, divisor.acceleration.value), limit.acceleration,
-         scale.factor[2], scale.unit[2]},
+         shown.motion[2]},
         {"jerk", "J", peaks.jerk, motion.jerk, reference_value(reference, law.jerk.value, divisor.jerk.value),
-         limit.jerk, scale.factor[3], scale.unit[3]},
+         limit.jerk, shown.motion[3]},
         {"torque", "Q", peaks.torque, motion.torque,
-         reference_value(reference, law.torque.value, divisor.torque.value), std::nullopt, 0.0, ""},
+         reference_value(reference, law.torque.value, divisor.torque.value), std::nullopt, std::nullopt},
     };
+}
+
+std::string PeakRow::first_text(int digits) const {
+    return shown ? shown->first.normalised_text(motion.value, digits) : std::string{};
+}
+
+std::string PeakRow::beside_text(int digits) const {
+    return shown && shown->beside ? shown->beside->normalised_text(motion.value, digits) : std::string{};
 }
 
 std::string left_out_of_any_curve(const Scene& scene) {
     const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
     std::string text = cam ? "limits of the cam" : "";
-    if (!scene.motion.via.empty()) text += text.empty() ? "via points" : " and via points";
+    if (!placed_points(scene.motion).empty()) text += text.empty() ? "via points" : " and via points";
     return text;
 }
 

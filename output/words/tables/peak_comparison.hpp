@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/chart/reference_motion.hpp"
+#include "output/words/shown_units.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
@@ -15,13 +16,15 @@ struct PeakRow {
     std::string name;                 ///< "velocity"
     std::string symbol;               ///< "V"
     Extremum optimum;                 ///< normalised; of a program the largest over its spline segments
-    Extremum motion;                  ///< of the whole motion, in lifts and units of x: what `factor` is for
+    Extremum motion;                  ///< of the whole motion, in lifts and units of x: what `shown` is for
     std::optional<double> reference;  ///< normalised; infinite for a law with impulses
     /// Of the curve of least objective of all curves, where the limit is attained: no bound of this peak by
     /// itself, which another curve may have smaller.
     std::optional<double> any_curve;
-    double factor = 0.0;  ///< from `motion` to `unit`; 0 where there is none
-    std::string unit;     ///< "mm/rad"
+    std::optional<ShownDerivative> shown;  ///< the units of `motion`; none: it has but the normalised value
+
+    [[nodiscard]] std::string first_text(int digits = 6) const;   ///< "512.3 mm/s"
+    [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "16.3 mm/rad"; empty: nothing beside
 };
 
 /// V, A, J, and the torque max |y' y''|. For a solution with a curve.

@@ -2,8 +2,8 @@
 #include "output/words/tables/segment_table.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "output/words/display_scale.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -41,21 +41,22 @@ std::string segment_title(const SegmentReport& segment) {
 }
 
 TextTable segment_table(const Solution& solution) {
-    const DisplayScale scale = display_scale(solution.scene.motion);
-    const double lift = scale.by_angle.factor[0];
+    const ShownUnits shown = shown_units(solution.scene);
+    const MotionUnit& displacement = shown.motion[0].first;
+    const double lift = displacement.per_normalised;
     TextTable table;
     table.columns = {{"segment", true},
                      {"start deg"},
                      {"end deg"},
                      {"angle deg"},
-                     {fmt::format("from {}", scale.by_angle.unit[0])},
-                     {fmt::format("to {}", scale.by_angle.unit[0])},
+                     {fmt::format("from {}", displacement.name)},
+                     {fmt::format("to {}", displacement.name)},
                      {"V"},
                      {"A"},
                      {"J"},
                      {"joint"}};
     for (const SegmentReport& segment : solution.segments) {
-        const double begin = scale.degrees_per_x * segment.begin, end = scale.degrees_per_x * segment.end;
+        const double begin = shown.degrees_per_x * segment.begin, end = shown.degrees_per_x * segment.end;
         std::vector<std::string> row = {segment_title(segment),
                                         short_text(begin),
                                         short_text(end),

@@ -132,20 +132,10 @@ TEST(NcComments, ATitleStaysAComment) {
     EXPECT_EQ(program.program.text.find('\x1b'), std::string::npos);
 }
 
-TEST(DiskSolid, IsWatertightWithTheVolumeOfARing) {
-    const TriangleMesh ring = disk_solid(shape_of(0.0), {20.0 * millimetre, 5.0 * millimetre, 720});
-    EXPECT_TRUE(mesh_edges(ring).watertight());
-    const double polygon = 0.5 * 720 * std::sin(turn / 720);
-    const double whole = polygon * (std::pow(40.0 * millimetre, 2) - std::pow(5.0 * millimetre, 2)) * 0.02;
-    EXPECT_NEAR(volume(ring), whole, 1e-12 * whole);
-    EXPECT_TRUE(mesh_edges(disk_solid(shape_of(10.0 * millimetre), {})).watertight());
-}
-
 TEST(DiskExport, RefusesWhatCannotBeMade) {
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
     EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01, 2.0), *machine, post, {})), InputError);
-    EXPECT_THROW(static_cast<void>(disk_solid(shape_of(0.01, 2.0), {})), InputError);
     DiskNcOptions options;
     options.thickness = 0.0;
     EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01), *machine, post, options)), InputError);
@@ -162,8 +152,6 @@ TEST(DiskExport, RefusesWhatCannotBeMade) {
     refused([](DiskNcOptions& wrong) { wrong.clearance = 0.001; });
     refused([](DiskNcOptions& wrong) { wrong.safe_distance = 0.0; });
     refused([](DiskNcOptions& wrong) { wrong.gouge_tolerance = 0.0; });
-    EXPECT_THROW(static_cast<void>(disk_solid(shape_of(0.01), {0.02, 0.05, 720})), InputError);
-    EXPECT_THROW(static_cast<void>(disk_solid(shape_of(0.01), {0.02, 0.0, 720})), InputError);
 }
 
 }  // namespace

@@ -58,13 +58,15 @@ TEST(ComparisonHtml, HoldsEveryLawWithItsNumbersAndScene) {
     ASSERT_EQ(data.at("items").at("names").size(), comparison.rows.size());
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const ComparisonRow& row = comparison.rows[i];
-        if (row.motion)
+        if (row.motion) {
             EXPECT_NEAR(column(data, "velocity")[i].get<double>(), row.peaks.velocity.value, 1e-6);
+        }
         const std::string scene = scene_of(data, i);
-        if (row.is_optimum())
+        if (row.is_optimum()) {
             EXPECT_EQ(scene, scene_text);
-        else
+        } else {
             EXPECT_NE(scene.find("\"" + row.key + "\""), std::string::npos) << row.key;
+        }
     }
     const json& overlay = data.at("overlay").at("curves").at(1);
     ASSERT_EQ(overlay.at("lines").size(), comparison.rows.size());
@@ -92,7 +94,9 @@ TEST(ParetoHtml, ThePointsHaveTheirScenes) {
         EXPECT_NEAR(column(data, "first")[i].get<double>(), front.points[i].value[0], 1e-6);
         const std::string text = scene_of(data, i);
         EXPECT_EQ(text.find("velocity") != std::string::npos, true);
-        if (front.points[i].cap) EXPECT_NE(text.find("[limits]"), std::string::npos) << text;
+        if (front.points[i].cap) {
+            EXPECT_NE(text.find("[limits]"), std::string::npos) << text;
+        }
     }
 }
 

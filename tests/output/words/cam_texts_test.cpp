@@ -120,6 +120,22 @@ TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
     EXPECT_EQ(cam_motion(solution).at(3.0).derivative[0], 0.0);
 }
 
+// The rest of the turn, half before the rise and half after it; open between the far ends, and said why.
+TEST(CheckCam, ARiseAloneIsDrawnWithItsDwellArcs) {
+    Solution solution = test::cam_solution();
+    ASSERT_EQ(solution.scene.motion.type, MotionType::drd);
+    const MotionChain drawn = drawn_motion(solution);
+    EXPECT_DOUBLE_EQ(drawn.begin(), -1.5);
+    EXPECT_DOUBLE_EQ(drawn.end(), 2.5);
+    for (const double x : {-1.5, -0.1}) EXPECT_EQ(drawn.at(x).derivative[0], 0.0);
+    for (const double x : {1.1, 2.5}) EXPECT_EQ(drawn.at(x, Side::left).derivative[0], 1.0);
+    EXPECT_EQ(drawn.at(0.3).derivative, solution.motion->at(0.3).derivative);
+    EXPECT_NE(open_because(solution).find("no return is given"), std::string::npos);
+    solution.scene.motion.type = MotionType::rr;
+    EXPECT_EQ(open_because(solution), "");
+    EXPECT_DOUBLE_EQ(drawn_motion(solution).end(), 4.0);
+}
+
 TEST(SolutionText, TellsTheCamInASection) {
     const std::string text = summary_text(test::cam_solution(), {});
     for (const char* part :

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "output/disk/disk_solid.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/drawing/profile_dxf.hpp"
+#include "output/sheet/cam_sheet.hpp"
+#include "output/sheet/sheet_painter.hpp"
+#include "output/surface/bspline_surface.hpp"
+#include "output/surface/plane_region.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+using Polygon = std::vector<Vector2d>;
+
+constexpr double area_tolerance = 1e-8, curve_tolerance = 1e-8;  // m
+constexpr double same_radius = 1e-12;                            // of the radius: a dwell
+constexpr int first_points = 9, most_points = 4097, dwell_samples = 8;
+constexpr int least_points = 16;
+
+double thickness_of(const DrawingSpec& drawing) {
+    const double thickness = drawing.thickness.value_or(default_thickness);
+    if (!(std::isfinite(thickness) && thickness > 0.0))
+        throw InputError(fmt::format("plane cam: the thickness must be > 0 m, found {:g}", thickness));
+    return thickness;
+}
+
+void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
+    check_closed(shape);
+    static_cast<void>(thickness_of(drawing));
+    if (!cusp_angles(shape).empty() || !(shape.at(shape.begin()).regularity > 0.0))
+        throw InputError(
+            "plane cam: found an undercut one, whose outline crosses itself; allowed: a cam that leads its "
+            "follower everywhere (limits.cam_radius_min_mm = 0)");
+    if (drawing.bore && !(drawing.reach() > 0.0 && drawing.reach() < least_radius(shape)))
+        throw InputError(
+            fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "
+                        "less than {:.6g} mm, the cam's least radius",
+                        drawing.reach() / units::millimetre, least_radius(shape) / units::millimetre));
+}
+
+/// 0.5 ∮ (x dy − y dx), its arcs exact: the segment beyond a chord of length c with the bulge b, angle φ = 4
+/// atan b, radius r has the area r² (φ − sin φ) / 2.
+double area_of(const std::vector<ArcVertex>& vertices) {
+    Polygon corners;
+    double segments = 0.0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        corners.push_back(vertices[i].position);
+        const double angle = 4.0 * std::atan(vertices[i].bulge);
+        const double chord = (vertices[(i + 1) % vertices.size()].position - vertices[i].position).norm();
+        if (std::abs(angle) < 1e-4) {  // r²(φ − sin φ)/2 → c² φ/12
+            segments += chord * chord * angle / 12.0;
+            continue;
+        }
+        const double radius = 0.5 * chord / std::sin(0.5 * angle);
+        segments += 0.5 * radius * radius * (angle - std::sin(angle));
+    }
+    return std::abs(polygon_area(corners) + segments);
+}
+
+/// Corners on the arcs, chords within the tolerance.
+Polygon polygon_within(const std::vector<ArcVertex>& vertices, double tolerance) {
+    Polygon polygon;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vector2d &from = vertices[i].position, &to = vertices[(i + 1) % vertices.size()].position;
+        polygon.push_back(from);
+        if (std::abs(vertices[i].bulge) < 1e-9) continue;
+        const BulgeArc arc = bulge_arc(from, to, vertices[i].bulge);
+        const double step = 2.0 * std::acos(std::max(-1.0, 1.0 - tolerance / arc.radius));
+        const int count = static_cast<int>(std::ceil(std::abs(arc.to - arc.from) / step));
+        for (int k = 1; k < count; ++k) {
+            const double angle = arc.from + (arc.to - arc.from) * k / count;
+            polygon.emplace_back(arc.center + arc.radius * Vector2d(std::cos(angle), std::sin(angle)));
+        }
+    }
+    return polygon;
+}
+
+Polygon to_the_left(Polygon polygon) {
+    if (polygon_area(polygon) < 0.0) std::ranges::reverse(polygon);
+    return polygon;
+}
+
+void add_wall(TriangleMesh& mesh, int first, int count, int below, bool outside) {
+    for (int i = 0; i < count; ++i) {
+        const int a = first + i, b = first + (i + 1) % count;
+        if (outside) {
+            mesh.triangles.push_back({a, a + below, b + below});
+            mesh.triangles.push_back({a, b + below, b});
+        } else {
+            mesh.triangles.push_back({a, b + below, a + below});
+            mesh.triangles.push_back({a, b, b + below});
+        }
+    }
+}
+
+TriangleMesh plate_mesh(const Polygon& outline, const Polygon& hole, double thickness) {
+    TriangleMesh mesh;
+    const int below = static_cast<int>(outline.size() + hole.size());
+    for (const double z : {0.0, -thickness})
+        for (const Polygon* line : {&outline, &hole})
+            for (const Vector2d& point : *line) mesh.vertices.emplace_back(point.x(), point.y(), z);
+    for (const std::array<int, 3>& t : plane_triangles(outline, hole)) {
+        mesh.triangles.push_back(t);
+        mesh.triangles.push_back({t[0] + below, t[2] + below, t[1] + below});
+    }
+    add_wall(mesh, 0, static_cast<int>(outline.size()), below, true);
+    add_wall(mesh, static_cast<int>(outline.size()), static_cast<int>(hole.size()), below, false);
+    return mesh;
+}
+
+Polygon contour_polygon(const ProfileShape& shape, int count) {
+    if (count < least_points)
+        throw InputError(
+            fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
+    Polygon polygon;
+    for (int k = 0; k < count; ++k)
+        polygon.push_back(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact);
+    return polygon;
+}
+
+/// The largest distance of the outline from the polygon: from points between its corners, along their
+/// normals.
+double sagitta(const ProfileShape& shape, int count) {
+    double worst = 0.0;
+    const double step = (shape.end() - shape.begin()) / count;
+    for (int k = 0; k < count; ++k) {
+        const Vector2d from = shape.at(shape.begin() + step * k).contact,
+                       to = shape.at(std::min(shape.begin() + step * (k + 1), shape.end())).contact;
+        const Vector2d chord = (to - from).normalized();
+        for (const double part : {0.25, 0.5, 0.75}) {
+            const Vector2d out = shape.at(shape.begin() + step * (k + part)).contact - from;
+            worst = std::max(worst, std::abs(chord.x() * out.y() - chord.y() * out.x()));
+        }
+    }
+    return worst;
+}
+
+bool is_dwell(const ProfileShape& shape, double begin, double end) {
+    const double radius = shape.at(begin).contact.norm();
+    for (int i = 1; i < dwell_samples; ++i) {
+        const Vector2d point = shape.at(begin + (end - begin) * i / dwell_samples).contact;
+        if (std::abs(point.norm() - radius) > same_radius * radius) return false;
+    }
+    return true;
+}
+
+PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
+    for (int count = first_points;; count = 2 * count - 1) {
+        SurfaceGrid grid;
+        grid.name = "outline";
+        grid.v = {0.0, 1.0};
+        for (int i = 0; i < count; ++i) grid.u.push_back(begin + (end - begin) * i / (count - 1));
+        for (const double height : grid.v)
+            for (const double theta : grid.u) {
+                const Vector2d point = shape.at(theta).contact;
+                grid.points.emplace_back(point.x(), point.y(), height);
+            }
+        const BsplineSurface surface = bspline_surfaces(grid).front();
+        double worst = 0.0;
+        for (int i = 0; i + 1 < count; ++i) {
+            const double theta =
+                0.5 * (grid.u[static_cast<std::size_t>(i)] + grid.u[static_cast<std::size_t>(i + 1)]);
+            const ProfilePoint point = shape.at(theta);
+            const Vector2d gap = surface.at(theta, 0.0).head<2>() - point.contact;
+            worst = std::max(worst, std::abs(gap.dot(point.normal)));
+        }
+        if (worst > curve_tolerance && count < most_points) continue;
+        PlateEdge edge;
+        edge.kind = PlateEdge::Kind::curve;
+        edge.knots = surface.knots_u;
+        for (std::size_t i = 0; i < surface.columns(); ++i)
+            edge.poles.emplace_back(surface.poles[i].head<2>());
+        return edge;
+    }
+}
+
+std::vector<PlateEdge> edges_of(const std::vector<ArcVertex>& vertices) {
+    std::vector<PlateEdge> edges;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        PlateEdge edge;
+        edge.from = vertices[i].position;
+        edge.to = vertices[(i + 1) % vertices.size()].position;
+        if (vertices[i].bulge != 0.0) {
+            edge.kind = PlateEdge::Kind::arc;
+            const BulgeArc arc = bulge_arc(edge.from, edge.to, vertices[i].bulge);
+            const double middle = 0.5 * (arc.from + arc.to);
+            edge.middle = arc.center + arc.radius * Vector2d(std::cos(middle), std::sin(middle));
+        }
+        edges.push_back(edge);
+    }
+    return edges;
+}
+
+}  // namespace
+
+void check_closed(const ProfileShape& shape) {
+    if (shape.closed) return;
+    throw InputError(
+        fmt::format("plane cam: found an open one{}; allowed: a cam of a whole turn (motion.type \"RR\" or a "
+                    "program that comes back to displacement 0), to be milled or made a solid",
+                    shape.open_because.empty() ? "" : " (" + shape.open_because + ")"));
+}
+
+double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
+    check_solid(shape, drawing);
+    double area = area_of(outline_chain(shape, true, area_tolerance).vertices);
+    if (drawing.bore) area -= area_of(bore_outline(drawing, shape.cam));
+    return area * thickness_of(drawing);
+}
+
+DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const DiskMeshOptions& options) {
+    check_solid(shape, drawing);
+    if (!(options.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("plane cam: the chord tolerance must be > 0 m, found {:g}", options.chord_tolerance));
+    DiskMesh result;
+    Polygon outline, hole;
+    if (options.points) {
+        outline = contour_polygon(shape, *options.points);
+        result.deviation = sagitta(shape, *options.points);
+    } else {
+        // The arcs take a tenth of the tolerance, their chords the rest.
+        const ArcChain chain = outline_chain(shape, true, 0.1 * options.chord_tolerance);
+        outline = polygon_within(chain.vertices, 0.9 * options.chord_tolerance);
+        result.deviation = options.chord_tolerance;
+    }
+    if (drawing.bore) hole = polygon_within(bore_outline(drawing, shape.cam), options.chord_tolerance);
+    result.mesh = plate_mesh(to_the_left(outline), hole, thickness_of(drawing));
+    result.volume = volume(result.mesh);
+    result.exact = disk_volume(shape, drawing);
+    return result;
+}
+
+Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing, const std::string& name) {
+    check_solid(shape, drawing);
+    Plate plate;
+    plate.name = name;
+    plate.thickness = thickness_of(drawing);
+    for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
+        const double begin = shape.knots[i], end = shape.knots[i + 1];
+        PlateEdge edge;
+        if (is_dwell(shape, begin, end)) {
+            edge.kind = PlateEdge::Kind::arc;
+            edge.middle = shape.at(0.5 * (begin + end)).contact;
+        } else {
+            edge = curve_through(shape, begin, end);
+        }
+        edge.from = i == 0 ? shape.at(begin).contact : plate.outline.back().to;
+        edge.to = i + 2 < shape.knots.size() ? shape.at(end).contact
+                  : plate.outline.empty()    ? edge.from
+                                             : plate.outline.front().from;
+        if (!edge.poles.empty()) {
+            edge.poles.front() = edge.from;
+            edge.poles.back() = edge.to;
+        }
+        plate.outline.push_back(std::move(edge));
+    }
+    if (drawing.bore) plate.hole = edges_of(bore_outline(drawing, shape.cam));
+    return plate;
+}
+
+}  // namespace camopt

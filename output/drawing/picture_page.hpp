@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The page that pictures of cams and mechanisms share: a frame to scale with its lengths at the rim, and a
+// column beside it for what the lines mean, dimensions and figures. px; m inside the frame.
+#pragma once
+
+#include "output/drawing/profile_canvas.hpp"
+#include "output/words/shown_units.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace camopt {
+
+inline constexpr double picture_width = 1000, picture_height = 760;
+inline constexpr double picture_left = 74, picture_top = 60, picture_frame_width = 660,
+                        picture_frame_height = 640;
+inline constexpr double picture_legend_left = 760, picture_legend_top = 76;
+
+/// What a picture has to show, m.
+struct PictureBox {
+    Eigen::Vector2d least = Eigen::Vector2d::Constant(1e300), most = Eigen::Vector2d::Constant(-1e300);
+
+    void add(const Eigen::Vector2d& point) {
+        least = least.cwiseMin(point);
+        most = most.cwiseMax(point);
+    }
+    /// With a margin around it.
+    [[nodiscard]] PictureBox with_room() const;
+};
+
+/// The box as large as the frame lets it be, in its middle.
+[[nodiscard]] ProfileCanvas fitted_canvas(SvgCanvas& canvas, const PictureBox& box);
+
+/// Frame, grid and lengths at the rim; `words`: what they are, "x, y in mm (cam frame)".
+void draw_length_frame(const ProfileCanvas& drawing, const ShownUnit& length, std::string_view words);
+
+/// Entry under entry beside the frame.
+class LegendColumn {
+ public:
+    /// entries: how many there will be, so that all find room.
+    LegendColumn(SvgCanvas& canvas, ShownUnit length, int entries = 0);
+
+    void heading(std::string_view words);
+    void sample(const char* css_class, std::string_view words);
+    void value(std::string_view name, double length);
+    void value(std::string_view name, std::string_view shown);
+    void words(std::string_view text, const char* css_class = "entry");
+
+ private:
+    SvgCanvas& canvas_;
+    double y_ = picture_legend_top, step_ = 0.0;
+    ShownUnit length_;
+};
+
+/// The dimensions of the solution's cam, and its figures with their cam angles.
+void add_dimensions(LegendColumn& column, const Solution& solution);
+void add_figures(LegendColumn& column, const Solution& solution);
+/// That the cam is open, and why.
+void add_opening(LegendColumn& column, const Solution& solution);
+/// Entries that both take.
+[[nodiscard]] int dimension_entries(const Solution& solution);
+[[nodiscard]] int figure_entries(const Solution& solution);
+
+/// CSS rules of the column: heading, number, warning.
+[[nodiscard]] std::string_view picture_style();
+
+}  // namespace camopt

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What of a disk cam a drawing measures.
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/sheet/cam_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int radius_samples = 1440, radius_bisections = 60;
+constexpr double through_an_end = 1e-9;  // rad
+
+double side_of(const Vector2d& ray, const Vector2d& point) {
+    return ray.x() * point.y() - ray.y() * point.x();
+}
+
+Vector2d point_of(const ProfilePoint& point, bool of_cam) {
+    return of_cam ? point.contact : point.pitch;
+}
+
+}  // namespace
+
+Vector2d ray_at(const DiskCam& cam, double cam_angle) {
+    const double turn = sense_of(cam.rotation) * cam_angle;
+    return {std::sin(turn), std::cos(turn)};
+}
+
+std::optional<double> radius_along(const ProfileShape& shape, const Vector2d& ray, bool of_cam) {
+    std::optional<double> outermost;
+    const auto crossing_between = [&](double left, double right, bool above_first) {
+        for (int i = 0; i < radius_bisections; ++i) {
+            const double middle = 0.5 * (left + right);
+            const bool here = side_of(ray, point_of(shape.at(middle), of_cam)) > 0.0;
+            (here == above_first ? left : right) = middle;
+        }
+        return 0.5 * (left + right);
+    };
+    const auto take = [&](double theta) {
+        const double along = ray.dot(point_of(shape.at(theta), of_cam));
+        if (along > 0.0 && (!outermost || along > *outermost)) outermost = along;
+    };
+    // Over the joints of pieces too: a ray may pass through a knot.
+    std::optional<ProfilePoint> last;
+    for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, radius_samples))
+        for (const ProfilePoint& point : piece) {
+            const double after = side_of(ray, point_of(point, of_cam));
+            if (last) {
+                const double before = side_of(ray, point_of(*last, of_cam));
+                if ((before > 0.0) != (after > 0.0))
+                    take(crossing_between(last->theta, point.theta, before > 0.0));
+            }
+            last = point;
+        }
+    // Where the end is the beginning, a ray may pass between the two.
+    for (const double theta : {shape.begin(), shape.end()})
+        if (const Vector2d end = point_of(shape.at(theta), of_cam);
+            std::abs(side_of(ray, end)) < through_an_end * end.norm())
+            take(theta);
+    return outermost;
+}
+
+double least_radius(const ProfileShape& shape) {
+    double least = shape.at(shape.begin()).contact.norm();
+    for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, radius_samples))
+        for (const ProfilePoint& point : piece) least = std::min(least, point.contact.norm());
+    return least;
+}
+
+DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, const CamSheetOptions& options) {
+    DrawingSpec drawing = solution.scene.drawing.value_or(DrawingSpec{});
+    if (options.bore) drawing.bore = options.bore;
+    if (options.thickness) drawing.thickness = options.thickness;
+    if (!drawing.thickness) drawing.thickness = default_thickness;
+    const double least = least_radius(shape);
+    const auto mm = [](double length) { return fmt::format("{:.6g} mm", length / units::millimetre); };
+    if (drawing.keyway && drawing.bore && !(drawing.keyway->width < *drawing.bore))
+        throw InputError(fmt::format("drawing.keyway.width: found {}; allowed: less than the bore's {}",
+                                     mm(drawing.keyway->width), mm(*drawing.bore)));
+    if (!(drawing.reach() < least))
+        throw InputError(
+            fmt::format("drawing.{}: found {} from the centre; allowed: less than {}, the least radius of "
+                        "the cam",
+                        drawing.keyway ? "keyway" : "bore", mm(drawing.reach()), mm(least)));
+    return drawing;
+}
+
+std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, const DiskCam& cam) {
+    const double radius = 0.5 * drawing.bore.value();
+    if (!drawing.keyway) return {{{radius, 0.0}, 1.0}, {{-radius, 0.0}, 1.0}};
+    const Keyway& keyway = *drawing.keyway;
+    const double half = 0.5 * keyway.width, edge = std::sqrt(radius * radius - half * half),
+                 floor = radius + keyway.depth, angle = std::atan2(half, edge);
+    const Vector2d out = ray_at(cam, keyway.at), left(-out.y(), out.x());
+    const auto at = [&](double along, double across) -> Vector2d { return along * out + across * left; };
+    // From the left edge around the bore to the right edge, then around the slot.
+    const double half_turn = 0.5 * (units::turn - 2.0 * angle);
+    const double bulge = std::tan(0.25 * half_turn);
+    return {{at(edge, half), bulge},
+            {at(-radius, 0.0), bulge},
+            {at(edge, -half), 0.0},
+            {at(floor, -half), 0.0},
+            {at(floor, half), 0.0}};
+}
+
+}  // namespace camopt

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: MIT
+#include "output/sheet/cam_sheet.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/drawing/profile_dxf.hpp"
+#include "output/sheet/sheet_furniture.hpp"
+#include "output/words/number_text.hpp"
+#include "scene/limit_table.hpp"
+#include "studies/check/check_cam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+using units::degree, units::millimetre;
+
+constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
+constexpr double outline_tolerance = 1e-6;  // m: of the arcs
+
+// m on the paper: what dimensions and words beside the views need.
+constexpr double beside_cam = 24e-3, above_cam = 16e-3, before_section = 6e-3, after_section = 22e-3,
+                 block_distance = 4e-3;
+constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.5e-3, keyway_line = 5e-3,
+                 thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
+                 center_overhang = 3e-3;
+constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
+constexpr double direction_step = 15 * degree;
+
+Vector2d unit_vector(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
+double direction_angle(const Vector2d& direction) {
+    return std::atan2(direction.y(), direction.x());
+}
+
+/// "cam radius" of cam_radius_min: the sign beside it says the rest.
+std::string limit_words(const LimitRow& row) {
+    std::string words = words_of(row.name);
+    for (const std::string_view ending : {" min", " max"})
+        if (words.ends_with(ending)) words.resize(words.size() - ending.size());
+    return words;
+}
+
+struct ModelBox {
+    Vector2d low = Vector2d::Constant(HUGE_VAL), high = Vector2d::Constant(-HUGE_VAL);
+    void add(const Vector2d& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    /// From the origin, which lies inside, along the ray to the rim.
+    [[nodiscard]] double exit(const Vector2d& ray) const {
+        double reach = HUGE_VAL;
+        for (int i = 0; i < 2; ++i) {
+            const double side = ray(i) > 0.0 ? high(i) : low(i);
+            if (std::abs(ray(i)) > 1e-12) reach = std::min(reach, side / ray(i));
+        }
+        return reach;
+    }
+};
+
+/// Directions for words around the cam, each as far from all before as can be.
+class FreeDirections {
+ public:
+    void take(double angle) { taken_.push_back(angle); }
+    [[nodiscard]] double next() {
+        double best = 0.0, most = -1.0;
+        for (double angle = 0.5 * direction_step; angle < units::turn; angle += direction_step) {
+            double nearest = units::turn;
+            for (const double other : taken_)
+                nearest = std::min(nearest, std::abs(std::remainder(angle - other, units::turn)));
+            if (nearest > most + 1e-9) most = nearest, best = angle;
+        }
+        take(best);
+        return best;
+    }
+
+ private:
+    std::vector<double> taken_;
+};
+
+class CamSheetMaker {
+ public:
+    CamSheetMaker(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing)
+        : solution_(solution), shape_(shape), cam_(shape.cam), drawing_(drawing) {
+        base_ = cam_[DimensionIndex::base_radius];
+        prime_ = base_ + (has_roller(cam_.follower) ? cam_[DimensionIndex::roller_radius] : 0.0);
+        for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, 1440))
+            for (const ProfilePoint& point : piece) {
+                box_.add(point.contact);
+                box_.add(point.pitch);
+                if (point.contact.norm() > farthest_.norm()) farthest_ = point.contact;
+                rim_.push_back(point.contact);
+                if (has_roller(cam_.follower)) rim_.push_back(point.pitch);
+            }
+        box_.add(Vector2d::Constant(prime_));
+        box_.add(Vector2d::Constant(-prime_));
+        datum_ = ray_at(cam_, drawing.datum);
+        cut_ = drawing.keyway ? ray_at(cam_, drawing.keyway->at) : datum_;
+    }
+
+    Sheet make() {
+        choose_format();
+        place_views();
+        add_outline();
+        add_bore();
+        add_datum();
+        add_section();
+        add_dimensions();
+        add_rotation();
+        add_furniture();
+        return std::move(sheet_);
+    }
+
+ private:
+    const Solution& solution_;
+    const ProfileShape& shape_;
+    const DiskCam& cam_;
+    const DrawingSpec& drawing_;
+    double base_ = 0.0, prime_ = 0.0;
+    ModelBox box_;
+    Vector2d farthest_ = Vector2d::Zero(), datum_, cut_;
+    std::vector<Vector2d> rim_;
+    FreeDirections free_;
+    SheetTable table_;
+    double section_left_ = 0.0;  ///< model
+    Sheet sheet_;
+
+    [[nodiscard]] double thickness() const { return *drawing_.thickness; }
+    /// m of the model in so much on the paper.
+    [[nodiscard]] double paper(double length) const { return length / sheet_.view.scale; }
+
+    /// Rows every 10° on A4, every 5° on A3.
+    [[nodiscard]] SheetTable radius_table(const SheetFormat& format) const {
+        SheetTable table;
+        const bool rollers = has_roller(cam_.follower);
+        table.head = rollers ? std::vector<std::string>{"α", "R", "Rc"} : std::vector<std::string>{"α", "R"};
+        const int step = format.width > 0.3 ? 5 : 10;
+        const auto shown = [](const std::optional<double>& radius) {
+            return radius ? fmt::format("{:.3f}", *radius / millimetre) : std::string("open");
+        };
+        for (int alpha = 0; alpha < 360; alpha += step) {
+            const Vector2d ray = ray_at(cam_, drawing_.datum + alpha * degree);
+            table.rows.push_back({fmt::format("{}°", alpha), shown(radius_along(shape_, ray, true))});
+            if (rollers) table.rows.back().push_back(shown(radius_along(shape_, ray, false)));
+        }
+        return table;
+    }
+    [[nodiscard]] static Vector2d room_for_views(const SheetFormat& format, const SheetTable& table) {
+        return {format.width - sheet_left_margin - sheet_margin - table.width() - 2.0 * block_distance,
+                format.height - 2.0 * sheet_margin - title_block_height - 2.0 * block_distance};
+    }
+    void choose_format() {
+        const Vector2d size = box_.high - box_.low + Vector2d(thickness(), 0.0);
+        const Vector2d words(2.0 * beside_cam + before_section + after_section, 2.0 * above_cam);
+        std::optional<StandardScale> chosen;
+        for (const SheetFormat& format : sheet_formats) {
+            SheetTable table = radius_table(format);
+            const StandardScale scale = standard_scale(size, room_for_views(format, table) - words);
+            if (chosen && !(scale.value > chosen->value)) continue;
+            chosen = scale;
+            sheet_.format = format.name;
+            sheet_.width = format.width;
+            sheet_.height = format.height;
+            table_ = std::move(table);
+            if (scale.value >= 1.0) break;
+        }
+        sheet_.view.scale = chosen->value;
+        sheet_.scale_words = chosen->words;
+        sheet_.title = solution_.scene.title.empty() ? "Cam" : solution_.scene.title;
+    }
+    void place_views() {
+        const double scale = sheet_.view.scale;
+        const Vector2d room = room_for_views({"", sheet_.width, sheet_.height}, table_);
+        const Vector2d cam = scale * (box_.high - box_.low);
+        const double all = cam.x() + 2.0 * beside_cam + before_section + scale * thickness() + after_section;
+        const double left = sheet_left_margin + block_distance + 0.5 * (room.x() - all) + beside_cam;
+        const double bottom = sheet_margin + title_block_height + block_distance + 0.5 * (room.y() - cam.y());
+        sheet_.view.origin = Vector2d(left, bottom) - scale * box_.low;
+        section_left_ = box_.high.x() + paper(beside_cam + before_section);
+    }
+
+    void add_outline() {
+        const ArcChain outline = outline_chain(shape_, true, outline_tolerance);
+        sheet_.paths.push_back({"CAM", SheetPen::thick, outline.vertices, outline.closed});
+        sheet_.circles.push_back({"BASE_CIRCLE", SheetPen::chain, {0.0, 0.0}, base_});
+        if (has_roller(cam_.follower)) {
+            const ArcChain pitch = outline_chain(shape_, false, outline_tolerance);
+            sheet_.paths.push_back({"PITCH", SheetPen::dashed, pitch.vertices, pitch.closed});
+            sheet_.circles.push_back({"PRIME_CIRCLE", SheetPen::chain, {0.0, 0.0}, prime_});
+        }
+        if (!shape_.closed)
+            sheet_.line("OPEN", SheetPen::dashed, shape_.at(shape_.begin()).contact,
+                        shape_.at(shape_.end()).contact);
+        for (const Vector2d& axis : {Vector2d(1.0, 0.0), Vector2d(0.0, 1.0)})
+            sheet_.line("AXES", SheetPen::chain, -(box_.exit(-axis) + paper(center_overhang)) * axis,
+                        (box_.exit(axis) + paper(center_overhang)) * axis);
+    }
+    void add_bore() {
+        if (!drawing_.bore) return;
+        if (!drawing_.keyway)
+            sheet_.circles.push_back({"BORE", SheetPen::thick, {0.0, 0.0}, 0.5 * *drawing_.bore});
+        else
+            sheet_.paths.push_back({"BORE", SheetPen::thick, bore_outline(drawing_, cam_), true});
+    }
+    void add_datum() {
+        const double reach = box_.exit(datum_) + paper(datum_reach);
+        const double rim = radius_along(shape_, datum_, true).value_or(base_);
+        sheet_.line("DATUM", SheetPen::thin, drawing_.reach() * datum_, reach * datum_);
+        sheet_.line("DATUM", SheetPen::thick, (rim - paper(4e-3)) * datum_, rim * datum_);
+        add_word("DATUM", "datum, α = 0", reach, datum_);
+        free_.take(direction_angle(datum_));
+        for (const double axis : {0.0, 90.0, 180.0, 270.0})
+            if (std::abs(std::remainder(axis * degree - direction_angle(datum_), units::turn)) > 20 * degree)
+                free_.take(axis * degree);
+    }
+    /// At so much of the model along a ray, outside of its end.
+    void add_word(const char* layer, const std::string& words, double reach, const Vector2d& ray) {
+        const Vector2d at = sheet_.view.on_paper(reach * ray);
+        const TextAnchor anchor = ray.x() > 0.3    ? TextAnchor::start
+                                  : ray.x() < -0.3 ? TextAnchor::end
+                                                   : TextAnchor::middle;
+        const double drop = ray.y() < 0.0 ? 2.5e-3 * -ray.y() : 0.0, lift = ray.y() > 0.3 ? 0.8e-3 : 0.0;
+        const double aside = anchor == TextAnchor::middle ? 0.0 : (ray.x() > 0.0 ? 1.0 : -1.0) * 1.0e-3;
+        sheet_.texts.push_back(
+            {layer, at + Vector2d(aside, lift - drop - (lift > 0.0 ? 0.0 : 0.9e-3)), 2.5e-3, words, anchor});
+    }
+
+    void hatch(const Vector2d& low, const Vector2d& high) {
+        const double step = paper(hatch_step) * std::numbers::sqrt2;
+        // Lines y = x + c through the box.
+        for (double c = std::ceil((low.y() - high.x()) / step) * step; c < high.y() - low.x(); c += step) {
+            const double from = std::max(low.x(), low.y() - c), to = std::min(high.x(), high.y() - c);
+            if (to - from > paper(0.3e-3))
+                sheet_.line("HATCH", SheetPen::thin, {from, from + c}, {to, to + c});
+        }
+    }
+    /// Through the middle of the keyway, or through the datum; seen from the right.
+    void add_section() {
+        const double up = radius_along(shape_, cut_, true).value_or(base_),
+                     down = radius_along(shape_, -cut_, true).value_or(base_), left = section_left_,
+                     right = left + thickness();
+        sheet_.rectangle("SECTION", SheetPen::thick, {left, -down}, {right, up});
+        const double radius = 0.5 * drawing_.bore.value_or(0.0);
+        const double top = drawing_.keyway ? radius + drawing_.keyway->depth : radius;
+        hatch({left, top}, {right, up});
+        hatch({left, -down}, {right, -radius});
+        sheet_.line("AXES", SheetPen::chain, {left - paper(center_overhang), 0.0},
+                    {right + paper(center_overhang), 0.0});
+        SheetDimension dimension;
+        dimension.direction = 0.0;
+        dimension.first = {left, up};
+        dimension.second = {right, up};
+        dimension.place = sheet_.view.on_paper({left, up}) + Vector2d(0.0, thickness_line);
+        sheet_.dimensions.push_back(dimension);
+        if (!drawing_.bore) return;
+        sheet_.line("SECTION", SheetPen::thick, {left, -radius}, {right, -radius});
+        sheet_.line("SECTION", SheetPen::thick, {left, top}, {right, top});
+        if (drawing_.keyway) {
+            const double edge = std::sqrt(radius * radius - std::pow(0.5 * drawing_.keyway->width, 2));
+            sheet_.line("SECTION", SheetPen::thick, {left, edge}, {right, edge});
+        }
+        const auto height = [&](double from, double to, double distance, bool across) {
+            SheetDimension upright;
+            upright.direction = 90 * degree;
+            upright.first = {right, from};
+            upright.second = {right, to};
+            upright.place = sheet_.view.on_paper({right, 0.0}) + Vector2d(distance, 0.0);
+            upright.across = across;
+            sheet_.dimensions.push_back(upright);
+        };
+        height(-radius, radius, bore_line, true);
+        if (drawing_.keyway) height(-radius, top, depth_line, false);
+    }
+
+    void add_leader(SheetDimension::Kind kind, double radius, double angle) {
+        SheetDimension dimension;
+        dimension.kind = kind;
+        dimension.second = radius * unit_vector(angle);
+        dimension.place =
+            sheet_.view.on_paper((box_.exit(unit_vector(angle)) + paper(leader_reach)) * unit_vector(angle));
+        sheet_.dimensions.push_back(dimension);
+    }
+    void add_dimensions() {
+        const double far = direction_angle(farthest_);
+        if (drawing_.keyway) add_keyway();
+        free_.take(far);
+        add_leader(SheetDimension::Kind::radius, farthest_.norm(), far);
+        add_leader(SheetDimension::Kind::diameter, base_, free_.next());
+        if (prime_ > base_) add_leader(SheetDimension::Kind::diameter, prime_, free_.next());
+    }
+    void add_keyway() {
+        const Keyway& keyway = *drawing_.keyway;
+        const double radius = 0.5 * *drawing_.bore, floor = radius + keyway.depth,
+                     way = direction_angle(cut_);
+        const Vector2d left(-cut_.y(), cut_.x());
+        SheetDimension width;
+        width.direction = way + 90 * degree;
+        width.first = floor * cut_ - 0.5 * keyway.width * left;
+        width.second = floor * cut_ + 0.5 * keyway.width * left;
+        width.place = sheet_.view.on_paper(floor * cut_) + keyway_line * cut_;
+        sheet_.dimensions.push_back(width);
+        const double from_datum = std::remainder(way - direction_angle(datum_), units::turn);
+        if (std::abs(from_datum) < 1e-9) return;
+        SheetDimension angle;
+        angle.kind = SheetDimension::Kind::angle;
+        angle.direction = direction_angle(datum_);
+        angle.sweep = from_datum;
+        const double reach = std::max(0.5 * (drawing_.reach() + base_), drawing_.reach() + paper(11e-3));
+        angle.place = sheet_.view.on_paper(reach * datum_);
+        sheet_.dimensions.push_back(angle);
+        sheet_.line("AXES", SheetPen::chain, drawing_.reach() * cut_, (reach + paper(2e-3)) * cut_);
+        free_.take(way);
+    }
+
+    /// Outside of the outline, in a free direction.
+    void add_rotation() {
+        const double middle = free_.next(), sense = sense_of(cam_.rotation);
+        double radius = base_;
+        for (const Vector2d& point : rim_)
+            if (std::abs(std::remainder(direction_angle(point) - middle, units::turn)) < rotation_angle)
+                radius = std::max(radius, point.norm());
+        radius = std::max(radius, prime_) + paper(rotation_distance);
+        const double half = 0.5 * rotation_angle, tip = middle + sense * half;
+        sheet_.arc("ROTATION", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, radius}, middle - half,
+                   middle + half);
+        const Vector2d out = unit_vector(tip), ahead = sense * Vector2d(-out.y(), out.x());
+        const Vector2d end = radius * out;
+        sheet_.paths.push_back({"ROTATION",
+                                SheetPen::thin,
+                                {{end + paper(rotation_head) * ahead, 0.0},
+                                 {end + paper(rotation_half_width) * out, 0.0},
+                                 {end - paper(rotation_half_width) * out, 0.0}},
+                                true,
+                                SheetSpace::model,
+                                true});
+    }
+
+    [[nodiscard]] std::vector<std::string> notes() const {
+        std::vector<std::string> notes;
+        if (!shape_.closed)
+            notes.push_back(
+                fmt::format("OPEN: {}. Dwell arcs end at the dashed line.",
+                            shape_.open_because.empty() ? "not a whole turn" : shape_.open_because));
+        if (solution_.cam->summary.undercut())
+            notes.emplace_back("UNDERCUT: the outline crosses itself; this cam cannot be made as designed.");
+        std::string follower = words_of(name_of(cam_.follower));
+        for (int i = 0; i < dimension_count; ++i) {
+            const auto index = static_cast<DimensionIndex>(i);
+            if (index != DimensionIndex::base_radius && has_dimension(cam_.follower, index))
+                follower += fmt::format(", {} {}", words_of(name_of(index)), drawn_length(cam_[index]));
+        }
+        notes.push_back("Follower: " + follower + ".");
+        notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation)));
+        std::string limits;
+        for (const LimitRow& row : limit_rows())
+            if (const auto& limit = row.in(solution_.scene.limits); limit && !row.needs_forces)
+                limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", limit_words(row),
+                                      row.is_least() ? "≥" : "≤", short_text(limit->given()),
+                                      limit->unit.empty() ? "" : " " + limit->unit);
+        if (!limits.empty()) notes.push_back("Limits of form: " + limits + ".");
+        const CamSummary& summary = solution_.cam->summary;
+        std::string radii;
+        if (summary.convex_radius)
+            radii = fmt::format("convex {}", drawn_length(summary.convex_radius->value));
+        if (summary.concave_radius)
+            radii += fmt::format("{}concave {}", radii.empty() ? "" : ", ",
+                                 drawn_length(summary.concave_radius->value));
+        if (!radii.empty()) notes.push_back("Least radii of curvature: " + radii + ".");
+        notes.push_back(
+            fmt::format("α from the datum mark, {} as drawn. R to the cam{}.",
+                        cam_.rotation == Rotation::counterclockwise ? "clockwise" : "counterclockwise",
+                        has_roller(cam_.follower) ? ", Rc to the roller's centre, along the same ray" : ""));
+        notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
+        return notes;
+    }
+    void add_furniture() {
+        const TitleBlock& title = drawing_.title_block;
+        add_frame(sheet_, {title.part.empty() ? sheet_.title : title.part, title.material, title.tolerance,
+                           title.drawn_by});
+        const double right = sheet_.width - sheet_margin, top = sheet_.height - sheet_margin;
+        add_table(sheet_, table_, {right - table_.width(), top});
+        const double left = sheet_left_margin + 2e-3;
+        add_notes(sheet_, notes(), {left, sheet_margin + title_block_height},
+                  {right - title_block_width - left - 2e-3, title_block_height});
+    }
+};
+
+}  // namespace
+
+Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options) {
+    if (!solution.cam) throw InputError("a workshop drawing needs a disk cam, and this solution has none");
+    const MotionChain motion = drawn_motion(solution);
+    const std::optional<ProfileShape> shape = disk_shape(solution, motion);
+    if (!shape) throw InputError("a workshop drawing needs a disk cam, and this solution has another kind");
+    const DrawingSpec drawing = drawing_of(solution, *shape, options);
+    return CamSheetMaker(solution, *shape, drawing).make();
+}
+
+}  // namespace camopt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The workshop drawing of a delivered disk cam: outline, pitch curve, base and prime circle, bore, keyway,
+// datum mark, sense of rotation, a section, dimensions, a table of radii, limits of form, title block.
+//
+// On A4, or on A3 where A4 would make it smaller than it is, at the largest scale of ISO 5455 that fits. The
+// model is the cam frame of profiles/disk/disk_cam.hpp; the section lies beside it. The table counts its
+// angle from the datum mark, as the cam angle grows: the ray at α is the one that points along +y at the cam
+// angle datum + α. R: from the centre to the cam along that ray, the outermost where there are several.
+#pragma once
+
+#include "output/drawing/profile_shape.hpp"
+#include "output/sheet/sheet.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <optional>
+
+namespace camopt {
+
+inline constexpr double default_thickness = 20e-3;  ///< m, of a disk cam where nothing says it
+
+struct CamSheetOptions {
+    std::optional<double> bore = {}, thickness = {};  ///< m: in place of the scene's
+};
+
+/// What the scene and the options say together. Throws InputError where bore or keyway do not lie inside the
+/// cam: what was found, what is allowed.
+[[nodiscard]] DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape,
+                                     const CamSheetOptions& options);
+
+/// Throws InputError as above, for a solution without a disk cam, and for a cam too large for any sheet.
+[[nodiscard]] Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options = {});
+
+/// Unit vector of the cam frame that points along +y when the cam has turned by this cam angle.
+[[nodiscard]] Eigen::Vector2d ray_at(const DiskCam& cam, double cam_angle);
+
+/// From the centre along a ray to the cam's outline, or to its pitch curve: the outermost crossing; none
+/// where the ray meets none.
+[[nodiscard]] std::optional<double> radius_along(const ProfileShape& shape, const Eigen::Vector2d& ray,
+                                                 bool of_cam);
+
+/// Of the outline from the centre, m.
+[[nodiscard]] double least_radius(const ProfileShape& shape);
+
+/// Of the bore with its keyway, in the cam frame: an open ring of lines and arcs, its last vertex joined to
+/// the first; turns to the left. Only where there is a bore.
+[[nodiscard]] std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, const DiskCam& cam);
+
+}  // namespace camopt

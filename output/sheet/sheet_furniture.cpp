@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "output/sheet/sheet_furniture.hpp"
+
+#include "core/text/printable.hpp"
+
+#include <algorithm>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// m on the paper.
+constexpr double cell_label = 1.8e-3, cell_text = 2.5e-3, part_text = 3.5e-3, cell_padding = 1.5e-3;
+constexpr double table_text = 2.0e-3, row_height = 3.9e-3, angle_column = 11e-3, radius_column = 19e-3,
+                 block_gap = 2e-3;
+constexpr double note_text = 1.8e-3, note_line = 3.3e-3;
+const char* const block_layer = "TITLE_BLOCK";
+
+struct TitleCell {
+    double left, bottom, right, top;  ///< from the block's lower left corner
+    const char* label;
+    std::string words;
+    double height = cell_text;
+};
+
+void add_cell(Sheet& sheet, const Vector2d& corner, const TitleCell& cell) {
+    sheet.rectangle(block_layer, SheetPen::thin, corner + Vector2d(cell.left, cell.bottom),
+                    corner + Vector2d(cell.right, cell.top), SheetSpace::paper);
+    const Vector2d left = corner + Vector2d(cell.left + cell_padding, 0.0);
+    sheet.texts.push_back(
+        {block_layer, {left.x(), corner.y() + cell.top - cell_padding - cell_label}, cell_label, cell.label});
+    if (cell.words.empty()) return;
+    const double width = cell.right - cell.left - 2.0 * cell_padding;
+    double height = cell.height;
+    const std::string words = printable(cell.words);
+    while (height > cell_label && widest_text(words, height) > width) height -= 0.1e-3;
+    sheet.texts.push_back({block_layer,
+                           {left.x(), corner.y() + cell.bottom + cell_padding},
+                           height,
+                           fitted_words(words, height, width)});
+}
+
+/// A word that is longer than a line is broken where the line ends.
+std::vector<std::string> broken_lines(const std::string& words, double width) {
+    std::vector<std::string> lines;
+    std::string line;
+    std::size_t at = 0;
+    while (at < words.size()) {
+        const std::size_t space = std::min(words.find(' ', at), words.size());
+        const std::string word = words.substr(at, space - at);
+        const std::string longer = line.empty() ? word : line + " " + word;
+        if (widest_text(longer, note_text) <= width) {
+            line = longer;
+        } else {
+            if (!line.empty()) lines.push_back(line);
+            line = fitted_words(word, note_text, width);
+        }
+        at = space + 1;
+    }
+    if (!line.empty()) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace
+
+std::string fitted_words(const std::string& words, double height, double width) {
+    if (widest_text(words, height) <= width) return words;
+    std::string shorter = words;
+    do {
+        do shorter.pop_back();
+        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0x80U);
+        if (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xc0U) == 0xc0U)
+            shorter.pop_back();
+    } while (!shorter.empty() && widest_text(shorter + "…", height) > width);
+    return shorter + "…";
+}
+
+void add_frame(Sheet& sheet, const TitleCells& cells) {
+    const Vector2d low(sheet_left_margin, sheet_margin),
+        high(sheet.width - sheet_margin, sheet.height - sheet_margin);
+    sheet.rectangle("FRAME", SheetPen::thick, low, high, SheetSpace::paper);
+    const Vector2d corner(high.x() - title_block_width, low.y());
+    constexpr double third = title_block_height / 3.0, middle = 100e-3, column = 35e-3,
+                     end = title_block_width;
+    for (const TitleCell& cell :
+         {TitleCell{0.0, third, middle, 3.0 * third, "part", cells.part, part_text},
+          TitleCell{0.0, 0.0, middle, third, "material", cells.material},
+          TitleCell{middle, 2.0 * third, end, 3.0 * third, "tolerances", cells.tolerance},
+          TitleCell{middle, third, end, 2.0 * third, "drawn by", cells.drawn_by},
+          TitleCell{middle, 0.0, middle + column, third, "scale", sheet.scale_words},
+          TitleCell{middle + column, 0.0, end, third, "format, lengths", sheet.format + ", mm"}})
+        add_cell(sheet, corner, cell);
+    sheet.rectangle(block_layer, SheetPen::thick, corner,
+                    corner + Vector2d(title_block_width, title_block_height), SheetSpace::paper);
+}
+
+int SheetTable::blocks() const {
+    return (static_cast<int>(rows.size()) + rows_a_block - 1) / rows_a_block;
+}
+
+double SheetTable::width() const {
+    const double block = angle_column + radius_column * static_cast<double>(head.size() - 1);
+    return blocks() * (block + block_gap) - block_gap;
+}
+
+double SheetTable::height() const {
+    return row_height * (1 + std::min(static_cast<int>(rows.size()), rows_a_block));
+}
+
+void add_table(Sheet& sheet, const SheetTable& table, const Vector2d& top_left) {
+    const double block_width = angle_column + radius_column * static_cast<double>(table.head.size() - 1);
+    const auto add_row = [&](const std::vector<std::string>& row, double left, double top) {
+        double right = left;
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            right += column == 0 ? angle_column : radius_column;
+            sheet.texts.push_back({"TABLE",
+                                   {right - cell_padding, top - row_height + 1.0e-3},
+                                   table_text,
+                                   row[column],
+                                   TextAnchor::end});
+        }
+    };
+    for (int block = 0; block < table.blocks(); ++block) {
+        const double left = top_left.x() + block * (block_width + block_gap);
+        const auto first = static_cast<std::size_t>(block * table.rows_a_block);
+        const std::size_t last =
+            std::min(first + static_cast<std::size_t>(table.rows_a_block), table.rows.size());
+        add_row(table.head, left, top_left.y());
+        for (std::size_t row = first; row < last; ++row)
+            add_row(table.rows[row], left, top_left.y() - row_height * static_cast<double>(1 + row - first));
+        const double bottom = top_left.y() - row_height * static_cast<double>(1 + last - first);
+        sheet.rectangle("TABLE", SheetPen::thin, {left, bottom}, {left + block_width, top_left.y()},
+                        SheetSpace::paper);
+        sheet.line("TABLE", SheetPen::thin, {left, top_left.y() - row_height},
+                   {left + block_width, top_left.y() - row_height}, SheetSpace::paper);
+        for (std::size_t column = 1; column < table.head.size(); ++column) {
+            const double x = left + angle_column + radius_column * static_cast<double>(column - 1);
+            sheet.line("TABLE", SheetPen::thin, {x, bottom}, {x, top_left.y()}, SheetSpace::paper);
+        }
+    }
+}
+
+void add_notes(Sheet& sheet, const std::vector<std::string>& notes, const Vector2d& top_left,
+               const Vector2d& size) {
+    std::vector<std::string> lines;
+    for (const std::string& note : notes)
+        for (std::string& line : broken_lines(printable(note), size.x())) lines.push_back(std::move(line));
+    const auto room = static_cast<std::size_t>(size.y() / note_line);
+    if (lines.size() > room) {
+        lines.resize(room);
+        lines.back() = "… more in the report";
+    }
+    double y = top_left.y() - note_text;
+    for (const std::string& line : lines) {
+        sheet.texts.push_back({"NOTES", {top_left.x(), y}, note_text, line});
+        y -= note_line;
+    }
+}
+
+}  // namespace camopt

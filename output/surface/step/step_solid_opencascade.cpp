@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/surface/step/silent_library.hpp"
+#include "output/surface/step/step_solid.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Wire.hxx>
+#include <cmath>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+#include <system_error>
+
+namespace camopt {
+
+namespace {
+
+/// On the plate's lower face.
+class PlateShape {
+ public:
+    explicit PlateShape(const Plate& plate) : plate_(plate) {}
+
+    [[nodiscard]] TopoDS_Shape solid() const {
+        const gp_Pln plane(gp_Pnt(0.0, 0.0, bottom()), gp_Dir(0.0, 0.0, 1.0));
+        BRepBuilderAPI_MakeFace face(plane, wire(plate_.outline));
+        if (!plate_.hole.empty()) {
+            TopoDS_Wire hole = wire(plate_.hole);
+            hole.Reverse();
+            face.Add(hole);
+        }
+        if (!face.IsDone()) throw InputError(fmt::format("STEP: the plate {} makes no face", plate_.name));
+        return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, -bottom())).Shape();
+    }
+
+ private:
+    const Plate& plate_;
+
+    [[nodiscard]] double bottom() const { return -plate_.thickness / units::millimetre; }
+    [[nodiscard]] gp_Pnt place(const Eigen::Vector2d& point) const {
+        return {point.x() / units::millimetre, point.y() / units::millimetre, bottom()};
+    }
+    [[nodiscard]] TopoDS_Edge edge(const PlateEdge& from) const {
+        switch (from.kind) {
+            case PlateEdge::Kind::line:
+                return BRepBuilderAPI_MakeEdge(place(from.from), place(from.to));
+            case PlateEdge::Kind::arc: {
+                const GC_MakeArcOfCircle arc(place(from.from), place(from.middle), place(from.to));
+                return BRepBuilderAPI_MakeEdge(arc.Value());
+            }
+            case PlateEdge::Kind::curve:
+                break;
+        }
+        return BRepBuilderAPI_MakeEdge(curve(from));
+    }
+    [[nodiscard]] Handle(Geom_BSplineCurve) curve(const PlateEdge& from) const {
+        const int count = static_cast<int>(from.poles.size());
+        TColgp_Array1OfPnt poles(1, count);
+        for (int i = 0; i < count; ++i) poles.SetValue(i + 1, place(from.poles[static_cast<std::size_t>(i)]));
+        std::vector<double> values;
+        std::vector<int> counts;
+        for (const double knot : from.knots) {
+            if (values.empty() || knot != values.back()) {
+                values.push_back(knot);
+                counts.push_back(0);
+            }
+            ++counts.back();
+        }
+        const int last = static_cast<int>(values.size());
+        const int degree = static_cast<int>(from.knots.size()) - count - 1;
+        return new Geom_BSplineCurve(poles, TColStd_Array1OfReal(values.front(), 1, last),
+                                     TColStd_Array1OfInteger(counts.front(), 1, last), degree);
+    }
+    [[nodiscard]] TopoDS_Wire wire(const std::vector<PlateEdge>& edges) const {
+        BRepBuilderAPI_MakeWire maker;
+        for (const PlateEdge& part : edges) maker.Add(edge(part));
+        if (!maker.IsDone()) throw InputError(fmt::format("STEP: the edges of {} make no line", plate_.name));
+        return maker.Wire();
+    }
+};
+
+double write_plate(const std::filesystem::path& path, const Plate& plate) {
+    const SilentLibrary silent;
+    const TopoDS_Shape solid = PlateShape(plate).solid();
+    GProp_GProps properties;
+    constexpr double precision = 1e-9;  // relative, of the volume
+    BRepGProp::VolumeProperties(solid, properties, precision);
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    Interface_Static::SetCVal("write.step.schema", "AP214IS");
+    Interface_Static::SetCVal("write.step.product.name", plate.name.c_str());
+    if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
+        throw InputError("STEP: Open CASCADE could not translate the solid");
+    if (writer.Write(path.c_str()) != IFSelect_RetDone)
+        throw InputError(fmt::format("cannot write the file {}", path.string()));
+    return std::abs(properties.Mass()) * std::pow(units::millimetre, 3);
+}
+
+}  // namespace
+
+double write_step_solid(const std::filesystem::path& path, const Plate& plate) {
+    std::filesystem::path beside = path;
+    beside += ".part";
+    double volume = 0.0;
+    try {
+        volume = write_plate(beside, plate);
+    } catch (const Standard_Failure& failure) {
+        throw InputError(fmt::format("STEP: Open CASCADE refuses the solid: {}", failure.GetMessageString()));
+    }
+    std::error_code error;
+    std::filesystem::rename(beside, path, error);
+    if (error) throw InputError(fmt::format("cannot write the file {}: {}", path.string(), error.message()));
+    return volume;
+}
+
+}  // namespace camopt

@@ -1,0 +1,316 @@
+# SPDX-License-Identifier: MIT
+"""report_test.py PROGRAM SCENES FOLDER: what a person reads of every example scene.
+
+The report names every key that the key table knows and the scene sets, with its value. Peaks are those of motion.csv
+to the printed digits. With a speed the motion stands in mm/s and m/s² (swinging: rad/s) first; a scene written in
+inches comes back in inches. Forces stand in profile.csv as their formulas say."""
+
+import csv
+import json
+import math
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import xml.dom.minidom
+
+PROGRAM, SCENES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+SECONDS = 300
+INCH = 25.4
+IN_TIME = {"mm/s", "m/s²", "m/s³", "rad/s", "rad/s²", "rad/s³", "in/s", "in/s²", "in/s³"}
+BY_ANGLE = re.compile(r"(?:mm|in)/rad|deg/deg")
+faults = []
+
+
+def check(holds, *words):
+    if not holds:
+        faults.append(" ".join(str(word) for word in words))
+
+
+def solve(scene, name, *options):
+    """The folder and what the console said."""
+    folder = FOLDER / name
+    run = subprocess.run([PROGRAM, "solve", scene, "--out", folder, *options], capture_output=True, text=True,
+                         timeout=SECONDS, check=False)
+    check(run.returncode in (0, 3), name, "ended with", run.returncode, run.stderr)
+    return folder, run.stdout
+
+
+def short(value, digits=6):
+    """As people read a number: significant digits without trailing zeros, a typographic minus."""
+    if not math.isfinite(value):
+        return "–"
+    return re.sub("^-", "−", f"{value:.{digits}g}") if value else "0"
+
+
+def section(report, title):
+    found = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", report, re.M | re.S)
+    return found.group(1) if found else ""
+
+
+def rows_of(text):
+    """The cells of a Markdown table, without its head."""
+    rows = [re.split(r"(?<!\\)\|", line)[1:-1] for line in text.splitlines() if line.startswith("|")]
+    return [[cell.strip().replace("\\|", "|") for cell in row] for row in rows[2:]]
+
+
+def known_keys():
+    """(table, key) → type, of the key table."""
+    listed = json.loads(subprocess.run([PROGRAM, "list", "keys", "--json"], capture_output=True, text=True,
+                                       check=True, timeout=SECONDS).stdout)
+    return {(row["table"] or "", spelling["key"]): row["type"] for row in listed for spelling in row["keys"]}
+
+
+def leaves(values, known, table="", path=""):
+    """(path, value) of every key that holds a value, by the key table."""
+    for name, value in values.items():
+        where, key = ".".join(filter(None, (path, name))), ".".join(filter(None, (table, name)))
+        kind = known.get((table, name))
+        check(kind is not None, "the key table does not know", where)
+        if kind == "options":
+            yield from ((f"{where}.{option}", held) for option, held in value.items())
+        elif kind == "tables" or kind == "array of tables" or (isinstance(value, list) and value
+                                                              and isinstance(value[0], dict)):
+            for index, item in enumerate(value):
+                yield from leaves(item, known, key, f"{where}[{index}]")
+        elif isinstance(value, dict) and set(value) != {"min", "max"}:
+            yield from leaves(value, known, key, where)
+        else:
+            yield where, value
+
+
+def check_keys(name, scene_text, report, known):
+    scene = tomllib.loads(scene_text)
+    listed = {row[0].strip("`"): row[1].strip("`") for row in rows_of(section(report, "The scene, key by key"))}
+    found = dict(leaves(scene, known))
+    check(found.keys() == listed.keys(), name, "keys set and keys listed differ:", found.keys() ^ listed.keys())
+    for key, value in found.items():
+        check(key in listed and tomllib.loads("value = " + listed[key])["value"] == value, name, key, value,
+              "stands as", listed.get(key))
+    code = re.search(r"^(`{3,})toml\n(.*?)\n\1$", report, re.M | re.S)
+    check(code and tomllib.loads(code.group(2)) == scene, name, "does not repeat its scene")
+    # In words too: every number of the tables that say what is wanted, in the unit it is written in.
+    asked = section(report, "What was asked")
+    numbers = set(re.findall(r"[−\d][\d.e+−-]*", asked.replace(",", " ")))
+    for key, value in found.items():
+        if "." in key and not key.startswith("measured."):  # its rows stand in the table of keys
+            for number in numbers_in(value):
+                check(is_said(number + begin_of(key, scene), key, numbers), name, key, number, "does not stand in words:", asked)
+
+
+def numbers_in(value):
+    if isinstance(value, bool) or isinstance(value, str):
+        return []
+    if isinstance(value, (int, float)):
+        return [value]
+    return [number for item in (value.values() if isinstance(value, dict) else value) for number in numbers_in(item)]
+
+
+def begin_of(key, scene):
+    """Words count places from the start of the motion, a set point of a segment from that of the segment: degrees."""
+    found = re.match(r"motion\.segments\[(\d+)\]\.via\[\d+\]\.(?:at|from|to)_deg$", key)
+    if not found:
+        return 0
+    return sum(segment["angle_deg"] for segment in scene["motion"]["segments"][:int(found.group(1))])
+
+
+def is_said(number, key, numbers):
+    """As written, or in the unit that people read."""
+    factors = [1.0]
+    if key.endswith("_rad"):
+        factors.append(180.0 / math.pi)
+    if key.endswith("_m"):
+        factors.append(1000.0)
+    if key.endswith("_rad_s"):
+        factors.append(30.0 / math.pi)
+    if key.endswith("_mpa"):
+        factors.append(1e-3)
+    return any(short(number * factor) in numbers for factor in factors)
+
+
+def largest(folder, column):
+    """Of the magnitudes of a column; None where a cell is empty: infinite."""
+    with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
+        cells = [row[column] for row in csv.DictReader(file)]
+    return None if "" in cells else max(abs(float(cell)) for cell in cells)
+
+
+def check_peaks(name, folder, report, swings, inches):
+    """What the table of peaks says first and beside is what the CSV holds."""
+    length = ("rad", "rad") if swings else ("mm", "m")
+    first = {"velocity": (f"v_{length[0]}_s", f"{length[0]}/s"),
+             "acceleration": (f"a_{length[1]}_s2", f"{length[1]}/s²"),
+             "jerk": (f"j_{length[1]}_s3", f"{length[1]}/s³")}
+    beside = {"velocity": "ds_deg_deg" if swings else "ds_mm_rad",
+              "acceleration": "dds_deg_deg2" if swings else "dds_mm_rad2",
+              "jerk": "ddds_deg_deg3" if swings else "ddds_mm_rad3"}
+    rows = {row[0].split()[0]: row for row in rows_of(section(report, "Peaks"))}
+    for peak, (column, unit) in first.items():
+        value, value_beside = largest(folder, column), largest(folder, beside[peak])
+        if value is None:
+            continue
+        if inches:
+            value, unit = value / (INCH if peak == "velocity" else INCH / 1000), unit.replace("mm", "in").replace(
+                "m/", "in/")
+            value_beside /= INCH
+        check(rows[peak][1] == f"{short(value)} {unit}", name, peak, "is", rows[peak][1], "and in motion.csv",
+              short(value), unit)
+        check(rows[peak][2].split()[0] == short(value_beside), name, peak, "beside is", rows[peak][2],
+              "and in motion.csv", short(value_beside))
+
+
+def check_order(name, text):
+    """Where the motion is told by the cam angle, it is told in time before, on the same line; what names a key keeps its
+    unit."""
+    for line in text.splitlines():
+        found = BY_ANGLE.search(line)
+        if found and not re.search(r"_(?:mm|in|m)_rad2?\b", line):
+            before = line[:found.start()]
+            check(any(unit in before for unit in IN_TIME), name, "says", found.group(), "first:", line)
+
+
+def check_pictures(name, folder, inches):
+    for picture in sorted(folder.glob("*.svg")):
+        texts = [node.firstChild.data for node in xml.dom.minidom.parse(str(picture)).getElementsByTagName("text")
+                 if node.firstChild]
+        for text in texts:
+            if BY_ANGLE.search(text):
+                beside = re.search(r"\((?:peak )?[−\d.e+]+ [^()]+\)$", text)
+                check(beside, name, picture.name, "tells it by the cam angle:", text)
+            if inches:
+                check(not re.search(r"\bmm\b", text), name, picture.name, "speaks of mm:", text)
+
+
+def is_swinging(scene):
+    return any(key.startswith("lift_") and key.endswith(("deg", "rad")) for key in scene["motion"])
+
+
+def check_scenes(known):
+    timed = 0
+    for path in sorted(SCENES.glob("*.toml")):
+        text = path.read_text(encoding="utf-8")
+        scene = tomllib.loads(text)
+        folder, console = solve(path, path.stem)
+        report = (folder / "report.md").read_text(encoding="utf-8")
+        kept = (folder / "scene.toml").read_text(encoding="utf-8")
+        if "measured" not in scene:  # whose table stands in the kept scene
+            check(tomllib.loads(kept) == scene, path.stem, "is not the scene that the folder keeps")
+        check_keys(path.stem, kept, report, known)
+        inches = "lift_in" in scene["motion"]
+        check_pictures(path.stem, folder, inches) if any(key.startswith("speed_") for key in scene["motion"]) else None
+        if not any(key.startswith("speed_") for key in scene["motion"]) or not (folder / "motion.csv").exists():
+            continue
+        timed += 1
+        check_peaks(path.stem, folder, report, is_swinging(scene), inches)
+        check_order(path.stem, console)
+        check_order(path.stem, report)
+    check(timed >= 8, "only", timed, "example scenes have a speed")
+
+
+def in_inches(text):
+    """The same scene with every length in inches."""
+    def converted(match):
+        return f"{match.group(1)}_in = {float(match.group(2)) / INCH!r}"
+    return re.sub(r"\b(\w+)_mm = ([\d.]+)", converted, text)
+
+
+def check_inches():
+    scene = FOLDER / "inches.toml"
+    scene.write_text(in_inches((SCENES / "cam_forces.toml").read_text(encoding="utf-8").replace(
+        "spring_rate_n_mm = 12", "spring_rate_n_m = 12000")), encoding="utf-8")
+    folder, console = solve(scene, "inches")
+    report = (folder / "report.md").read_text(encoding="utf-8")
+    told = report[:report.index("## The scene, key by key")]
+    for name, text in (("console", console), ("report", told)):
+        # Springs keep N/mm: no key of a scene has another rate by length.
+        check(not re.search(r"(?<!N/)\bmm\b", text), name, "of a scene in inches speaks of mm:",
+              *[line for line in text.splitlines() if re.search(r"(?<!N/)\bmm\b", line)])
+        check("in/s²" in text, name, "of a scene in inches has no in/s²")
+    check_pictures("inches", folder, True)
+    check_peaks("inches", folder, report, False, True)
+    # And asked for: the same words of the scene in mm.
+    shown, _ = solve(SCENES / "cam_forces.toml", "shown_in_inches", "--units", "in")
+    peaks = section((shown / "report.md").read_text(encoding="utf-8"), "Peaks")
+    check([row[1].split()[1:] for row in rows_of(peaks)][:3] == [["in/s"], ["in/s²"], ["in/s³"]],
+          "--units in shows", peaks)
+
+
+def check_swinging():
+    folder, console = solve(SCENES / "cam_arm_roller.toml", "swinging", "--set", "motion.speed_rpm=200")
+    report = (folder / "report.md").read_text(encoding="utf-8")
+    check(" rad/s² " in console, "a swinging follower has no rad/s² on the console:", console)
+    check_peaks("swinging", folder, report, True, False)
+    check_order("swinging", console)
+    check_order("swinging", report)
+
+
+def check_other_commands():
+    for words in (["compare"], ["sweep", "--vary", "motion.rise_deg=80,100", "--out", str(FOLDER / "sweep")],
+                  ["sweep", "--pareto", "velocity,acceleration", "--points", "3", "--out", str(FOLDER / "front")]):
+        run = subprocess.run([PROGRAM, words[0], str(SCENES / "drd_spline_12.toml"), *words[1:]], capture_output=True,
+                             text=True, timeout=SECONDS, check=False)
+        check(run.returncode == 0, words, "ended with", run.returncode, run.stderr)
+        check_order(" ".join(words), run.stdout)
+        if "motion.rise_deg=80,100" not in words:
+            check("mm/s" in run.stdout and "m/s²" in run.stdout, words, "says nothing in time:", run.stdout)
+
+
+def check_forces():
+    """At the breakpoints, which both tables have: F = m a + c s + preload, T = F s'."""
+    folder = FOLDER / "cam_forces"
+    forces = tomllib.loads((SCENES / "cam_forces.toml").read_text(encoding="utf-8"))["forces"]
+    with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
+        motion = {round(float(row["theta_deg"]), 9): row for row in csv.DictReader(file)}  # the last is from the right
+    with open(folder / "profile.csv", newline="", encoding="utf-8") as file:
+        profile = list(csv.DictReader(file))
+    common = 0
+    for row in profile:
+        if (at := motion.get(round(float(row["theta_deg"]), 9))) is None:
+            continue
+        common += 1
+        force = (forces["mass_kg"] * float(at["a_m_s2"]) + forces["spring_rate_n_mm"] * float(at["s_mm"])
+                 + forces["preload_n"])
+        check(math.isclose(float(row["force_n"]), force, rel_tol=1e-6), "force", row["force_n"], "for", force)
+        torque = force * float(at["ds_mm_rad"]) / 1000
+        check(math.isclose(float(row["torque_nm"]), torque, rel_tol=1e-6, abs_tol=1e-6), "torque", row["torque_nm"],
+              "for", torque)
+        normal = force / math.cos(math.radians(float(row["pressure_angle_deg"])))
+        check(math.isclose(float(row["normal_force_n"]), normal, rel_tol=1e-6), "normal force", row["normal_force_n"],
+              "for", normal)
+        stiffness = 210e9 / (2 * (1 - 0.3 ** 2))  # steel on steel
+        curvature = 1000 * (1 / float(row["cam_radius_mm"]) + 1 / 10) if row["cam_radius_mm"] else 100.0
+        pressure = math.sqrt(normal * stiffness * curvature / (math.pi * forces["contact_width_mm"] / 1000)) / 1e6
+        check(math.isclose(float(row["hertz_pressure_mpa"]), pressure, rel_tol=1e-6), "pressure",
+              row["hertz_pressure_mpa"], "for", pressure)
+    check(common >= 15, "only", common, "angles stand in both tables")
+    report = (folder / "report.md").read_text(encoding="utf-8")
+    check("(forces.svg)" in report, "the report shows no forces.svg")
+    figures = {row[0]: row[1].split()[0] for row in rows_of(section(report, "The cam"))}
+    picture = (folder / "forces.svg").read_text(encoding="utf-8")
+    for column, figure, symbol in (("torque_nm", "largest camshaft torque", "T"),
+                                   ("hertz_pressure_mpa", "largest Hertz pressure", "p"),
+                                   ("normal_force_n", "largest force along the normal", "N")):
+        most = max(abs(float(row[column])) for row in profile)
+        told = float(figures[figure])
+        check(math.isclose(most, told, rel_tol=2e-3), figure, told, "and in the table", most)
+        check(re.search(rf"{symbol} = −?{re.escape(short(told, 4))} ", picture), "forces.svg does not name", symbol,
+              told)
+
+
+def main():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    check_scenes(known_keys())
+    check_inches()
+    check_swinging()
+    check_other_commands()
+    check_forces()
+    for fault in faults:
+        print(fault)
+    print(len(faults), "faults")
+    return 1 if faults else 0
+
+
+sys.exit(main())

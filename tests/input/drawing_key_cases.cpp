@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "tests/input/scene_key_cases.hpp"
+
+#include <numbers>
+
+namespace camopt::input {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A disk cam with a bore, without one of the quantities of its keyway.
+std::string drawn_cam(const std::string& except = "") {
+    std::string toml =
+        "motion.lift_mm = 20\ncam.type = \"disk\"\ncam.follower = \"translating_knife\"\n"
+        "cam.base_radius_mm = 400\n";
+    const auto add = [&](const std::string& quantity, const std::string& line) {
+        if (quantity != except) toml += "drawing." + line + "\n";
+    };
+    add("bore", "bore_mm = 600");
+    add("width", "keyway.width_mm = 8");
+    add("depth", "keyway.depth_mm = 3.3");
+    return toml;
+}
+
+const Keyway& keyway_of(const Scene& scene) {
+    return scene.drawing.value().keyway.value();
+}
+
+double is_x(const std::string& text) {
+    return text == "x" ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+std::vector<KeyCase> drawing_cases() {
+    const auto bore = [](const Scene& s) { return s.drawing.value().bore.value(); };
+    const auto thickness = [](const Scene& s) { return s.drawing.value().thickness.value(); };
+    const auto datum = [](const Scene& s) { return s.drawing.value().datum; };
+    const auto width = [](const Scene& s) { return keyway_of(s).width; };
+    const auto depth = [](const Scene& s) { return keyway_of(s).depth; };
+    const auto at = [](const Scene& s) { return keyway_of(s).at; };
+    const auto title = [](std::string TitleBlock::*member) {
+        return [member](const Scene& s) { return is_x(s.drawing.value().title_block.*member); };
+    };
+    return {
+        {"drawing.bore_mm", "25", 0.025, bore, drawn_cam("bore")},
+        {"drawing.bore_in", "1", 0.0254, bore, drawn_cam("bore")},
+        {"drawing.bore_m", "0.03", 0.03, bore, drawn_cam("bore")},
+        {"drawing.thickness_mm", "20", 0.02, thickness, drawn_cam()},
+        {"drawing.thickness_in", "0.5", 0.0127, thickness, drawn_cam()},
+        {"drawing.thickness_m", "0.03", 0.03, thickness, drawn_cam()},
+        {"drawing.datum_deg", "-90", -pi / 2, datum, drawn_cam()},
+        {"drawing.datum_rad", "0.5", 0.5, datum, drawn_cam()},
+        {"drawing.keyway.width_mm", "10", 0.01, width, drawn_cam("width")},
+        {"drawing.keyway.width_in", "0.5", 0.0127, width, drawn_cam("width")},
+        {"drawing.keyway.width_m", "0.01", 0.01, width, drawn_cam("width")},
+        {"drawing.keyway.depth_mm", "4.3", 0.0043, depth, drawn_cam("depth")},
+        {"drawing.keyway.depth_in", "0.25", 0.00635, depth, drawn_cam("depth")},
+        {"drawing.keyway.depth_m", "0.004", 0.004, depth, drawn_cam("depth")},
+        {"drawing.keyway.at_deg", "180", pi, at, drawn_cam()},
+        {"drawing.keyway.at_rad", "-1", -1, at, drawn_cam()},
+        {"drawing.title_block.part", "\"x\"", 1, title(&TitleBlock::part), drawn_cam()},
+        {"drawing.title_block.material", "\"x\"", 1, title(&TitleBlock::material), drawn_cam()},
+        {"drawing.title_block.tolerance", "\"x\"", 1, title(&TitleBlock::tolerance), drawn_cam()},
+        {"drawing.title_block.drawn_by", "\"x\"", 1, title(&TitleBlock::drawn_by), drawn_cam()},
+    };
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Sheets: scales of ISO 5455, what dimensions measure and say, where a dimension's marks stand, DXF and SVG
+// of them.
+#include "output/sheet/sheet.hpp"
+
+#include "core/errors.hpp"
+#include "output/drawing/dxf_scaffold.hpp"
+#include "output/sheet/dimension_marks.hpp"
+#include "output/sheet/sheet_dxf.hpp"
+#include "output/sheet/sheet_furniture.hpp"
+#include "output/sheet/sheet_painter.hpp"
+#include "output/sheet/sheet_svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace camopt {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double pi = std::numbers::pi;
+
+TEST(Sheet, TakesTheLargestStandardScaleThatFits) {
+    const Vector2d room(0.1, 0.1);
+    const auto scale = [&](double width, double height) {
+        return standard_scale({width, height}, room).words;
+    };
+    EXPECT_EQ(scale(0.1, 0.05), "1:1");
+    EXPECT_EQ(scale(0.1001, 0.05), "1:2");
+    EXPECT_EQ(scale(0.02, 0.05), "2:1");
+    EXPECT_EQ(scale(0.001, 0.02), "5:1");
+    EXPECT_EQ(scale(0.21, 0.01), "1:5");
+    EXPECT_EQ(scale(0.0019, 0.0001), "50:1");
+    EXPECT_EQ(standard_scale({1.5, 0.1}, room).value, 1.0 / 20.0);
+    EXPECT_THROW((void)standard_scale({200.0, 1.0}, room), InputError);
+}
+
+TEST(Sheet, DimensionsMeasureTheModelAndSaySo) {
+    SheetDimension dimension;
+    dimension.second = {0.03, 0.04};
+    EXPECT_DOUBLE_EQ(dimension.measured(), 0.03);
+    EXPECT_EQ(dimension.words(), "30");
+    dimension.direction = 0.5 * pi;
+    dimension.across = true;
+    EXPECT_EQ(dimension.words(), "⌀40");
+    dimension.kind = SheetDimension::Kind::radius;
+    EXPECT_EQ(dimension.words(), "R50");
+    dimension.kind = SheetDimension::Kind::diameter;
+    EXPECT_EQ(dimension.words(), "⌀100");
+    dimension.kind = SheetDimension::Kind::angle;
+    dimension.sweep = -pi / 3.0;
+    EXPECT_DOUBLE_EQ(dimension.measured(), pi / 3.0);
+    EXPECT_EQ(dimension.words(), "60°");
+    EXPECT_EQ(drawn_length(0.0123456), "12.346");
+    EXPECT_EQ(drawn_length(-1e-9), "0");
+}
+
+TEST(Sheet, AnArcOfABulgePassesItsPoints) {
+    for (const double bulge : {0.2, -0.7, 1.0, 2.5}) {
+        const Vector2d from(1.0, 2.0), to(3.0, -1.0);
+        const BulgeArc arc = bulge_arc(from, to, bulge);
+        const auto at = [&](double angle) -> Vector2d {
+            return arc.center + arc.radius * Vector2d(std::cos(angle), std::sin(angle));
+        };
+        EXPECT_LT((at(arc.from) - from).norm(), 1e-12);
+        EXPECT_LT((at(arc.to) - to).norm(), 1e-12);
+        EXPECT_NEAR(arc.to - arc.from, 4.0 * std::atan(bulge), 1e-12);
+    }
+}
+
+// A short dimension has its arrows outside and its words beside them.
+TEST(Sheet, MarksStandWhereTheyHaveRoom) {
+    SheetDimension dimension;
+    dimension.place = {0.0, 0.01};
+    for (const double length : {0.05, 0.002}) {
+        dimension.second = {length, 0.0};
+        const DimensionMarks marks = dimension_marks(dimension, {});
+        ASSERT_EQ(marks.arrows.size(), 2u);
+        const bool inside = marks.arrows[0][1].x() > marks.arrows[0][0].x();  // the back lies inwards
+        EXPECT_EQ(inside, length == 0.05);
+        EXPECT_EQ(marks.text.at.x() > length, length == 0.002);
+    }
+}
+
+TEST(Sheet, WordsThatDoNotFitAreCut) {
+    EXPECT_EQ(fitted_words("short", 2.5e-3, 0.1), "short");
+    const std::string cut = fitted_words("Größe der Kurvenscheibe für den Vorschub", 2.5e-3, 0.03);
+    EXPECT_TRUE(cut.ends_with("…"));
+    EXPECT_LE(widest_text(cut, 2.5e-3), 0.03);
+    EXPECT_EQ(fitted_words("ÄÄÄÄ", 2.5e-3, 1e-3), "…");
+}
+
+TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
+    Sheet sheet;
+    sheet.title = "a <b>";
+    sheet.view = {{0.1, 0.1}, 0.5};
+    sheet.line("CAM", SheetPen::thick, {0.0, 0.0}, {0.02, 0.0});
+    sheet.arc("CAM", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, 0.02}, 0.0, 1.5 * pi);
+    sheet.texts.push_back({"NOTES", {0.15, 0.1}, 2e-3, "⌀ 5 °", TextAnchor::end});
+    SheetDimension dimension;
+    dimension.kind = SheetDimension::Kind::diameter;
+    dimension.second = {0.02, 0.0};
+    dimension.place = {0.13, 0.12};
+    sheet.dimensions.push_back(dimension);
+    const std::string svg = sheet_svg(sheet);
+    EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""), std::string::npos);
+    EXPECT_NE(svg.find("a &lt;b&gt;"), std::string::npos);
+    EXPECT_NE(svg.find("M100 110L110 110"), std::string::npos);  // half size, y downwards
+    EXPECT_NE(svg.find("A10 10 0 0 0 "), std::string::npos);     // two arcs of 135°
+    EXPECT_NE(svg.find(">⌀40<"), std::string::npos);
+    const std::string dxf = sheet_dxf(sheet);
+    for (const char* words : {"AcDbDiametricDimension", "\n*D1\n", "\nCAMOPT\n", "\\U+2300 5 \\U+00B0"})
+        EXPECT_NE(dxf.find(words), std::string::npos) << words;
+    EXPECT_NE(dxf.find("\n 42\n40.0\n"), std::string::npos);
+    EXPECT_NE(dxf.find("\n 11\n20.0\n 21\n0.0\n"), std::string::npos);   // true size
+    EXPECT_NE(dxf.find("\n 11\n100.0\n 21\n0.0\n"), std::string::npos);  // words: paper / scale
+    EXPECT_EQ(dxf_text("ü\n€𝄞"), "\\U+00FC \\U+20AC?");
+}
+
+}  // namespace
+}  // namespace camopt
