@@ -210,6 +210,8 @@ class Refusals(Served):
                 (scene, {"spline.segments": [1]}, "found a value of another kind"),
                 (scene, {"motion.lift_mm": {"min": 1}}, "found a value of another kind"),
                 (scene + '\n[include]\nfile = "/etc/passwd"\n', {}, "include"),
+                (scene + '\n[measured]\ntable = "/etc/passwd"\n', {}, "measured"),
+                (scene, {"measured.table": "/etc/passwd"}, "measured"),
                 ("[" * 5000, {}, "scene:1:"),
                 (scene, {"a.b]=\n": 1}, "error")):
             status, answer = self.studio.solve(text, set=settings)
