@@ -54,6 +54,11 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
             "where the limit of any curve is reached, else local or feasible; that nothing is feasible is "
             "not proved",
             by, check.starts, check.starts == 1 ? "" : "s");
+    if (check.searched_angles > 0)
+        return fmt::format(
+            "{}, for every share of the turn between {} segments that is tried; the verdict is optimal or "
+            "infeasible where nothing but limits in time knows the angles, else {}",
+            by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
     if (check.free_displacements > 0)
         return fmt::format(
             "{}: relaxations bound the {} free displacement{} case by case, and solves of the given ones try "

@@ -10,6 +10,7 @@
 #include "core/errors.hpp"
 #include "core/licenses.hpp"
 #include "core/version.hpp"
+#include "output/plc/plc_format.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
@@ -45,6 +46,10 @@ const char* examples =
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
     "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
+    "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
+    "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
+    "  camopt studio scene.toml                     the scene in a browser: each slider solves again\n"
+    "  camopt report result                         report.html and report.md again, from the result folder\n"
     "  camopt list laws                             the classical laws with their peaks\n"
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
@@ -58,9 +63,11 @@ constexpr int least_points = 16, most_points = 1'000'000;
 
 struct Words {
     SolveRequest solve;
+    StudioRequest studio;
     CompareRequest compare;
     CheckRequest check;
     ExportRequest export_cam;
+    ReportRequest report;
     ListRequest list;
     TableRequest table;
     ReproduceRequest reproduce;
@@ -107,6 +114,19 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     return command;
 }
 
+CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "studio", "A scene in the browser of this machine: sliders solve again, results to download");
+    command.add_option("SCENE", request.scene, "Scene file (TOML); default: a rise between two dwells")
+        ->type_name("");
+    constexpr int first_free_port = 1024, last_port = 65535;
+    command.add_option("--port", request.port, "Port of 127.0.0.1 to serve it on; default: any free one")
+        ->type_name("N")
+        ->check(CLI::Range(first_free_port, last_port));
+    add_settings(command, request.settings);
+    return command;
+}
+
 CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "compare", "Every classical law on the same scene, beside its optimum: losses and broken limits");
@@ -127,6 +147,53 @@ CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     add_settings(command, request.settings);
     add_units(command, request.units);
     return command;
+}
+
+/// Roughing, direction, ways in and out, words for the control.
+void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
+    const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
+        command.add_option(name, target, what)->type_name("NUMBER")->needs(&nc);
+    };
+    const auto whole = [&](const char* name, std::optional<int>& target, const char* what) {
+        command.add_option(name, target, what)->type_name("N")->needs(&nc);
+    };
+    const auto choice = [&](const char* name, std::string& target, const std::vector<std::string>& allowed,
+                            const char* what) {
+        command.add_option(name, target, what)->type_name("NAME")->needs(&nc)->check(CLI::IsMember(allowed));
+    };
+    optional_number(
+        "--rough-step-over-mm", request.rough_step_over_mm,
+        "Rough first: how far two passes lie apart; default: half the cutter's diameter where only "
+        "--rough-step-down-mm is given");
+    optional_number("--rough-step-down-mm", request.rough_step_down_mm,
+                    "Rough first: how deep a layer is; default: the whole depth");
+    command
+        .add_option("--finish-allowance-mm", request.finish_allowance_mm,
+                    "What roughing leaves for the finishing pass, beside --stock-mm")
+        ->type_name("NUMBER")
+        ->needs(&nc)
+        ->capture_default_str();
+    choice("--direction", request.direction, {"climb", "conventional"},
+           "climb or conventional; default: climb; a cutter as large as a drum's roller does both");
+    choice("--spindle", request.spindle, {"clockwise", "counterclockwise"},
+           "Which way it turns, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
+    choice("--compensation", request.compensation, {"none", "control"},
+           "none (the default): the program is the way of the cutter's centre; control: of a disk cam, the "
+           "contour with G41 or G42 and D");
+    whole("--compensation-register", request.compensation_register,
+          "D of G41 and G42; default: the tool's number, or 1");
+    whole("--tool-number", request.tool_number,
+          "Calls the tool (T, M6); default: no tool call, and the program says so");
+    optional_number(
+        "--lead-mm", request.lead_mm,
+        "Radius of the quarter circles into and out of a disk cam's contour; of a closed groove how "
+        "long the cutter takes to its flank; default: the cutter's radius");
+    command
+        .add_option("--ramp-deg", request.ramp_deg,
+                    "How steep the cutter goes down along a drum's groove; 90: straight")
+        ->type_name("NUMBER")
+        ->needs(&nc)
+        ->capture_default_str();
 }
 
 void add_nc(CLI::App& command, ExportRequest& request) {
@@ -167,7 +234,18 @@ void add_nc(CLI::App& command, ExportRequest& request) {
     number("--chord-mm", request.chord_mm, "How far the cutter may leave its path between two blocks");
     number("--feed-mm-min", request.feed_mm_min, "Feed of the cutter's tip in the cam");
     number("--rotary-deg-s", request.rotary_deg_s, "Fastest turn of a rotary axis; 0: no limit");
-    number("--spindle-rpm", request.spindle_rpm, "Spindle speed; 0: none is written");
+    number("--spindle-rpm", request.spindle_rpm,
+           "Spindle speed; 0: none is written, and the program says so");
+    add_milling(command, *nc, request);
+}
+
+CLI::App& add_report(CLI::App& program, ReportRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "report", "Write report.html and report.md of a result folder again; nothing is solved");
+    command.add_option("DIR", request.folder, "The folder that `camopt solve SCENE --out DIR` wrote")
+        ->type_name("")
+        ->required();
+    return command;
 }
 
 CLI::App& add_export(CLI::App& program, ExportRequest& request) {
@@ -181,9 +259,38 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
                     "solved again")
         ->type_name("");
     command.add_option("--out", request.out, "Write the files here")->type_name("DIR")->required();
-    command.add_flag(
-        "--csv", request.csv,
-        "Points of the cam: profile.csv, guide.csv; of spatial cams flanks.csv, both flanks with normals");
+    CLI::Option* const csv =
+        command.add_flag("--csv", request.csv,
+                         "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
+                         "the cam: profile.csv, "
+                         "guide.csv, of spatial cams flanks.csv, both flanks with normals");
+    command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
+        ->type_name("NUMBER")
+        ->needs(csv);
+    command
+        .add_option(
+            "--columns", request.columns,
+            "Columns of table.csv between commas, for example theta_deg,s_mm,v_mm_s,a_m_s2; default: angle, "
+            "displacement, velocity, acceleration, jerk and, of plane cams, the pressure angle")
+        ->type_name("COLUMNS")
+        ->needs(csv);
+    constexpr int most_digits = 17;
+    command
+        .add_option("--digits", request.digits,
+                    "Significant digits in table.csv; default: as many as read back to the same number")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_digits))
+        ->needs(csv);
+    command
+        .add_option(
+            "--plc", request.plc,
+            fmt::format("Electronic cam for a controller, read back and judged, and plc.json: {}; several "
+                        "between commas",
+                        fmt::join(plc_format_keys(), ", ")))
+        ->type_name("FORMAT")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(plc_format_keys()));
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command
         .add_option("--drawing", request.sheet,
@@ -205,8 +312,10 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(2, most_sections));
     command
-        .add_option("--points", request.points,
-                    "Points over the turn; default: 361, of a plane cam's table as many as it needs")
+        .add_option(
+            "--points", request.points,
+            "Points over the turn: of table.csv (default 361), of a cam's points (as many as it needs), of "
+            "an electronic cam (the joints of the motion)")
         ->type_name("N")
         ->check(CLI::Range(least_points, most_angles));
     command
@@ -227,11 +336,13 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
 }
 
 CLI::App& add_list(CLI::App& program, ListRequest& request) {
-    CLI::App& command =
-        *program.add_subcommand("list", "What this camopt knows: laws, followers, solvers, keys of a scene");
+    CLI::App& command = *program.add_subcommand(
+        "list",
+        "What this camopt knows: laws, followers, solvers, keys of a scene, columns of a table, controllers");
     command
         .add_option("WHAT", request.what,
-                    "The classical laws, the kinds of followers, the solvers, or every key of a scene file")
+                    "The classical laws, the kinds of followers, the solvers, every key of a scene file, the "
+                    "columns of a uniform table, or the controllers of electronic cams")
         ->type_name("")
         ->required()
         ->check(one_of(list_topics()));
@@ -422,9 +533,11 @@ ExitCode parse_and_run(int count, const char* const* words) {
     program.require_subcommand(1);
     Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
+    const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
+    const CLI::App& report = add_report(program, parsed.report);
     add_list(program, parsed.list);
     const CLI::App& table = add_table(program, parsed.table);
     const CLI::App& reproduce = add_reproduce(program, parsed.reproduce);
@@ -455,6 +568,10 @@ ExitCode parse_and_run(int count, const char* const* words) {
         parsed.solve.command = joined(count, words);
         return solve_command(parsed.solve);
     }
+    if (studio.parsed()) {
+        if (!parsed.studio.settings.empty()) find_scene(parsed.studio.scene, parsed.studio.settings);
+        return studio_command(parsed.studio);
+    }
     if (compare.parsed()) {
         find_scene(parsed.compare.scene, parsed.compare.settings);
         parsed.compare.command = joined(count, words);
@@ -468,6 +585,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
         find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
         return export_command(parsed.export_cam);
     }
+    if (report.parsed()) return report_command(parsed.report);
     if (table.parsed()) return table_command(parsed.table);
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);

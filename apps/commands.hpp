@@ -24,6 +24,14 @@ struct SolveRequest {
 };
 [[nodiscard]] ExitCode solve_command(const SolveRequest& request);
 
+struct StudioRequest {
+    std::string scene;                  ///< file; empty: one to begin with
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    int port = 0;                       ///< 0: any free one
+};
+/// Returns after Ctrl-C, SIGTERM or the end of the terminal.
+[[nodiscard]] ExitCode studio_command(const StudioRequest& request);
+
 struct CompareRequest {
     std::string scene;                  ///< file
     std::string out;                    ///< folder; empty: nothing is written
@@ -40,6 +48,10 @@ struct ExportRequest {
     std::string out;                    ///< folder
     std::string solver;                 ///< replaces solver.name; empty: the scene's
     std::vector<std::string> settings;  ///< KEY=VALUE
+    std::vector<std::string> plc;       ///< keys of plc_formats(); empty: none
+    std::optional<double> step_deg;     ///< of table.csv; none: by points
+    std::string columns;                ///< of table.csv, between commas; empty: the usual ones
+    std::optional<int> digits;          ///< of table.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
     int sections = 9;                             ///< of a flank along the roller
@@ -51,10 +63,21 @@ struct ExportRequest {
     std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
     double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;
     double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
+    std::optional<double> rough_step_over_mm, rough_step_down_mm;  ///< none of both: no roughing
+    double finish_allowance_mm = 0.3, ramp_deg = 3.0;
+    std::optional<double> lead_mm;  ///< none: the cutter's radius
+    std::string direction, spindle = "clockwise",
+                           compensation = "none";  ///< direction empty: climb where there is one
+    std::optional<int> tool_number, compensation_register;
 };
 [[nodiscard]] ExitCode export_command(const ExportRequest& request);
 /// Of a workshop drawing: "svg", "pdf", "dxf".
 [[nodiscard]] std::vector<std::string> drawing_formats();
+
+struct ReportRequest {
+    std::string folder;  ///< a result folder
+};
+[[nodiscard]] ExitCode report_command(const ReportRequest& request);
 
 struct CheckRequest {
     std::string scene;
@@ -68,7 +91,7 @@ struct ListRequest {
     bool json = false;
 };
 [[nodiscard]] ExitCode list_command(const ListRequest& request);
-/// "laws", "followers", "solvers", "keys".
+/// "laws", "followers", "solvers", "keys", "columns", "controllers".
 [[nodiscard]] std::vector<std::string> list_topics();
 
 /// A front instead of a sweep.

@@ -8,6 +8,7 @@
 #include "output/chart/comparison_svg.hpp"
 #include "output/csv/comparison_csv.hpp"
 #include "output/json/comparison_json.hpp"
+#include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/comparison_text.hpp"
@@ -15,6 +16,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt::apps {
@@ -32,15 +34,16 @@ Comparison compare_with_progress(const Scene& scene) {
 }  // namespace
 
 ExitCode compare_command(const CompareRequest& request) {
-    const Scene scene = load_scene(request.scene, with_solver(request.settings, request.solver));
+    LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
     if (!request.out.empty()) prepare_folder(request.out);
-    Comparison comparison = compare_with_progress(scene);
+    Comparison comparison = compare_with_progress(loaded.scene);
     show_in(comparison.optimum.scene, request.units);
-    const RunOrigin origin{request.scene, request.command};
+    const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
     if (!request.out.empty()) {
         FolderUpdate folder(request.out);
         folder.write("comparison.csv", comparison_csv(comparison));
         folder.write("comparison.svg", comparison_svg(comparison));
+        folder.write("comparison.html", comparison_html(comparison, origin));
         folder.write("comparison.json", comparison_json(comparison, origin));
         folder.finish();
     }

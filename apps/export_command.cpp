@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt export: the cam of a scene, which is optimised, or of a result folder, which is used as it is:
-// points, surfaces, drawings, solids, a picture, the NC program with its check.
+// points, surfaces, drawings, solids, a picture, the NC program with its check. Of its motion, with or
+// without a cam: a uniform table, electronic cams.
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
@@ -8,9 +9,11 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/csv/uniform_csv.hpp"
 #include "output/disk/disk_export.hpp"
 #include "output/disk/disk_solid.hpp"
 #include "output/drawing/profile_shape.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
@@ -58,14 +61,24 @@ bool is_folder(const std::string& what) {
     return std::filesystem::is_directory(what, ignored);
 }
 
+/// What needs no cam.
+bool wants_only_motion(const ExportRequest& request) {
+    const bool cam = request.stl || request.obj || request.step || request.picture || request.dxf ||
+                     request.nc || !request.sheet.empty();
+    return !cam && (request.csv || !request.plc.empty());
+}
+
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
     const std::optional<MechanismSpec> cam = cam_of(scene);
-    if (!cam)
+    if (!cam) {
+        if (wants_only_motion(request)) return;
         throw InputError(
-            fmt::format("{}: export is for disk, barrel and cylindrical cams, remote and inverse "
-                        "ones, and this scene has none",
+            fmt::format("{}: export writes --csv and --plc of a motion; the rest is for disk, barrel and "
+                        "cylindrical cams, "
+                        "remote and inverse ones, and this scene has none",
                         request.scene));
+    }
     if (request.sheet == "pdf") require_pdf();
     if (!cam_kind(cam->type)->is_plane_curve) {
         if (!request.sheet.empty())
@@ -124,11 +137,12 @@ PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
 }
 
 void write_program(FolderUpdate& folder, const CheckedProgram& program, Exported& result) {
-    result.text += nc_check_text(program);
+    const std::string check = nc_check_text(program);
+    result.text += check;
     result.fault = program.fault();
     folder.remove_earlier("cam.nc");  // it does not go with this check
     if (result.fault.empty()) folder.write("cam.nc", program.program.text);
-    folder.write("cam_nc_check.txt", nc_check_text(program));
+    folder.write("cam_nc_check.txt", check);
 }
 
 /// The same of all cams.
@@ -144,6 +158,21 @@ void set_safety(const ExportRequest& request, Options& options) {
     options.clearance = request.clearance_mm * units::millimetre;
     options.safe_distance = request.safe_mm * units::millimetre;
     options.gouge_tolerance = request.gouge_mm * units::millimetre;
+    MillingChoice& milling = options.milling;
+    milling.step_over = metres(request.rough_step_over_mm);
+    milling.step_down = metres(request.rough_step_down_mm);
+    milling.finish_allowance = request.finish_allowance_mm * units::millimetre;
+    if (!request.direction.empty())
+        milling.direction =
+            request.direction == "climb" ? MillingDirection::climb : MillingDirection::conventional;
+    milling.spindle =
+        request.spindle == "clockwise" ? SpindleSense::clockwise : SpindleSense::counterclockwise;
+    milling.tool_number = request.tool_number;
+    milling.compensation =
+        request.compensation == "control" ? CompensationWords::control : CompensationWords::none;
+    milling.compensation_register = request.compensation_register;
+    milling.lead_radius = metres(request.lead_mm);
+    milling.ramp_angle = request.ramp_deg * units::degree;
 }
 
 NcExportOptions nc_options(const ExportRequest& request) {
@@ -254,6 +283,25 @@ void export_disk(const ExportRequest& request, const Solution& solution, FolderU
     }
 }
 
+/// What every motion has, with or without a cam.
+void export_motion(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                   Exported& result) {
+    if (!solution.motion) return;
+    if (request.csv) {
+        UniformTableOptions options{request.points, request.step_deg, {}, request.digits};
+        if (request.step_deg) options.rows.reset();
+        if (!request.columns.empty()) options.columns = column_names(request.columns);
+        const UniformTable table = uniform_table(solution, options);
+        folder.write("table.csv", table.text);
+        result.text += fmt::format("\nTable: {}\n", table.words());
+    }
+    if (!request.plc.empty()) {
+        const PlcExport exported = plc_export(solution, request.plc, {request.points});
+        for (const PlcFile& file : exported.files) folder.write(file.name, file.text);
+        result.text += exported.text;
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> drawing_formats() {
@@ -266,6 +314,7 @@ ExitCode export_command(const ExportRequest& request) {
     const Solution solution = delivered(request);
     Exported exported;
     FolderUpdate folder(request.out);
+    export_motion(request, solution, folder, exported);
     if (solution.cam) {
         if (has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
         export_plane(request, solution, folder);

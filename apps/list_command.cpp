@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// camopt list: the laws, followers, solvers and keys of a scene that this camopt knows.
+// camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
+// camopt knows.
 #include "apps/commands.hpp"
+#include "apps/list_exports.hpp"
 #include "apps/list_keys.hpp"
 #include "apps/terminal.hpp"
 #include "core/peak_figures.hpp"
@@ -155,10 +157,10 @@ struct Topic {
     Json (*json)();
 };
 
-constexpr Topic topics[] = {{"laws", laws_text, laws_json},
-                            {"followers", followers_text, followers_json},
-                            {"solvers", solvers_text, solvers_json},
-                            {"keys", keys_text, keys_json}};
+constexpr Topic topics[] = {
+    {"laws", laws_text, laws_json},          {"followers", followers_text, followers_json},
+    {"solvers", solvers_text, solvers_json}, {"keys", keys_text, keys_json},
+    {"columns", columns_text, columns_json}, {"controllers", controllers_text, controllers_json}};
 
 }  // namespace
 

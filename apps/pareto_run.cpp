@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "output/chart/pareto_svg.hpp"
 #include "output/csv/pareto_csv.hpp"
+#include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 
@@ -70,7 +71,8 @@ ExitCode pareto_run(const SweepRequest& request) {
         throw InputError(
             "--out is missing: camopt sweep SCENE --pareto A,B --out DIR; see camopt sweep --help");
     refuse_other_sweeps(request);
-    const Scene scene = load_scene(request.scene, sweep_settings(request));
+    const LoadedScene loaded = load_scene_and_text(request.scene, sweep_settings(request));
+    const Scene& scene = loaded.scene;
     const FrontRequest wanted = front_request(request.pareto, scene);
     prepare_folder(request.out);
     const InterruptWatch watch;
@@ -86,7 +88,7 @@ ExitCode pareto_run(const SweepRequest& request) {
     FolderUpdate folder(request.out);
     folder.write("pareto.csv", pareto_csv(front));
     folder.write("pareto.svg", pareto_svg(picture));
-    folder.write("pareto.html", pareto_html(picture));
+    folder.write("pareto.html", pareto_html(picture, {request.scene, "", loaded.text}));
     const std::filesystem::path table = folder.finish().front();
     print(fmt::format("Front of {}\n{}  wrote {}\n", request.scene, pareto_text(picture), table.string()));
     if (code == interrupted) print_error("camopt: interrupted; the points that are finished are written\n");

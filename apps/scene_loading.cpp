@@ -6,6 +6,15 @@
 
 namespace camopt::apps {
 
+namespace {
+
+/// Where the tables of a scene file lie.
+std::filesystem::path folder_of(const std::string& file) {
+    return std::filesystem::path(file).parent_path();
+}
+
+}  // namespace
+
 std::vector<std::string> with_solver(std::vector<std::string> settings, const std::string& solver) {
     if (!solver.empty()) settings.push_back("solver.name=\"" + solver + "\"");
     return settings;
@@ -17,7 +26,8 @@ Scene load_scene(const std::string& file, const std::vector<std::string>& settin
 
 LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::string>& settings) {
     const SceneText given{file, input::scene_file_text(file)};
-    return {load_scene(given, settings), input::scene_with_overrides(given.text, file, settings)};
+    return {load_scene(given, settings),
+            input::scene_with_overrides(given.text, file, settings, folder_of(file))};
 }
 
 void show_in(Scene& scene, std::string_view units) {
@@ -30,7 +40,7 @@ SceneText read_scene_text(const std::string& file) {
 }
 
 Scene load_scene(const SceneText& scene, std::span<const std::string> settings) {
-    return scene_of_toml(scene.text, settings, scene.name);
+    return scene_of_toml(scene.text, settings, scene.name, folder_of(scene.name));
 }
 
 }  // namespace camopt::apps

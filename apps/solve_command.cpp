@@ -7,6 +7,7 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/json/result_json.hpp"
+#include "output/page/page_html.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/spatial/drum_pictures.hpp"
 #include "output/words/solution_text.hpp"
@@ -81,6 +82,7 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) add_forward_check(solution);
     WriteOptions options{request.points, request.dxf, {}};
+    options.also.push_back({"report.html", report_html(solution, origin)});
     for (FolderFile& file : drum_files(solution)) options.also.push_back(std::move(file));
     return write_result_folder(request.out, solution, origin, options);
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Required: Eigen for everything, fmt for messages, toml++ for input/, nlohmann-json for output/, CLI11 for apps/.
 # Optional ones become the variables CAMOPT_HAVE_IPOPT, CAMOPT_HAVE_NLOPT, CAMOPT_HAVE_SPQR,
-# CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO and imported targets.
+# CAMOPT_HAVE_SUITESPARSE, CAMOPT_HAVE_OPENCASCADE, CAMOPT_HAVE_CAIRO, CAMOPT_HAVE_HTTPLIB and imported targets.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(tomlplusplus REQUIRED)
@@ -45,6 +45,9 @@ camopt_optional(SPQR CamoptSPQR camopt_spqr_package)
 camopt_optional(SUITESPARSE CamoptSuiteSparse camopt_suitesparse_package)
 camopt_optional(OPENCASCADE CamoptOpenCascade camopt_opencascade_package)
 camopt_optional(CAIRO CamoptCairo camopt_cairo_package)
+if(CAMOPT_BUILD_APPS)
+  camopt_optional(HTTPLIB CamoptHttplib camopt_httplib_package)
+endif()
 
 # What core/licenses.cpp says of a binary, in a line.
 if((CAMOPT_HAVE_SPQR OR CAMOPT_HAVE_SUITESPARSE) AND CAMOPT_HAVE_IPOPT)

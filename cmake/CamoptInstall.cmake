@@ -124,7 +124,8 @@ if(CAMOPT_C)
   configure_file(cmake/camopt_c.pc.in package/camopt_c.pc @ONLY)
 endif()
 install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
-  cmake/FindCamoptSuiteSparse.cmake cmake/FindCamoptOpenCascade.cmake cmake/FindCamoptCairo.cmake
+  cmake/FindCamoptSuiteSparse.cmake cmake/CamoptSuiteSparsePart.cmake cmake/FindCamoptOpenCascade.cmake
+  cmake/FindCamoptCairo.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)

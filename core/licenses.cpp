@@ -11,6 +11,7 @@ constexpr bool has_spqr = CAMOPT_BUILT_WITH_SPQR;
 constexpr bool has_suitesparse = CAMOPT_BUILT_WITH_SUITESPARSE;
 constexpr bool has_opencascade = CAMOPT_BUILT_WITH_OPENCASCADE;
 constexpr bool has_cairo = CAMOPT_BUILT_WITH_CAIRO;
+constexpr bool has_httplib = CAMOPT_BUILT_WITH_HTTPLIB;
 
 }  // namespace
 
@@ -34,6 +35,11 @@ std::vector<LicensedPart> licensed_parts() {
     if (has_opencascade)
         parts.push_back({"Open CASCADE", "LGPL-2.1-only WITH OCCT-exception-1.0", "STEP files"});
     if (has_cairo) parts.push_back({"cairo", "LGPL-2.1-only OR MPL-1.1", "PDF drawings"});
+    if (has_httplib) {
+        parts.push_back({"cpp-httplib", "MIT", "the studio's server"});
+        parts.push_back(
+            {"OpenSSL, Brotli and zlib", "Apache-2.0, MIT, Zlib", "what cpp-httplib is linked to"});
+    }
     return parts;
 }
 

@@ -4,16 +4,18 @@
 #include "core/range.hpp"
 #include "core/units.hpp"
 #include "input/keys/key_check.hpp"
+#include "input/set_point_reader.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace camopt::input {
 namespace {
 
 class MotionReader {
  public:
-    MotionReader(const SceneSource& source, const std::vector<std::string>& laws)
-        : source_(source), laws_(laws) {}
+    MotionReader(const SceneSource& source, const KnownNames& known) : source_(source), known_(known) {}
 
     MotionSpec read() const {
         MotionSpec motion;
@@ -29,19 +31,20 @@ class MotionReader {
         motion.speed = source_.number("motion", "speed");
         if (const auto symmetric = source_.find("motion", "symmetric"))
             motion.symmetric = symmetric->value().boolean;
-        if (const auto via = source_.find("motion", "via"))
-            for (const Node& point : via->value().items) motion.via.push_back(read_point(point));
         if (const auto closed = source_.find("motion", "closed")) motion.closed = closed->value().boolean;
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)
                 motion.segments.push_back(read_segment(segment, motion));
+        settle_angle_ranges(source_, motion);
+        check_moving_laws(motion);
         check_turn(motion);
+        read_set_points(source_, motion);
         return motion;
     }
 
  private:
     const SceneSource& source_;
-    const std::vector<std::string>& laws_;
+    const KnownNames& known_;
 
     void refuse_keys_of_other_types(MotionType type) const {
         const bool program = type == MotionType::program;
@@ -55,18 +58,8 @@ class MotionReader {
         if (!program) return refuse({"segments", "closed"}, "type \"program\"");
         refuse({"rise", "return"},
                "type \"DRD\" or \"RR\"; a program says the angle of each of its segments");
-        refuse({"symmetric", "via"}, "type \"DRD\" or \"RR\"");
-    }
-
-    static SetPoint read_point(const Node& table) {
-        const auto number = [&](std::string_view name) {
-            const auto given = SceneSource::find_in(table, "motion.via", name);
-            return given ? std::optional(given->number()) : std::nullopt;
-        };
-        return {.at = number("at").value_or(0.0),
-                .displacement = number("displacement"),
-                .velocity = number("velocity"),
-                .acceleration = number("acceleration")};
+        refuse({"symmetric"}, "type \"DRD\" or \"RR\"");
+        refuse({"via"}, "type \"DRD\" or \"RR\"; a program has set points in its segments, via in each");
     }
 
     ProgramSegment read_segment(const Node& table, const MotionSpec& motion) const {
@@ -80,25 +73,36 @@ class MotionReader {
         for (const SegmentKind kind : {SegmentKind::dwell, SegmentKind::law, SegmentKind::spline})
             if (const auto given = find("kind"); given && given->value().text == name_of(kind))
                 segment.kind = kind;
-        if (const auto angle = find("angle")) segment.angle = angle->number();
+        if (const auto angle = find("angle")) {
+            const Dimension written = angle->dimension();
+            segment.angle = written.low;
+            if (written.is_variable()) segment.angle_range = AngleRange{written.low, written.high};
+        }
         if (const auto law = find("law")) {
-            check_name(source_, *law, key(*law), {laws_, "a law of the catalogue: ", ""});
+            check_name(source_, *law, key(*law), {known_.laws, "a law of the catalogue: ", ""});
             segment.law = law->value().text;
         }
-        if (const auto to = find("to")) segment.to = read_displacement(*to, key(*to), motion);
+        if (const auto to = find("to")) segment.to = displacement_in_lifts(source_, *to, key(*to), motion);
         return segment;
     }
 
-    /// In lifts.
-    double read_displacement(const Given& to, const std::string& key, const MotionSpec& motion) const {
-        const std::string_view unit = to.spelling->unit;
-        if (unit.empty()) return to.number();
-        if (is_angle_unit(unit) != motion.lift_is_angle)
-            source_.fail(to.member->place, key,
-                         fmt::format("found {} where the lift is {}", to.member->name,
-                                     motion.lift_is_angle ? "an angle; allowed: to, to_deg or to_rad"
-                                                          : "a length; allowed: to, to_mm, to_in or to_m"));
-        return to.number() / motion.lift;
+    /// objectives/ checks this too, without the place.
+    void check_moving_laws(const MotionSpec& motion) const {
+        const std::size_t count = motion.segments.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::string& law = motion.segments[i].law;
+            if (std::ranges::find(known_.moving_laws, law) == known_.moving_laws.end()) continue;
+            const auto joins = [&](bool open, std::size_t other) {
+                return !open && motion.segments[other].kind == SegmentKind::spline;
+            };
+            const bool first = i == 0 && !motion.closed, last = i + 1 == count && !motion.closed;
+            if (joins(first, (i + count - 1) % count) && joins(last, (i + 1) % count)) continue;
+            source_.fail_member(
+                fmt::format("motion.segments[{}].law", i),
+                fmt::format("found \"{}\", a law whose ends move; allowed: between two segments "
+                            "of kind \"spline\", which join with its velocity",
+                            law));
+        }
     }
 
     /// core/ checks this too, but in radians.
@@ -121,8 +125,8 @@ class MotionReader {
 
 }  // namespace
 
-MotionSpec read_motion(const SceneSource& source, const std::vector<std::string>& laws) {
-    return MotionReader(source, laws).read();
+MotionSpec read_motion(const SceneSource& source, const KnownNames& known) {
+    return MotionReader(source, known).read();
 }
 
 }  // namespace camopt::input

@@ -3,14 +3,12 @@
 // motion, unknown laws, units that do not fit the lift. Internal to input/.
 #pragma once
 
+#include "input/scene_reader.hpp"
 #include "input/scene_source.hpp"
 #include "scene/scene.hpp"
 
-#include <string>
-#include <vector>
-
 namespace camopt::input {
 
-[[nodiscard]] MotionSpec read_motion(const SceneSource& source, const std::vector<std::string>& laws);
+[[nodiscard]] MotionSpec read_motion(const SceneSource& source, const KnownNames& known);
 
 }  // namespace camopt::input

@@ -9,6 +9,7 @@
 #include "input/document_text.hpp"
 #include "input/drawing_reader.hpp"
 #include "input/keys/key_check.hpp"
+#include "input/measured/measured_reader.hpp"
 #include "input/mechanism_reader.hpp"
 #include "input/motion_reader.hpp"
 #include "input/overrides.hpp"
@@ -37,7 +38,7 @@ class SceneReader {
         Scene scene;
         read_text("", "title", scene.title);
         scene.length_unit = written_length_unit();
-        scene.motion = read_motion(source_, known_.laws);
+        scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
         scene.objective = read_objective();
         scene.cam = read_cam(source_, scene.motion);
@@ -47,9 +48,13 @@ class SceneReader {
         read_cam_limits(source_, scene, scene.limits);
         scene.drawing = read_drawing(source_);
         scene.solver = read_solver();
-        if (const std::optional<SceneFault> fault = find_fault(scene))
+        const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
+        if (measured) scene.measured = measured->motion;
+        if (const std::optional<SceneFault> fault = find_fault(scene)) {
+            if (measured) fail_in_table(source_, *measured, *fault);
             source_.fail_member(fault->member,
                                 fmt::format("found {}; allowed: {}", fault->found, fault->allowed));
+        }
         return scene;
     }
 
@@ -113,8 +118,10 @@ class SceneReader {
         const auto given = source_.find("objective", "reference");
         if (!given) return reference;
         if (given->value().kind == NodeKind::text) {
+            std::vector<std::string> laws = known_.laws;  // a rise that moves on has no peaks of its own
+            for (const std::string& moving : known_.moving_laws) std::erase(laws, moving);
             check_name(source_, *given, "objective.reference",
-                       {known_.laws, "a law of the catalogue: ", ", or a table of numbers"});
+                       {laws, "a law of the catalogue: ", ", or a table of numbers"});
             reference.law = given->value().text;
             return reference;
         }
@@ -168,10 +175,19 @@ Scene read_scene(std::string_view toml, std::string_view source_name, const Know
 }
 
 std::string scene_with_overrides(std::string_view toml, std::string_view source_name,
-                                 std::span<const std::string> overrides) {
-    if (overrides.empty() && printable_lines(toml) == toml) return std::string(toml);
+                                 std::span<const std::string> overrides,
+                                 const std::optional<std::filesystem::path>& folder) {
+    // A text without the word names no table, and need not be parsed.
+    const bool names_table = folder && toml.find("measured") != std::string_view::npos;
+    if (overrides.empty() && !names_table && printable_lines(toml) == toml) return std::string(toml);
     Node root = parse_document(toml, source_name);
     apply_overrides(root, overrides);
+    if (folder) {
+        const Node before = root;
+        write_out_tables(root, *folder);
+        const bool same = document_text(before) == document_text(root);
+        if (same && overrides.empty() && printable_lines(toml) == toml) return std::string(toml);
+    }
     std::string origin = printable(source_name);
     for (const std::string& text : overrides) origin += " --set " + printable(text);
     return fmt::format("# {}\n{}", origin, document_text(root));
@@ -189,9 +205,15 @@ std::string scene_file_text(const std::filesystem::path& path) {
     return std::move(file.bytes);
 }
 
+std::string whole_scene_text(const std::filesystem::path& path) {
+    return scene_with_overrides(scene_file_text(path), path.string(), {}, path.parent_path());
+}
+
 Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known,
                       std::span<const std::string> overrides) {
-    return read_scene(scene_file_text(path), path.string(), known, overrides);
+    KnownNames with_folder = known;
+    with_folder.folder = path.parent_path();
+    return read_scene(scene_file_text(path), path.string(), with_folder, overrides);
 }
 
 }  // namespace camopt::input

@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,10 @@ namespace camopt::input {
 /// The names a scene may refer to. "auto" is always a solver; a law or solver that is not listed is refused.
 struct KnownNames {
     std::vector<std::string> laws, solvers;
+    /// Of the laws those whose ends move: no reference, and in programs only between splines.
+    std::vector<std::string> moving_laws = {};
+    /// The folder whose tables (measured.table) a scene may read; none: a scene given as text reads no files.
+    std::optional<std::filesystem::path> folder = {};
 };
 
 /// `overrides`: "KEY=VALUE" with a dotted key and a TOML value (a bare word is a string), applied before
@@ -29,6 +34,9 @@ struct KnownNames {
 /// What read_scene_file reads; throws InputError where it cannot.
 [[nodiscard]] std::string scene_file_text(const std::filesystem::path& path);
 
+/// The same, with the tables written out that the scene names (measured.table): a text that stands alone.
+[[nodiscard]] std::string whole_scene_text(const std::filesystem::path& path);
+
 /// `source_name` stands in the place of FILE.
 [[nodiscard]] Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                                std::span<const std::string> overrides = {});
@@ -37,7 +45,9 @@ struct KnownNames {
 /// no overrides it is the text as given, comments and all; with some, and where the text holds what a
 /// terminal would obey instead of showing, it is written anew and says so in its first line. Throws
 /// InputError for text that is no TOML and overrides that do not fit; keys and values are not looked at.
+/// `folder`: of the scene; a table it names there is written into the text, so that the text stands alone.
 [[nodiscard]] std::string scene_with_overrides(std::string_view toml, std::string_view source_name,
-                                               std::span<const std::string> overrides);
+                                               std::span<const std::string> overrides,
+                                               const std::optional<std::filesystem::path>& folder = {});
 
 }  // namespace camopt::input

@@ -102,6 +102,8 @@ struct CamModel {
     /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
     double energy_weight = 0.0;
     double jerk_reference = 1.0;
+    /// Entries of a motion that searches begin from first; empty: none.
+    Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.
     std::array<double, 3> entry_scale{1.0, 1.0, 1.0};
     std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1

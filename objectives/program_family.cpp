@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/set_point_conditions.hpp"
 
 #include <fmt/format.h>
 
@@ -10,23 +11,29 @@ namespace camopt {
 
 namespace {
 
-/// Breakpoints of one spline segment: uniform, or the scene's own in units of the segment.
-std::vector<double> segment_breakpoints(const SplineSpec& spline, double begin, double end) {
-    std::vector<double> points;
-    if (spline.breakpoints.empty()) {
-        for (int i = 0; i <= spline.segments; ++i) {
-            points.push_back(begin + (end - begin) * static_cast<double>(i) / spline.segments);
-        }
-    } else {
-        for (const double at : spline.breakpoints) points.push_back(begin + (end - begin) * at);
+/// A law whose ends move is joined by splines alone, which take its velocity.
+void require_splines_beside(const MotionSpec& motion, std::size_t index) {
+    const std::size_t count = motion.segments.size();
+    const auto refuse = [&](const std::string& beside) {
+        throw InputError(
+            fmt::format("motion.segments[{}].law: found \"{}\", a law whose ends move, beside {}; allowed: "
+                        "spline segments "
+                        "on both sides, which join with its velocity",
+                        index, motion.segments[index].law, beside));
+    };
+    for (const bool after : {false, true}) {
+        if (!motion.closed && index == (after ? count - 1 : 0)) refuse("the open end of the program");
+        const std::size_t other = (index + (after ? 1 : count - 1)) % count;
+        if (motion.segments[other].kind != SegmentKind::spline)
+            refuse(fmt::format("motion.segments[{}] of kind \"{}\"", other,
+                               name_of(motion.segments[other].kind)));
     }
-    points.front() = begin;
-    points.back() = end;
-    return points;
 }
 
-std::shared_ptr<const Motion> law_between_dwells(const ProgramSegment& segment, std::size_t index) {
+std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size_t index) {
+    const ProgramSegment& segment = motion.segments[index];
     std::shared_ptr<const Law> law = make_law(segment.law);
+    if (!law->info().rests) require_splines_beside(motion, index);
     if (law->info().top == TopEnd::turning_point) {
         throw InputError(
             fmt::format("motion.segments[{}].law: found \"{}\", a law that turns back at its top; "
@@ -46,6 +53,7 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
     request.closed = scene.motion.closed;
     request.end_jerk_zero = scene.spline.end_jerk == EndJerk::zero;
     const double unit = scene.motion.unit_angle();
+    const std::vector<PlacedPoint> points = placed_points(scene.motion);
     double angle = 0.0;
     for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
         const ProgramSegment& segment = scene.motion.segments[i];
@@ -56,10 +64,16 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
         stretch.to = segment.to;
         if (segment.kind == SegmentKind::law) {
             stretch.kind = StretchRequest::Kind::shape;
-            stretch.shape = law_between_dwells(segment, i);
+            stretch.shape = law_of_segment(scene.motion, i);
         } else if (segment.kind == SegmentKind::spline) {
             stretch.kind = StretchRequest::Kind::spline;
-            stretch.breakpoints = segment_breakpoints(scene.spline, stretch.begin, stretch.end);
+            stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,
+                                                 regions_of(scene.motion, points, static_cast<int>(i)));
+            for (const PlacedPoint& point : points) {
+                if (point.segment != static_cast<int>(i)) continue;
+                const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);
+                stretch.conditions.insert(stretch.conditions.end(), own.begin(), own.end());
+            }
         }
         request.stretches.push_back(std::move(stretch));
     }

@@ -10,6 +10,7 @@
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
+#include "objectives/set_point_conditions.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 
@@ -97,19 +98,21 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
         conditions.push_back(
             {length, 3, Side::left, 0.0, fmt::format("spline.end_jerk at x = {:.6g}", length), false});
     }
-    for (std::size_t i = 0; i < motion.via.size(); ++i) {
-        const SetPoint& point = motion.via[i];
-        const std::array<const std::optional<double>*, 3> values = {&point.displacement, &point.velocity,
-                                                                    &point.acceleration};
-        for (int order = 0; order < 3; ++order) {
-            if (!*values[order]) continue;
-            conditions.push_back({point.at, order, point.at < length ? Side::right : Side::left,
-                                  **values[order],
-                                  fmt::format("motion.via[{}].{} = {:.6g} at x = {:.6g}", i,
-                                              derivative_names[order], **values[order], point.at)});
-        }
+    for (const PlacedPoint& point : placed_points(motion)) {
+        const std::vector<PointCondition> own = conditions_of(motion, point, scene.spline.degree, length);
+        conditions.insert(conditions.end(), own.begin(), own.end());
     }
     return conditions;
+}
+
+std::unique_ptr<Law> reference_law(const std::string& key) {
+    std::unique_ptr<Law> law = make_law(key);
+    if (!law->info().rests)
+        throw InputError(
+            fmt::format("objective.reference: found \"{}\", a law whose ends move; allowed: a law "
+                        "that rests at its ends, or numbers",
+                        key));
+    return law;
 }
 
 }  // namespace
@@ -117,7 +120,7 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
 Peaks reference_peaks(const Scene& scene) {
     const Reference& reference = scene.objective.reference;
     Peaks peaks;
-    if (!reference.numeric) peaks = make_law(reference.law)->peaks();
+    if (!reference.numeric) peaks = reference_law(reference.law)->peaks();
     for (const CostTerm& term : cost_terms())
         if (const std::optional<double>& number = reference.*term.reference)
             term.measured.in(peaks) = *number;
@@ -131,10 +134,13 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
     const MotionSpec& motion = scene.motion;
     const SplineSpec& spline = scene.spline;
     const bool rise = motion.type == MotionType::drd;
+    const std::vector<std::array<double, 2>> regions = regions_of(motion, placed_points(motion), -1);
     SplineSpace space =
-        spline.breakpoints.empty()
+        spline.breakpoints.empty() && regions.empty()
             ? SplineSpace::uniform(spline.degree, spline.smoothness(), spline.segments, motion.length())
-            : SplineSpace(spline.degree, spline.smoothness(), spline.breakpoints);
+            : SplineSpace(spline.degree, spline.smoothness(),
+                          regions.empty() ? spline.breakpoints
+                                          : breakpoints_of(spline, 0.0, motion.length(), regions));
     const Symmetry symmetry = !motion.symmetric ? Symmetry::none : rise ? Symmetry::odd : Symmetry::even;
     return {std::move(space),        kind,    {0.0, 0.0, 0.0}, {rise ? 1.0 : 0.0, 0.0, 0.0},
             scene_conditions(scene), symmetry};
@@ -206,6 +212,13 @@ void add_program_scales(CamModel& model, const Scene& scene, std::span<const Dis
     add_free_displacements(model, free, boxes.empty() ? std::span(whole) : boxes);
 }
 
+/// Whether a shape begins (seen from the right) or ends with y' = 0.
+bool rests_at(const Motion& shape, Side side) {
+    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
+    const double x = side == Side::right ? shape.begin() : shape.end();
+    return std::abs(shape.at(x, side).derivative[1]) < at_rest;
+}
+
 /// Displacements given by the scene: both ends, the top of RR, joints of a program beside a dwell or a law.
 void add_known_points(CamModel& model, const Scene& scene) {
     const auto& stretches = model.design.stretches();
@@ -214,10 +227,11 @@ void add_known_points(CamModel& model, const Scene& scene) {
         const std::optional<double> from = known_displacement(stretches[s].from);
         const std::optional<double> to = known_displacement(stretches[s].to);
         if (!from || !to) return;  // one gap is enough to know nothing
-        // A spline among others may pass its ends at speed; dwells and laws, DRD and RR rest there.
+        // A spline among others may pass its ends at speed; dwells, DRD and RR rest there, and most laws.
         const bool rests = stretches.size() == 1 || stretches[s].kind != StretchRequest::Kind::spline;
-        points.push_back({stretches[s].begin, *from, rests});
-        points.push_back({stretches[s].end, *to, rests});
+        const Motion* const shape = stretches[s].shape.get();
+        points.push_back({stretches[s].begin, *from, rests && (!shape || rests_at(*shape, Side::right))});
+        points.push_back({stretches[s].end, *to, rests && (!shape || rests_at(*shape, Side::left))});
     }
     if (scene.motion.type == MotionType::rr) points.insert(points.begin() + 1, {1.0, 1.0, true});
     model.known_points = std::move(points);

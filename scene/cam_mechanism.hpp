@@ -70,10 +70,10 @@ struct MechanismShape {
     Kind kind = Kind::link;
     std::string name;  ///< "lever", "roller", …
     /// link: its line; guide: where what it guides is at output 0, and where now; circle, pivot: the centre;
-    /// face: the place from which contact offsets are counted, and a point 1 m along where they grow. It is as
-    /// long as the contact needs, or the scene says.
+    /// face: the place from which contact offsets are counted, and a point 1 m along where they grow. It is
+    /// as long as the contact needs, or the scene says.
     std::vector<Eigen::Vector2d> points;
-    double radius = 0.0;                  ///< circle
+    double radius = 0.0;  ///< circle
 };
 
 /// What a check needs that runs a roller over finished points and knows nothing else of the mechanism: a
@@ -151,8 +151,8 @@ class CamMechanism {
     [[nodiscard]] virtual double turned(const MechanismState& state) const {
         return sense_of(rotation()) * state.theta;
     }
-    /// Its parts in one state, the centre about which the cam turns first (a pivot); empty where it is no plane
-    /// mechanism.
+    /// Its parts in one state, the centre about which the cam turns first (a pivot); empty where it is no
+    /// plane mechanism.
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
     /// None where no lever carries the roller.
     [[nodiscard]] virtual std::optional<RollerLever> roller_lever(

@@ -23,7 +23,8 @@ Fault type_fault(const MotionSpec& motion) {
     if (program && motion.symmetric)
         return wrong("motion.symmetric", "true", "false, or type \"DRD\" or \"RR\"");
     if (program && !motion.via.empty())
-        return wrong("motion.via", "exact points", "only in type \"DRD\" or \"RR\"");
+        return wrong("motion.via", "exact points",
+                     "only in type \"DRD\" or \"RR\"; a program has them in its segments");
     if (!program && !motion.segments.empty())
         return wrong("motion.segments", "segments", "only in type \"program\"");
     if (!program && !motion.closed) return wrong("motion.closed", "false", "only in type \"program\"");
@@ -42,36 +43,13 @@ Fault return_fault(const MotionSpec& motion) {
     return std::nullopt;
 }
 
-Fault via_fault(const MotionSpec& motion) {
-    const Range inside = Range::between(0.0, motion.length());
-    for (std::size_t i = 0; i < motion.via.size(); ++i) {
-        const SetPoint& point = motion.via[i];
-        const std::string member = fmt::format("motion.via[{}]", i);
-        if (!inside.contains(point.at))
-            return SceneFault{member + ".at", fmt::format("{}", point.at), inside.number_text()};
-        for (std::size_t j = 0; j < i; ++j)
-            if (std::abs(motion.via[j].at - point.at) <= same_place)
-                return SceneFault{member + ".at", fmt::format("{}, the place of motion.via[{}]", point.at, j),
-                                  "one point at a place"};
-        if (!point.displacement && !point.velocity && !point.acceleration)
-            return SceneFault{member, "no value", "at least one of displacement, velocity, acceleration"};
-        for (const auto& [name, value] :
-             {std::pair{"displacement", point.displacement}, std::pair{"velocity", point.velocity},
-              std::pair{"acceleration", point.acceleration}})
-            if (value && !std::isfinite(*value))
-                return SceneFault{fmt::format("{}.{}", member, name), fmt::format("{}", *value),
-                                  Range{}.number_text()};
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 Fault motion_fault(const MotionSpec& motion) {
     if (Fault fault = type_fault(motion)) return fault;
-    if (motion.type == MotionType::program) return program_fault(motion);
-    if (Fault fault = return_fault(motion)) return fault;
-    return via_fault(motion);
+    if (Fault fault = motion.type == MotionType::program ? program_fault(motion) : return_fault(motion))
+        return fault;
+    return set_point_fault(motion);
 }
 
 }  // namespace camopt

@@ -14,11 +14,24 @@ namespace {
 
 // Of a turn. Angles written with ten digits add up closer than this; a forgotten units::degree is far above.
 constexpr double turn_tolerance = 1e-9;
+// rad: the same rounding at the ends of a range.
+constexpr double range_slack = 1e-9;
 
 Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     const Range angles = Range::above_up_to(0.0, units::turn);
     if (!angles.contains(segment.angle))
         return SceneFault{member + ".angle", fmt::format("{}", segment.angle), angles.number_text()};
+    if (segment.angle_range) {
+        const AngleRange& range = *segment.angle_range;
+        if (!angles.contains(range.least) || !angles.contains(range.most) || !(range.least < range.most))
+            return SceneFault{member + ".angle",
+                              fmt::format("a range from {:.10g} to {:.10g} deg", range.least / units::degree,
+                                          range.most / units::degree),
+                              "min below max, both > 0 and <= 360 deg"};
+        if (!(segment.angle >= range.least - range_slack && segment.angle <= range.most + range_slack))
+            return SceneFault{member + ".angle", fmt::format("{} rad outside of its range", segment.angle),
+                              fmt::format("from {} to {} rad", range.least, range.most)};
+    }
     if (segment.kind == SegmentKind::law && segment.law.empty())
         return SceneFault{member + ".law", "no law in a segment of kind \"law\"", "a law of the catalogue"};
     if (segment.kind != SegmentKind::law && !segment.law.empty())
@@ -47,6 +60,21 @@ Fault turn_fault(const MotionSpec& motion) {
                                     : "360 deg, a whole turn, at most"};
 }
 
+/// Only what must add up to a turn is shared out by a search.
+Fault angle_range_fault(const MotionSpec& motion) {
+    const auto searched = [](const ProgramSegment& segment) { return segment.angle_range.has_value(); };
+    const auto first = std::ranges::find_if(motion.segments, searched);
+    if (first == motion.segments.end()) return std::nullopt;
+    const std::string member = fmt::format("motion.segments[{}].angle", first - motion.segments.begin());
+    if (!motion.closed)
+        return SceneFault{member, "a range in a program that is not closed",
+                          "a number, or a closed program, whose angles add up to a turn"};
+    if (std::ranges::count_if(motion.segments, searched) < 2)
+        return SceneFault{member, "the only range of the program",
+                          "a number: the angles add up to a turn, so ranges come in twos at least"};
+    return std::nullopt;
+}
+
 /// A closed program ends where it began: at 0.
 Fault end_fault(const MotionSpec& motion) {
     if (!motion.closed) return std::nullopt;
@@ -61,7 +89,12 @@ Fault end_fault(const MotionSpec& motion) {
 
 /// A program whose every displacement is free or 0 is solved by standing still: nothing was asked.
 Fault idle_fault(const MotionSpec& motion) {
-    const auto moves = [](const ProgramSegment& segment) { return segment.to.value_or(0.0) != 0.0; };
+    const auto moves = [](const ProgramSegment& segment) {
+        return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {
+                   return point.displacement.value_or(0.0) != 0.0 || point.velocity.value_or(0.0) != 0.0 ||
+                          point.acceleration.value_or(0.0) != 0.0;
+               });
+    };
     if (std::ranges::any_of(motion.segments, moves)) return std::nullopt;
     const auto first = std::ranges::find_if(
         motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
@@ -88,6 +121,7 @@ Fault program_fault(const MotionSpec& motion) {
         return SceneFault{"motion.segments", "no segment to optimise",
                           "at least one with kind = \"spline\", its angle and, where it is wanted, the "
                           "displacement `to` at its end"};
+    if (Fault fault = angle_range_fault(motion)) return fault;
     if (Fault fault = turn_fault(motion)) return fault;
     if (Fault fault = end_fault(motion)) return fault;
     return idle_fault(motion);

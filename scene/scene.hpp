@@ -23,18 +23,46 @@ enum class SegmentKind { dwell, law, spline };
 enum class EndJerk { free, zero };
 enum class TieBreak { none, rms_jerk };
 
-/// An exact point of the motion. `at`: x, in units of the rise. Normalised values; at least one is given.
+/// The units in which the numbers of a set point were written ("deg", "mm", "mm/s", "mm/rad", …; empty:
+/// normalised): reports show them so, and they are what stays where the angle of a segment is searched.
+struct SetPointUnits {
+    std::string place = {}, displacement = {}, velocity = {}, acceleration = {};
+};
+
+/// An exact point of the motion; with `until` a region that is run through at a constant velocity.
+/// Normalised: `at` and `until` in units of the rise (of a program's segment: of its angle, from its start),
+/// y in lifts, derivatives of y by that x. At least one value is given; of a region the velocity, and perhaps
+/// the displacement where it begins.
 struct SetPoint {
     double at = 0.0;
     std::optional<double> displacement = {}, velocity = {}, acceleration = {};
+    std::optional<double> until = {};
+    SetPointUnits units = {};
+
+    [[nodiscard]] bool is_region() const { return until.has_value(); }
+};
+
+/// The least and the largest angle that a search may give a segment, rad.
+struct AngleRange {
+    double least = 0.0, most = 0.0;
 };
 
 /// One stretch of a program. A dwell keeps the displacement it finds.
 struct ProgramSegment {
     SegmentKind kind = SegmentKind::dwell;
-    double angle = 0.0;        ///< cam angle it takes, rad, > 0
-    std::string law = {};      ///< kind law: a key of the catalogue
-    std::optional<double> to;  ///< displacement at its end, in lifts; none: free (law, spline)
+    double angle = 0.0;              ///< cam angle it takes, rad, > 0
+    std::string law = {};            ///< kind law: a key of the catalogue
+    std::optional<double> to;        ///< displacement at its end, in lifts; none: free (law, spline)
+    std::vector<SetPoint> via = {};  ///< kind spline
+    std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
+};
+
+/// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.
+struct MeasuredMotion {
+    std::vector<double> angle;         ///< rad, ascending, over the whole motion
+    std::vector<double> displacement;  ///< m; rad where the lift is an angle
+    bool start = false;                ///< searches begin from it too; else it is only compared
+    std::string name = {};             ///< of the table, for people
 };
 
 struct MotionSpec {
@@ -168,6 +196,7 @@ struct Scene {
     std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
     std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
+    std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins
     std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`
     std::vector<OwnLimit> own_limits;    ///< beside `limits`

@@ -51,6 +51,9 @@ Fault free_knot_fault(const Scene& scene) {
     if (scene.motion.type == MotionType::program)
         return SceneFault{"spline.knots", "\"free\" in a program",
                           "\"fixed\", or motion type \"DRD\" or \"RR\""};
+    if (std::ranges::any_of(scene.motion.via, &SetPoint::is_region))
+        return SceneFault{"spline.knots", "\"free\" with a region of constant velocity, whose ends are knots",
+                          "\"fixed\", or exact points alone"};
     const int segments =
         spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
     if (segments > most_free_segments)
@@ -140,6 +143,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = spline_fault(scene.spline)) return fault;
     if (Fault fault = breakpoint_fault(scene)) return fault;
     if (Fault fault = free_knot_fault(scene)) return fault;
+    if (Fault fault = measured_fault(scene)) return fault;
     if (Fault fault = cam_fault(scene)) return fault;
     if (Fault fault = mechanism_fault(scene)) return fault;
     if (Fault fault = objective_fault(scene)) return fault;

@@ -53,11 +53,13 @@ ConditionConflict conflict_of(const DependentRow& dependent, const std::vector<C
     bool named = own.asked();
     for (const auto& [row, factor] : dependent.combination) {
         if (!candidates[row].asked()) continue;
-        if (named) {
-            conflict.others.push_back(candidates[row].condition->name);
-        } else {
-            conflict.condition = candidates[row].condition->name;
+        const std::string& name = candidates[row].condition->name;
+        if (!named) {
+            conflict.condition = name;
             named = true;
+        } else if (name != conflict.condition &&
+                   std::ranges::find(conflict.others, name) == conflict.others.end()) {
+            conflict.others.push_back(name);
         }
     }
     return conflict;
@@ -75,10 +77,15 @@ std::vector<ConflictRow> contradiction_rows(const DependentRow& dependent,
     return rows;
 }
 
+/// One of a group is of no interest: the others of it say the rest.
 bool was_asked_for(const DependentRow& dependent, const std::vector<Candidate>& candidates) {
-    return candidates[dependent.row].asked() ||
-           std::ranges::any_of(dependent.combination,
-                               [&](const auto& part) { return candidates[part.first].asked(); });
+    const auto by_itself = [&](int row) {
+        return candidates[row].asked() && !candidates[row].condition->in_group;
+    };
+    const Candidate& own = candidates[dependent.row];
+    if (own.asked()) return by_itself(dependent.row);
+    return std::ranges::any_of(dependent.combination,
+                               [&](const auto& part) { return by_itself(part.first); });
 }
 
 // A weight this small beside the largest of its row is what rounding leaves of zero: a derivative of a basis

@@ -43,6 +43,8 @@ struct PointCondition {
     double value = 0.0;
     std::string name;
     bool asked = true;  ///< by the user: worth a word when it is redundant
+    /// One of several that say one thing together: of no interest when it follows from the others.
+    bool in_group = false;
 };
 
 /// odd: y(x) + y(mirror of x) = y_begin + y_end (a rise);  even: y(x) = y(mirror of x) (a rise and return).

@@ -22,10 +22,11 @@ namespace camopt {
 struct StretchRequest {
     enum class Kind { dwell, shape, spline };
     Kind kind = Kind::dwell;
-    double begin = 0.0, end = 0.0;        ///< x
-    std::shared_ptr<const Motion> shape;  ///< kind shape: on [0, 1], from 0 to 1
-    std::vector<double> breakpoints;      ///< kind spline: from begin to end
-    std::optional<double> to;             ///< displacement at the end; none: free (dwell: as at its begin)
+    double begin = 0.0, end = 0.0;           ///< x
+    std::shared_ptr<const Motion> shape;     ///< kind shape: on [0, 1], from 0 to 1
+    std::vector<double> breakpoints;         ///< kind spline: from begin to end
+    std::optional<double> to;                ///< displacement at the end; none: free (dwell: as at its begin)
+    std::vector<PointCondition> conditions;  ///< kind spline: further exact points inside, in x
 };
 
 struct FamilyRequest {

@@ -197,6 +197,10 @@ struct MotionFamily::Builder {
             for (std::size_t k = breakpoints.empty() ? 0 : 1; k < own.breakpoints.size(); ++k) {
                 breakpoints.push_back(own.breakpoints[k] + shift_of(i));
             }
+            for (PointCondition condition : own.conditions) {
+                condition.at += shift_of(i);
+                conditions.push_back(std::move(condition));
+            }
             const bool inside = i + 1 < plan.first + plan.count;
             const AffineRow& level = levels[static_cast<std::size_t>(i % stretches) + 1];
             if (inside && !std::isnan(level.offset)) {

@@ -2,9 +2,10 @@
 #include "apps/completion/completion.hpp"
 
 #include "apps/commands.hpp"
+#include "apps/completion/key_values.hpp"
 #include "input/keys/scene_keys.hpp"
-#include "motions/laws/law_catalogue.hpp"
-#include "solvers/registry.hpp"
+#include "output/csv/uniform_csv.hpp"
+#include "output/plc/plc_format.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <algorithm>
@@ -18,19 +19,6 @@ namespace {
 using input::KeyRow;
 using input::KeyType;
 using WordList = std::vector<std::string>;
-
-WordList law_words() {
-    WordList words;
-    for (const LawInfo& info : law_catalogue()) words.emplace_back(info.key);
-    return words;
-}
-
-WordList solver_words() {
-    WordList words = {"auto"};
-    for (const SolverEntry& entry : solver_entries())
-        if (entry.available) words.emplace_back(entry.name);
-    return words;
-}
 
 /// The row of the table itself: of "motion.segments" the key "segments" of "motion".
 const KeyRow* row_of_table(std::string_view table) {
@@ -51,13 +39,6 @@ bool is_value(const KeyRow& row) {
     return row.type != KeyType::table && row.type != KeyType::tables && row.type != KeyType::options;
 }
 
-WordList values_of(const KeyRow& row) {
-    if (row.type == KeyType::boolean) return {"true", "false"};
-    if (row.name == "law" || row.name == "reference") return law_words();
-    if (row.table == "solver" && row.name == "name") return solver_words();
-    return {row.choices.begin(), row.choices.end()};
-}
-
 /// KEY= for every key; KEY=VALUE once the key is written and its values can be listed.
 WordList setting_words(std::string_view typed) {
     WordList words;
@@ -68,7 +49,7 @@ WordList setting_words(std::string_view typed) {
             if (!typed.starts_with(key))
                 words.push_back(key);
             else
-                for (const std::string& value : values_of(row)) words.push_back(key + value);
+                for (const std::string& value : values_of_key(row)) words.push_back(key + value);
         }
     }
     return words;
@@ -85,6 +66,15 @@ bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;
 }
 
+/// The columns after those that are typed already.
+WordList column_words(std::string_view typed) {
+    const std::size_t comma = typed.rfind(',');
+    const std::string before(comma == std::string_view::npos ? "" : typed.substr(0, comma + 1));
+    WordList words;
+    for (const TableColumn& column : table_columns()) words.push_back(before + column.key);
+    return words;
+}
+
 /// By the word that --help shows for the value.
 WordList value_words(const CLI::Option& option, std::string_view typed) {
     const std::string& type = option.get_type_name();
@@ -94,6 +84,8 @@ WordList value_words(const CLI::Option& option, std::string_view typed) {
     if (type.starts_with("WEIGHTS"))
         return {std::string_view("simplex:").starts_with(typed) ? "simplex:" : ":files"};
     if (option.check_lname("solver")) return solver_words();
+    if (option.check_lname("plc")) return plc_format_keys();
+    if (option.check_lname("columns")) return column_words(typed);
     return {};
 }
 
@@ -101,6 +93,7 @@ WordList positional_words(const CLI::App& command) {
     if (command.get_name() == "list") return list_topics();
     if (command.get_name() == "table") return {"spline-vs-modified-sine"};
     if (command.get_name() == "export") return {":results"};
+    if (command.get_name() == "report") return {":folders"};
     if (command.get_name() == "merge") return {":folders"};
     if (command.get_name() == "reproduce") {
         WordList ids;

@@ -4,8 +4,8 @@
 #include "apps/interrupt.hpp"
 #include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
-#include "output/chart/sweep/sweep_html.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
+#include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 
 #include <optional>
@@ -41,7 +41,7 @@ void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table) {
     const SweepPicture picture{table, scene, losses ? &*losses : nullptr};
     FolderUpdate update(folder.path());
     update.write("sweep.svg", sweep_svg(picture));
-    update.write("sweep.html", sweep_html(picture));
+    update.write("sweep.html", sweep_html(picture, identity));
     update.finish();
 }
 

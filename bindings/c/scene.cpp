@@ -72,7 +72,7 @@ camopt_error camopt_scene_from_file(const char* path, camopt_scene** scene) {
         require(scene, "scene");
         *scene = nullptr;
         require(path, "path");
-        *scene = scene_of(camopt::input::scene_file_text(path), path).release();
+        *scene = scene_of(camopt::input::whole_scene_text(path), path).release();
     });
 }
 

@@ -12,6 +12,10 @@ using camopt::spellings::force;
 using camopt::spellings::length;
 using camopt::spellings::moment;
 using camopt::spellings::plain;
+using camopt::spellings::set_point_acceleration;
+using camopt::spellings::set_point_displacement;
+using camopt::spellings::set_point_place;
+using camopt::spellings::set_point_velocity;
 
 inline constexpr Spelling lift[] = {{"_mm", "mm", units::millimetre},
                                     {"_in", "in", units::inch},

@@ -45,6 +45,8 @@ Rows top_level() {
          Availability::needs_cam},
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
+        {"", "measured", table, plain, any, {}, "none",
+         "A motion that was measured: compared with the optimum, or where searches begin."},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
         {"", "drawing", table, plain, any, {}, "no bore",
          "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
@@ -57,7 +59,7 @@ Rows motion() {
         {"motion", "type", text, plain, any, {"DRD", "RR", "program"}, "required",
          "`\"DRD\"`: rise between two dwells. `\"RR\"`: rise and return without a dwell at the top. "
          "`\"program\"`: the segments of a whole turn; `rise`, `return`, `symmetric` and `via` have no place "
-         "in it."},
+         "in it; its segments have `via` of their own."},
         {"motion", "lift", number, lift, positive, {}, "1 mm",
          "Lift of the follower; an angle for a swinging or indexing output."},
         {"motion", "rise", number, angle, within_turn, {}, "180 deg", "Cam angle of the rise."},
@@ -67,24 +69,68 @@ Rows motion() {
          "Speed of the cam; only limits and outputs in time need it."},
         {"motion", "symmetric", boolean, plain, any, {}, "false",
          "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles)."},
-        {"motion", "via", tables, plain, any, {}, "none", "Points the curve meets exactly, one table each."},
+        {"motion", "via", tables, plain, any, {}, "none",
+         "Points the curve meets exactly, and regions of constant velocity, one table each."},
         {"motion", "segments", tables, plain, any, {}, "none",
          "The segments of a program, one table each, from displacement 0 on."},
         {"motion", "closed", boolean, plain, any, {}, "true",
          "The program is a whole turn: its angles add up to 360 deg and it ends at displacement 0."},
-        {"motion.via", "at", number, plain, not_negative, {}, "required",
-         "Where, in units of the rise: DRD 0 to 1, RR 0 to 1 + return/rise."},
-        {"motion.via", "displacement", number, plain, any, {}, "free", "y = s/lift at that point."},
-        {"motion.via", "velocity", number, plain, any, {}, "free", "dy/dx at that point."},
-        {"motion.via", "acceleration", number, plain, any, {}, "free", "d²y/dx² at that point."},
         {"motion.segments", "kind", text, plain, any, {"dwell", "law", "spline"}, "required",
          "`\"dwell\"` keeps the displacement, `\"law\"` is a classical law, `\"spline\"` is optimised."},
-        {"motion.segments", "angle", number, angle, within_turn, {}, "required", "Cam angle of the segment."},
+        {"motion.segments", "angle", number_or_range, angle, within_turn, {}, "required",
+         "Cam angle of the segment; a range is searched, and the angles still add up to a turn (closed programs, "
+         "two ranges or more)."},
         {"motion.segments", "law", text, plain, any, {}, "none",
          "A law of the catalogue; kind `\"law\"` only, and needed there."},
         {"motion.segments", "to", number, displacement, any, {}, "free",
          "Displacement at its end, in lifts or in a unit of the lift; not for dwells. Free: the optimizer "
          "chooses it, and the peaks are measured by what it finds; but the last one of a closed program is 0."},
+        {"motion.segments", "via", tables, plain, any, {}, "none",
+         "Set points and regions of a segment of kind `\"spline\"`, as `motion.via`, counted from its start."},
+    };
+}
+
+/// Set points of the whole motion, or of a segment: `unit` says what places are measured in.
+Rows set_points(const char* table, const char* unit) {
+    static const std::string in_rise = "Where, in units of the rise (DRD 0 to 1, RR 0 to 1 + return/rise) or as "
+                                       "a cam angle.";
+    static const std::string in_segment = "Where, in units of the segment (0 to 1) or as a cam angle from its "
+                                          "start.";
+    const bool whole = std::string_view(unit) == "rise";
+    return {
+        {table, "at", number, set_point_place, not_negative, {}, "needed by a point",
+         whole ? in_rise : in_segment},
+        {table, "from", number, set_point_place, not_negative, {}, "needed by a region",
+         "Where a region begins, in the units of `at`. Its `velocity` holds exactly from here to its end, and "
+         "both are breakpoints of the spline.", Availability::now, "at"},
+        {table, "to", number, set_point_place, not_negative, {}, "needed by a region",
+         "Where the region ends.", Availability::now, "at"},
+        {table, "displacement", number, spellings::set_point_displacement, any, {}, "free",
+         "There; of a region where it begins. In lifts (s/lift) or in a unit of the lift."},
+        {table, "velocity", number, spellings::set_point_velocity, any, {}, "free",
+         whole ? "There, or all along the region: dy/dx, by the cam angle, or in time (needs a speed)."
+               : "There, or all along the region: lifts per segment, by the cam angle, or in time (needs a "
+                 "speed)."},
+        {table, "acceleration", number, spellings::set_point_acceleration, any, {}, "free",
+         whole ? "There: d²y/dx², by the cam angle, or in time; not in a region, where it is 0."
+               : "There: lifts per segment squared, by the cam angle, or in time; not in a region, where it is "
+                 "0."},
+    };
+}
+
+Rows measured() {
+    return {
+        {"measured", "table", text, plain, any, {}, "none",
+         "A CSV file in the scene's folder (or a path from there). Its first line names the columns, in any "
+         "order: `theta_deg` or `theta_rad`, the cam angle from the start of the motion, and `s_mm`, `s_in`, "
+         "`s_m`, `s_deg` or `s_rad`; others are left alone."},
+        {"measured", "theta", numbers, angle, any, {}, "none",
+         "The angles themselves, ascending over the whole motion.", Availability::now, "table"},
+        {"measured", "s", numbers, lift, any, {}, "none", "The displacements at these angles.",
+         Availability::now, "table"},
+        {"measured", "use", text, plain, any, {"compare", "start"}, "\"compare\"",
+         "`\"compare\"`: what the optimum gains over it. `\"start\"`: searches begin from it, too."},
+        {"measured", "name", text, plain, any, {}, "the file's", "What reports call it."},
     };
 }
 
@@ -206,9 +252,10 @@ namespace {
 
 Rows all_rows() {
     Rows all;
-    for (const Rows& part :
-         {top_level(), motion(), spline(), objective(), dimension_weight_rows(), reference(), cam_rows(),
-          rows_of_kinds(), force_rows(), limits(), drawing_rows(), solver()})
+    for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
+                             set_points("motion.segments.via", "segment"), measured(), spline(), objective(),
+                             dimension_weight_rows(), reference(), cam_rows(), rows_of_kinds(), force_rows(),
+                             limits(), drawing_rows(), solver()})
         all.insert(all.end(), part.begin(), part.end());
     for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
     return all;

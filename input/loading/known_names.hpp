@@ -10,7 +10,10 @@ namespace camopt {
 
 [[nodiscard]] inline input::KnownNames known_names() {
     input::KnownNames known;
-    for (const LawInfo& law : law_catalogue()) known.laws.push_back(law.key);
+    for (const LawInfo& law : law_catalogue()) {
+        known.laws.push_back(law.key);
+        if (!law.rests) known.moving_laws.push_back(law.key);
+    }
     for (const SolverEntry& solver : solver_entries()) known.solvers.push_back(solver.name);
     return known;
 }

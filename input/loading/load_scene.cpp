@@ -11,8 +11,11 @@ Scene load_scene(const std::filesystem::path& file, std::span<const std::string>
     return scene;
 }
 
-Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings, std::string_view name) {
-    Scene scene = input::read_scene(toml, name, known_names(), settings);
+Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings, std::string_view name,
+                    const std::optional<std::filesystem::path>& folder) {
+    input::KnownNames known = known_names();
+    known.folder = folder;
+    Scene scene = input::read_scene(toml, name, known, settings);
     complete_mechanism(scene);
     return scene;
 }

@@ -17,8 +17,10 @@ namespace camopt {
 /// "FILE:LINE:COLUMN: key: found …; allowed: …".
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings = {});
 
-/// The same of a text; `name` stands in the place of FILE.
+/// The same of a text; `name` stands in the place of FILE. It may name a table (measured.table) only where a
+/// `folder` to look in is given.
 [[nodiscard]] Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings = {},
-                                  std::string_view name = "scene");
+                                  std::string_view name = "scene",
+                                  const std::optional<std::filesystem::path>& folder = {});
 
 }  // namespace camopt

@@ -40,6 +40,8 @@ struct LawInfo {
     /// Highest derivative (up to 4) that is continuous everywhere, the joints at x = 0 and x = 1 included.
     int continuity = 0;
     TopEnd top = TopEnd::dwell;
+    /// Its ends rest (y' = 0). One whose ends move stands in programs only, between splines.
+    bool rests = true;
     std::vector<LawParameter> parameters;
 };
 

@@ -171,6 +171,14 @@ std::unique_ptr<Law> one_dwell_modified_trapezoid() {
     return make_one_dwell_modified_trapezoid(0.125);
 }
 
+/// y = x. Its ends do not rest: it stands in programs only, between splines that take its velocity.
+std::unique_ptr<Law> constant_velocity() {
+    LawInfo info =
+        make_info("constant_velocity", "Constant velocity (programs only: its ends move)", kHandbook, 0);
+    info.rests = false;
+    return polynomial(std::move(info), {0, 1});
+}
+
 template <auto Maker>
 std::unique_ptr<Law> asymmetric() {
     return make_asymmetric(Maker(), kCatalogueSplit);
@@ -201,7 +209,8 @@ constexpr std::array kMakers{&parabolic,
                              &one_dwell_modified_trapezoid,
                              &make_one_dwell_cycloidal,
                              &make_one_dwell_polynomial_345,
-                             &make_one_dwell_polynomial_3456};
+                             &make_one_dwell_polynomial_3456,
+                             &constant_velocity};
 
 using Laws = OpenRegistry<LawInfo, LawMaker>;
 

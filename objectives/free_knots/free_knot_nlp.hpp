@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/nlp.hpp"
+#include "objectives/hessian_slots.hpp"
 #include "objectives/model.hpp"
 #include "splines/free_knot_energy.hpp"
 #include "splines/free_knot_form.hpp"
@@ -100,7 +101,7 @@ class FreeKnotNlp final : public Nlp {
     Eigen::VectorXd scale_, linear_cost_;
     std::vector<RmsTerm> rms_;
     /// Where each contribution to the Hessian goes, in the order hessian() visits them.
-    std::vector<int> hessian_slots_;
+    HessianSlots hessian_slots_;
 };
 
 }  // namespace camopt

@@ -60,16 +60,7 @@ void FreeKnotNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
 }
 
 void FreeKnotNlp::fix_patterns() {
-    std::map<std::pair<int, int>, int> slots;
-    const auto claim = [&](int row, int column) {
-        const std::pair<int, int> place{std::max(row, column), std::min(row, column)};
-        const auto [found, fresh] = slots.try_emplace(place, static_cast<int>(slots.size()));
-        if (fresh) {
-            shape_.hessian.rows.push_back(place.first);
-            shape_.hessian.columns.push_back(place.second);
-        }
-        hessian_slots_.push_back(found->second);
-    };
+    const auto claim = [&](int row, int column) { hessian_slots_.claim(shape_.hessian, row, column); };
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
         const Row& row = rows_[static_cast<std::size_t>(i)];
         for (const int column : row.columns) {
@@ -102,8 +93,7 @@ void FreeKnotNlp::fix_patterns() {
 void FreeKnotNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
                           std::span<double> out) const {
     std::ranges::fill(out, 0.0);
-    std::size_t next = 0;
-    const auto add = [&](double value) { out[static_cast<std::size_t>(hessian_slots_[next++])] += value; };
+    auto add = hessian_slots_.into(out);
     const Eigen::VectorXd own = physical(x);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[i];

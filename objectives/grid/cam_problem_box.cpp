@@ -34,6 +34,23 @@ double smallest_stretch_factor(const CamModel& model, int order) {
     return smallest;
 }
 
+/// Bounds of y' and y'' where only those of higher derivatives are known, from that of y. Divided differences
+/// of y over a spline stretch of length l are y' and y''/2 at some of its places, so that
+/// |y'| <= 2 B_0 / l + l B_2 and |y''| <= 16 B_0 / l² + l B_3.
+void bound_lower_derivatives(const MotionFamily& family, std::array<double, 4>& sup) {
+    double slope = 0.0, bend = 0.0;  // the largest over the splines
+    for (const MotionFamily::Stretch& stretch : family.stretches()) {
+        if (stretch.kind != StretchRequest::Kind::spline) continue;
+        const double length = stretch.end - stretch.begin;
+        const double own = std::min(sup[2], 16.0 * sup[0] / (length * length) + length * sup[3]);
+        bend = std::max(bend, own);
+        slope = std::max(slope, 2.0 * sup[0] / length + length * own);
+    }
+    if (!(slope > 0.0)) return;  // nothing but laws and dwells
+    sup[2] = std::min(sup[2], bend);
+    sup[1] = std::min(sup[1], slope);
+}
+
 }  // namespace
 
 /// What a curve of at most the incumbent's cost cannot exceed: parameters, and with them derivatives.
@@ -73,6 +90,7 @@ CamProblem::SupportedBounds CamProblem::supported_bounds(double incumbent, doubl
         const double normalised = known.parameters[p] * parameter.reference;
         bound = std::min(bound, normalised * largest_stretch_factor(model, parameter.order));
     }
+    bound_lower_derivatives(model.design, known.sup);
     return known;
 }
 
@@ -83,7 +101,7 @@ Box CamProblem::box(double incumbent, double relaxation) const {
     Box box;
     box.upper = Eigen::VectorXd::Constant(grid_->shape().variables(), infinity);
     // Displacements at joints lie within what the velocity allows from the known beginning.
-    const double reach = known.sup[1] * (family.end() - family.begin());
+    const double reach = std::min(known.sup[0], known.sup[1] * (family.end() - family.begin()));
     const std::array<double, 3> joint_bound = {reach, known.sup[1], known.sup[2]};
     for (int entry = family.first_joint_entry(); entry < family.size(); ++entry) {
         box.upper[entry] = joint_bound[family.order(entry)];

@@ -194,16 +194,7 @@ void GridNlp::fix_patterns() {
             shape_.jacobian.columns.push_back(column);
         }
     }
-    std::map<std::pair<int, int>, int> slots;
-    const auto claim = [&](int row, int column) {
-        const std::pair<int, int> place{std::max(row, column), std::min(row, column)};
-        const auto [found, fresh] = slots.try_emplace(place, static_cast<int>(slots.size()));
-        if (fresh) {
-            shape_.hessian.rows.push_back(place.first);
-            shape_.hessian.columns.push_back(place.second);
-        }
-        hessian_slots_.push_back(found->second);
-    };
+    const auto claim = [&](int row, int column) { hessian_slots_.claim(shape_.hessian, row, column); };
     for (const RmsTerm& term : rms_) {
         visit_lower(term.form.matrix, [&](int row, int column, double) { claim(row, column); });
         for (int j = 0; j < design_size(); ++j) claim(term.variable, j);
@@ -281,8 +272,7 @@ void GridNlp::jacobian(const ConstVectorRef& x, std::span<double> out) const {
 void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
                       std::span<double> out) const {
     std::ranges::fill(out, 0.0);
-    std::size_t next = 0;
-    const auto add = [&](double value) { out[hessian_slots_[next++]] += value; };
+    auto add = hessian_slots_.into(out);
     const Eigen::VectorXd design = x.head(design_size());
     for (const RmsTerm& term : rms_) {
         const double q = x[term.variable];

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/nlp.hpp"
+#include "objectives/hessian_slots.hpp"
 #include "objectives/model.hpp"
 #include "splines/gram.hpp"
 
@@ -71,7 +72,7 @@ class GridNlp final : public Nlp {
     std::vector<RmsTerm> rms_;
     std::optional<QuadraticForm> energy_;
     /// Where each contribution to the Hessian goes, in the order hessian() visits them.
-    std::vector<int> hessian_slots_;
+    HessianSlots hessian_slots_;
 };
 
 /// Unit of variable `index`: x_physical = scale · x.

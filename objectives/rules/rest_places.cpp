@@ -2,6 +2,7 @@
 #include "objectives/rules/rest_places.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +47,8 @@ std::vector<double> rest_places(const Scene& scene) {
         places = {0.0, motion.length()};
         if (motion.type == MotionType::rr) places.push_back(1.0);
     }
-    for (const SetPoint& via : motion.via)
-        if (via.velocity && *via.velocity == 0.0) places.push_back(via.at);
+    for (const PlacedPoint& point : placed_points(motion))
+        if (point.wanted[1] && *point.wanted[1] == 0.0) places.insert(places.end(), {point.begin, point.end});
     std::ranges::sort(places);
     const auto repeated = std::ranges::unique(places);
     places.erase(repeated.begin(), repeated.end());

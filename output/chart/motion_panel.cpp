@@ -43,10 +43,15 @@ Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
         range.lower = std::min(range.lower, content.peak->value);
         range.upper = std::max(range.upper, content.peak->value);
     }
-    if (content.reference) {
-        const ValueRange other = value_range(*content.reference, content.order);
+    for (const Motion* beside : {content.reference, content.measured}) {
+        if (!beside) continue;
+        const ValueRange other = value_range(*beside, content.order);
         range.lower = std::min(range.lower, other.lower);
         range.upper = std::max(range.upper, other.upper);
+    }
+    for (const PanelMark& mark : content.marks) {
+        range.lower = std::min(range.lower, mark.value);
+        range.upper = std::max(range.upper, mark.value);
     }
     if (content.limit && content.limit->normalised <= limit_in_sight * std::max(range.upper, -range.lower)) {
         range.upper = std::max(range.upper, content.limit->normalised);
@@ -146,6 +151,17 @@ void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content)
     canvas.text(label_x, above ? y - 9 : y + 19, content.peak_words, anchor);
 }
 
+/// A set point as an open square, a region as a thick line between two of them.
+void draw_marks(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
+    constexpr double half = 4.0;
+    for (const PanelMark& mark : content.marks) {
+        const double y = plot.y(mark.value);
+        if (mark.end > mark.x) canvas.line(plot.x(mark.x), y, plot.x(mark.end), y, "set-region");
+        for (const double x : {mark.x, mark.end})
+            canvas.rectangle(plot.x(x) - half, y - half, 2.0 * half, 2.0 * half, "set-point");
+    }
+}
+
 }  // namespace
 
 std::string_view panel_style() {
@@ -155,6 +171,9 @@ std::string_view panel_style() {
            ".breakpoint{stroke:#9a9a9a;stroke-width:1}"
            ".optimum{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
            ".reference{fill:none;stroke:#6b6b6b;stroke-width:1.5;stroke-dasharray:6 4}"
+           ".measured{fill:none;stroke:#009e73;stroke-width:1.5;stroke-dasharray:2 2.5}"
+           ".set-point{fill:#fff;stroke:#d55e00;stroke-width:1.8}"
+           ".set-region{stroke:#d55e00;stroke-width:5;stroke-opacity:.35}"
            ".limit{stroke:#c81e1e;stroke-width:1.6;stroke-dasharray:1.6 4;stroke-linecap:round}"
            ".limit-label{font-size:11.5px;fill:#c81e1e;paint-order:stroke;stroke:#fff;stroke-width:4px}"
            ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
@@ -169,8 +188,10 @@ void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& 
     draw_segments(canvas, plot, content);
     draw_value_axes(canvas, plot, content);
     canvas.rectangle(frame.left, frame.top, frame.width, frame.height, "frame");
+    if (content.measured) canvas.path(curve_path(*content.measured, content.order, map), "measured");
     if (content.reference) canvas.path(curve_path(*content.reference, content.order, map), "reference");
     canvas.path(curve_path(*content.optimum, content.order, map), "optimum");
+    draw_marks(canvas, plot, content);
     draw_limit(canvas, plot, content);
     draw_peak(canvas, plot, content);
     // Both captions in a line where they fit.

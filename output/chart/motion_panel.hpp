@@ -29,10 +29,17 @@ struct PanelSegment {
     std::string title;              ///< empty: none in this panel
 };
 
+/// A value that the motion must have at x, or from x on to `end`.
+struct PanelMark {
+    double x = 0.0, end = 0.0, value = 0.0;
+};
+
 struct PanelContent {
     int order = 0;  ///< which derivative
     const Motion* optimum = nullptr;
     const Motion* reference = nullptr;   ///< none: not drawn
+    const Motion* measured = nullptr;    ///< none: not drawn
+    std::vector<PanelMark> marks;        ///< set points
     std::string caption, caption_right;  ///< above the area: what it is, and how it compares
     double factor = 1.0;                 ///< shown value = factor · normalised, for the left axis
     std::string unit;                    ///< of the left axis

@@ -13,6 +13,7 @@
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -55,12 +56,16 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
 void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical = row.first_text(5);
+    const std::string physical = row.first_text(5), beside = row.beside_text(5);
     const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
-    if (const std::string beside = row.beside_text(5); !beside.empty())
-        content.caption += fmt::format(", peak {} by the cam angle", beside);
     const bool program = !picture.solution.segments.empty();
-    content.peak_words = program ? physical : physical + " · " + normalised;
+    if (program)
+        content.peak_words = beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
+    else if (picture.shown.in_time)
+        content.peak_words = physical + " · " + normalised;
+    else
+        content.peak_words = normalised + " · " + physical;
+    if (!program && !beside.empty()) content.caption += fmt::format(" (peak {})", beside);
     if (program) content.caption_right = normalised + " of the spline segments";
     if (!row.reference) return;
     content.caption_right += fmt::format(
@@ -85,6 +90,15 @@ std::vector<PanelSegment> panel_segments(const Solution& solution, bool titles) 
     return all;
 }
 
+std::vector<PanelMark> panel_marks(const Solution& solution, std::size_t order) {
+    std::vector<PanelMark> marks;
+    for (const PlacedPoint& point : placed_points(solution.scene.motion)) {
+        if (!point.wanted[order]) continue;
+        marks.push_back({point.begin, order == 1 ? point.end : point.begin, *point.wanted[order]});
+    }
+    return marks;
+}
+
 PanelContent panel_content(const Picture& picture, int order) {
     static constexpr std::array<const char*, 4> captions = {"Displacement", "Velocity", "Acceleration",
                                                             "Jerk"};
@@ -93,6 +107,8 @@ PanelContent panel_content(const Picture& picture, int order) {
     content.order = order;
     content.optimum = picture.solution.motion.get();
     content.reference = picture.reference.motion.get();
+    if (picture.solution.measured) content.measured = picture.solution.measured->motion.get();
+    if (order < 3) content.marks = panel_marks(picture.solution, index);
     const MotionUnit& unit = picture.shown.motion[index].first;
     content.caption = fmt::format("{} {}", captions[index], unit.symbol);
     content.factor = unit.per_normalised;
@@ -120,6 +136,7 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     };
     entry("optimum", "this motion");
     if (picture.reference.motion) entry("reference", picture.reference.title);
+    if (picture.solution.measured) entry("measured", "measured");
     const LimitSpec& limits = picture.solution.scene.limits;
     if (std::ranges::any_of(peak_limit_rows(),
                             [&](const PeakLimitRow& row) { return row.in(limits).has_value(); }))
@@ -127,6 +144,11 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
     canvas.circle(x + 4, y - 4, 4, "peak");
     canvas.text(x + 15, y, "peak", "subtitle");
     x += 70;
+    if (!placed_points(picture.solution.scene.motion).empty()) {
+        canvas.rectangle(x, y - 8, 8, 8, "set-point");
+        canvas.text(x + 15, y, "set points", "subtitle");
+        x += 96;
+    }
     if (!picture.solution.segments.empty()) {
         canvas.line(x, y - 11, x, y + 3, "segment");
         canvas.text(x + 8, y, "segments", "subtitle");

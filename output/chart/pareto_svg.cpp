@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/pareto_svg.hpp"
 
-#include "output/chart/sweep/sweep_html.hpp"
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "output/words/number_text.hpp"
@@ -273,34 +272,6 @@ std::string pareto_svg(const ParetoPicture& picture) {
         ++panels;
     }
     return canvas.finish();
-}
-
-std::string pareto_html(const ParetoPicture& picture) {
-    const ParetoFront& front = picture.front;
-    PictureTable table;
-    table.heads = {
-        "point", goal_title(picture, 0), goal_title(picture, 1), "V", "A", "J", "verdict", "gap", "end",
-        "solve"};
-    for (const FrontPoint* point : tabulated_points(front)) {
-        std::vector<std::string> cells = {point->place >= 0 ? std::to_string(point->place) : ""};
-        const bool feasible = point->is_feasible();
-        const auto cell = [&](double value) {
-            cells.push_back(feasible ? fmt::format("{:.8g}", value) : "");
-        };
-        cell(shown(picture, *point, 0));
-        cell(shown(picture, *point, 1));
-        const Peaks& peaks = point->solution.peaks;
-        for (const Extremum& peak : {peaks.velocity, peaks.acceleration, peaks.jerk}) cell(peak.value);
-        const Certificate& certificate = point->solution.certificate;
-        cells.emplace_back(name_of(certificate.verdict));
-        cells.push_back(certificate.gap ? fmt::format("{:.1e}", *certificate.gap) : "");
-        cells.emplace_back(name_of(point->end));
-        cells.push_back(std::to_string(point->number));
-        table.rows.push_back(std::move(cells));
-        table.numbers.push_back(point->number);
-    }
-    return picture_page(picture.scene.title.empty() ? "Front" : picture.scene.title, pareto_svg(picture),
-                        table);
 }
 
 std::string pareto_text(const ParetoPicture& picture) {

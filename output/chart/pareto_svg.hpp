@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pareto.svg and pareto.html: a front of two goals, the laws beside it, the limit that no curve can pass, and
+// pareto.svg: a front of two goals, the laws beside it, the limit that no curve can pass, and
 // what the other peaks come to along it. pareto_text: the same in a few lines for people.
 #pragma once
 
@@ -17,7 +17,6 @@ struct ParetoPicture {
 };
 
 [[nodiscard]] std::string pareto_svg(const ParetoPicture& picture);
-[[nodiscard]] std::string pareto_html(const ParetoPicture& picture);
 [[nodiscard]] std::string pareto_text(const ParetoPicture& picture);
 
 }  // namespace camopt

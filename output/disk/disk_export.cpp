@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/disk/disk_solid.hpp"
-#include "output/nc/plane_cutter_path.hpp"
+#include "output/nc/milling/plane_passes.hpp"
 
 #include <fmt/format.h>
 
@@ -66,18 +66,27 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     job.blank = blank_of(shape, options);
     job.clearance = options.clearance;
     job.safe_distance = options.safe_distance;
+    set_words(job, options.milling);
 
     CuttingTask& task = work.task;
     const PlaneContour around = [&shape](double theta) {
         const ProfilePoint point = shape.at(theta);
         return ContourPoint{point.contact, point.normal};
     };
-    task.passes = {
-        {"around the cam", plane_cutter_path(around, {options.cutter_diameter, options.stock, -depth})}};
+    task.finished = plane_finished_cam({around, shape.knots});
+    PlanePasses milled = plane_passes({around,
+                                       shape.knots,
+                                       {options.cutter_diameter, options.stock, -depth},
+                                       job.blank,
+                                       options.safe_distance,
+                                       options.chord_tolerance,
+                                       task.finished.get(),
+                                       options.milling});
+    task.passes = std::move(milled.passes);
+    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
     task.knots = shape.knots;
     task.blocks.chord_tolerance = options.chord_tolerance;
     task.cutter = {options.cutter_diameter, depth};
-    task.finished = plane_finished_cam({around, shape.knots});
     task.gouge_tolerance = options.gouge_tolerance;
     WantedSurface surface{"the cam's contour", {}};
     for (const Eigen::Vector2d& point : contour(shape, checked_points))

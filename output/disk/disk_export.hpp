@@ -6,6 +6,7 @@
 
 #include "output/drawing/profile_shape.hpp"
 #include "output/nc/checked_program.hpp"
+#include "output/nc/milling/milling_choice.hpp"
 
 #include <string>
 
@@ -23,6 +24,7 @@ struct DiskNcOptions {
     BlankChoice blank;               ///< allowance: around the cam; its faces are those of the cam
     double clearance = 0.02;         ///< m: of the clearance plane above the blank
     double safe_distance = 2e-3;     ///< m: rapids keep so far from the blank
+    MillingChoice milling;
     std::string title = "cam";
 };
 

@@ -5,6 +5,7 @@
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/segment_json.hpp"
+#include "output/json/verdict_json.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/display_scale.hpp"
 
@@ -74,12 +75,7 @@ std::string comparison_json(const Comparison& comparison, const RunOrigin& origi
     json["scene"] = words_json(origin.scene_file);
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
-    json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(name_of(certificate.reason));
-    json["objective"] = number_json(certificate.objective);
-    json["bound"] = {{"lower", number_json(certificate.lower_bound)},
-                     {"gap", number_json(certificate.gap)},
-                     {"proof", name_of(certificate.proof_kind)}};
+    add_verdict(json, certificate);
     json["dimensions"] = dimensions_json(comparison);
     const ComparisonRow* best = best_law(comparison);
     json["best_law"] = best ? Json(best->key) : Json(nullptr);

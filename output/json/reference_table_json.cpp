@@ -3,6 +3,7 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
+#include "output/json/verdict_json.hpp"
 #include "output/words/tables/reference_table_rows.hpp"
 
 namespace camopt {
@@ -28,12 +29,7 @@ Json limit_json(const LimitCurve& limit) {
 Json solution_json(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     Json json;
-    json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(name_of(certificate.reason));
-    json["objective"] = number_json(certificate.objective);
-    json["bound"] = {{"lower", number_json(certificate.lower_bound)},
-                     {"gap", number_json(certificate.gap)},
-                     {"proof", name_of(certificate.proof_kind)}};
+    add_verdict(json, certificate);
     json["peaks"] = nullptr;
     if (solution.curve) {
         json["peaks"] = {{"velocity", extremum_json(solution.peaks.velocity)},

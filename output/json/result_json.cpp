@@ -6,9 +6,11 @@
 #include "output/json/json_text.hpp"
 #include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
+#include "output/json/verdict_json.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/shown_units.hpp"
 #include "scene/cost_table.hpp"
+#include "studies/delivered/set_point_reports.hpp"
 
 #include <optional>
 #include <string_view>
@@ -17,14 +19,10 @@ namespace camopt {
 
 namespace {
 
-Json bound_json(const Solution& solution) {
-    const Certificate& certificate = solution.certificate;
-    return {{"lower", number_json(certificate.lower_bound)},
-            {"gap", number_json(certificate.gap)},
-            {"proof", name_of(certificate.proof_kind)},
-            {"any_curve_limit",
-             solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr)},
-            {"source", words_json(solution.solver.proof_source)}};
+void add_proof_of_any_curve(Json& bound, const Solution& solution) {
+    bound["any_curve_limit"] =
+        solution.any_curve_limit ? number_json(solution.any_curve_limit->objective) : Json(nullptr);
+    bound["source"] = words_json(solution.solver.proof_source);
 }
 
 /// The peaks in the units of the drawing, named like the columns of motion.csv.
@@ -55,6 +53,44 @@ Json reference_json(const Solution& solution) {
     Json json = {{"law", reference.numeric ? Json(nullptr) : Json(reference.law)}};
     for (const CostTerm& term : cost_terms()) json[term.name()] = used(term.measured.of(peaks));
     return json;
+}
+
+/// Numbers that the scene wants at a place or along a region, in the units they were written in.
+Json set_points_json(const Solution& solution) {
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json list = Json::array();
+    for (const SetPointReport& report :
+         set_point_reports(solution.scene.motion, solution.scene.spline.degree, *solution.motion)) {
+        const bool region = report.point.is_region();
+        list.push_back(
+            {{"key", report.key},
+             {"wanted", number_json(report.wanted)},
+             {"found", number_json(report.found)},
+             {"unit", report.unit},
+             {"from_deg", number_json(report.point.begin * degrees_per_x)},
+             {"to_deg", number_json((region ? report.point.end : report.point.begin) * degrees_per_x)},
+             {"at_deg", number_json(report.at * degrees_per_x)}});
+    }
+    return list;
+}
+
+/// A measured motion as a spline: its error, and what the optimum gains over it.
+Json measured_json(const Solution& solution) {
+    const MeasuredReport& measured = *solution.measured;
+    const DisplayScale scale = display_scale(solution.scene.motion);
+    const std::string unit = solution.scene.motion.lift_is_angle ? "deg" : "mm";
+    const double objective = solution.certificate.objective;
+    const bool gains = measured.objective && solution.motion && *measured.objective > 0.0;
+    return {{"name", words_json(measured.name)},
+            {"rows", measured.rows},
+            {"largest_error_" + unit, number_json(measured.largest_error * scale.by_angle.factor[0])},
+            {"rms_error_" + unit, number_json(measured.rms_error * scale.by_angle.factor[0])},
+            {"at_deg", number_json(measured.at * scale.degrees_per_x)},
+            {"peaks", peaks_json(measured.peaks)},
+            {"objective", number_json(measured.objective)},
+            {"gain_percent",
+             gains ? number_json(100.0 * (1.0 - objective / *measured.objective)) : Json(nullptr)},
+            {"started", measured.started}};
 }
 
 Json constraints_json(const Solution& solution) {
@@ -151,10 +187,8 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["scene"] = words_json(origin.scene_file);
     json["title"] = words_json(solution.scene.title);
     json["command"] = words_json(origin.command);
-    json["verdict"] = name_of(certificate.verdict);
-    json["reason"] = words_json(name_of(certificate.reason));
-    json["objective"] = number_json(certificate.objective);
-    json["bound"] = bound_json(solution);
+    add_verdict(json, certificate);
+    add_proof_of_any_curve(json["bound"], solution);
     json["peaks"] = peaks_json(solution.motion ? std::optional(solution.peaks) : std::nullopt);
     json["physical_peaks"] = physical_peaks_json(solution);
     json["reference"] = reference_json(solution);
@@ -162,6 +196,9 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
     json["constraints"] = constraints_json(solution);
+    if (solution.motion && !placed_points(solution.scene.motion).empty())
+        json["set_points"] = set_points_json(solution);
+    if (solution.measured) json["measured"] = measured_json(solution);
     if (certificate.verdict == Verdict::infeasible || !solution.relaxation.empty())
         json["relaxation"] = relaxation_json(solution.relaxation);
     if (solution.explanation) json["explanation"] = explanation_json(*solution.explanation);

@@ -45,6 +45,7 @@ StoredSweep sweep_of(const Json& json) {
     json.at("keys").get_to(identity.columns.keys);
     identity.columns.dimensions = dimensions_of(json.at("dimensions"));
     json.at("criteria").get_to(identity.columns.criteria);
+    if (json.at("length_unit") == name_of(LengthUnit::inch)) identity.columns.length_unit = LengthUnit::inch;
     json.at("scene_text").get_to(identity.scene_text);
     json.at("shard").at("index").get_to(sweep.shard.index);
     json.at("shard").at("count").get_to(sweep.shard.count);
@@ -79,6 +80,7 @@ std::string sweep_json(const StoredSweep& sweep) {
                        {"keys", identity.columns.keys},
                        {"dimensions", names_json(identity.columns.dimensions)},
                        {"criteria", identity.columns.criteria},
+                       {"length_unit", name_of(identity.columns.length_unit)},
                        {"scene_text", identity.scene_text}};
     return json_text(json);
 }

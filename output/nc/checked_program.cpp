@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/nc/path/cutter_compensation.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,82 @@ std::string mm(double metres) {
     return fmt::format("{:.3g} mm", metres / units::millimetre);
 }
 
+/// Without the first rapids, before every axis has a value.
+std::vector<NcMove> known_moves(std::span<const NcMove> moves) {
+    std::vector<NcMove> known;
+    for (const NcMove& move : moves)
+        if (move.values.allFinite()) known.push_back(move);
+    return known;
+}
+
+std::vector<SurfaceFinding> surface_findings(const std::vector<NcMove>& moves, const Machine& machine,
+                                             const CuttingTask& task) {
+    std::vector<SurfaceFinding> findings;
+    for (const WantedSurface& surface : task.surfaces)
+        findings.push_back({surface.name, check_surface(moves, machine, task.cutter, surface.points)});
+    return findings;
+}
+
+/// One pass of the task as poses, and what its check wants of it.
+NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task,
+                    double& deviation) {
+    BlockOptions options = task.blocks;
+    options.chord_tolerance = cut.chord_tolerance.value_or(options.chord_tolerance);
+    const BlockAngles blocks =
+        block_angles(cut.path, machine, cut.knots.empty() ? task.knots : cut.knots, options);
+    if (!cut.roughs) deviation = std::max(deviation, blocks.chord_deviation);
+    NcPass pass{cut.name, cut.in.poses, {}, cut.compensation};
+    const auto arc_to_next = [&](const std::optional<MoveArc>& arc) {
+        if (arc) pass.arcs.push_back({pass.poses.size(), arc->center, arc->clockwise});
+    };
+    arc_to_next(cut.in.arc);
+    for (const double theta : blocks.theta)
+        if (!cut.keep || cut.keep(theta)) pass.poses.push_back(cut.path(theta));
+    arc_to_next(cut.out.arc);
+    pass.poses.insert(pass.poses.end(), cut.out.poses.begin(), cut.out.poses.end());
+    return pass;
+}
+
+/// Moves of each pass, from the first feed to the last.
+std::vector<std::span<const NcMove>> passes_of(std::span<const NcMove> moves) {
+    std::vector<std::span<const NcMove>> passes;
+    for (std::size_t i = 0; i < moves.size();) {
+        std::size_t end = i;
+        while (end < moves.size() && !moves[end].rapid) ++end;
+        if (end > i) passes.push_back(moves.subspan(i, end - i));
+        i = std::max(end, i + 1);
+    }
+    return passes;
+}
+
+/// By the numbers of poses that lead in and out; the last block of a pass is the way out along the tool.
+std::vector<FlankBlocks> flank_blocks(std::span<const NcMove> moves, const CuttingTask& task) {
+    std::vector<FlankBlocks> result;
+    const auto passes = passes_of(moves);
+    for (std::size_t p = 0; p < passes.size() && p < task.passes.size(); ++p) {
+        const CuttingPass& cut = task.passes[p];
+        const std::size_t first = cut.in.poses.size() + 1, after = cut.out.poses.size() + 1;
+        if (!cut.climbs || first + after >= passes[p].size()) continue;
+        result.push_back({passes[p][first].line, passes[p][passes[p].size() - after - 1].line, *cut.climbs});
+    }
+    return result;
+}
+
+/// Roughing passes come first.
+std::span<const NcMove> roughing_moves(std::span<const NcMove> moves, const CuttingTask& task) {
+    const auto roughs = static_cast<std::size_t>(std::ranges::count_if(task.passes, &CuttingPass::roughs));
+    const auto passes = passes_of(moves);
+    if (roughs == 0 || roughs >= passes.size()) return {};
+    return moves.first(static_cast<std::size_t>(passes[roughs].data() - moves.data()));
+}
+
+std::string spindle_fault(const NcWords& words, SpindleSense spindle) {
+    const bool clockwise = spindle == SpindleSense::clockwise;
+    if (!(clockwise ? words.counterclockwise : words.clockwise)) return {};
+    return clockwise ? "the program turns the spindle counterclockwise (M4), wanted is clockwise (M3)"
+                     : "the program turns the spindle clockwise (M3), wanted is counterclockwise (M4)";
+}
+
 }  // namespace
 
 std::string CheckedProgram::fault() const {
@@ -28,21 +105,21 @@ std::string CheckedProgram::fault() const {
     if (!poses.within_rounding)
         return fmt::format("line {}: WRONG: a block is farther off than the printed digits explain",
                            poses.line);
-    return {};
+    if (!direction.fault.empty()) return direction.fault;
+    return spindle_fault;
 }
 
 CheckedProgram checked_program(const Machine& machine, const PostProcessor& post, NcWork work) {
     CheckedProgram result;
     work.job.passes.clear();
+    work.job.cutter_diameter = work.task.cutter.diameter;
     for (const CuttingPass& cut : work.task.passes) {
-        const BlockAngles blocks = block_angles(cut.path, machine, work.task.knots, work.task.blocks);
-        result.chord_deviation = std::max(result.chord_deviation, blocks.chord_deviation);
-        NcPass pass{cut.name, {}};
-        for (const double theta : blocks.theta) pass.poses.push_back(cut.path(theta));
-        result.wanted.insert(result.wanted.end(), pass.poses.begin(), pass.poses.end());
-        work.job.passes.push_back(std::move(pass));
+        work.job.passes.push_back(printed_pass(cut, machine, work.task, result.chord_deviation));
+        const std::vector<ToolPose>& poses = work.job.passes.back().poses;
+        result.wanted.insert(result.wanted.end(), poses.begin(), poses.end());
     }
     result.program = nc_program(machine, post, work.job);
+    result.missing = missing_words(post, work.job);
     verify(result, machine, post, work);
     return result;
 }
@@ -53,19 +130,30 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
         throw InputError(fmt::format("NC check: the allowed gouge must be > 0 mm, found {:g}",
                                      task.gouge_tolerance / units::millimetre));
     const std::string& text = program.program.text;
-    const std::vector<NcMove> moves = read_nc_text(text, machine, post);
-    program.poses = check_poses(moves, machine, post, program.wanted);
+    const std::vector<NcMove> printed = read_nc_travel(text, machine, post);
+    const std::vector<NcMove> moves = compensated(printed, 0.5 * task.cutter.diameter);
+    program.poses = check_poses(known_moves(printed), machine, post, program.wanted);
     program.least_distance =
         work.job.safe_distance - half_last_digit(post, AxisKind::linear) - kinematics_rounding;
     program.most_depth = task.gouge_tolerance + task.blocks.chord_tolerance + program.poses.tip_rounding +
                          program.poses.axis_rounding * task.blocks.working_length;
-    program.travel = check_travel(read_nc_travel(text, machine, post), machine,
-                                  {work.job.blank, 0.5 * task.cutter.diameter, task.finished.get(),
-                                   program.least_distance, program.most_depth});
-    program.surfaces.clear();
-    for (const WantedSurface& surface : task.surfaces)
-        program.surfaces.push_back(
-            {surface.name, check_surface(moves, machine, task.cutter, surface.points)});
+    NcTravelTask travel{work.job.blank,
+                        0.5 * task.cutter.diameter,
+                        task.finished.get(),
+                        program.least_distance,
+                        program.most_depth,
+                        false,
+                        {}};
+    travel.rapids_above = machine.axes().size() == 3;
+    for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
+    program.travel = check_travel(moves, machine, travel);
+    program.direction =
+        check_direction(moves, machine, *task.finished, work.job.spindle, flank_blocks(printed, task));
+    program.spindle_fault = spindle_fault(read_nc_words(text, machine, post), work.job.spindle);
+    program.surfaces = surface_findings(known_moves(moves), machine, task);
+    program.roughed.clear();
+    const std::span<const NcMove> rough = roughing_moves(moves, task);
+    if (!rough.empty()) program.roughed = surface_findings(known_moves(rough), machine, task);
 }
 
 std::string nc_check_text(const CheckedProgram& result) {
@@ -88,12 +176,21 @@ std::string nc_check_text(const CheckedProgram& result) {
             "  feeds              {}, at no point of their way more than {:.4f} mm inside the finished cam",
             result.travel.feeds, result.most_depth / units::millimetre));
     }
+    if (result.direction.climb + result.direction.conventional > 0)
+        add(fmt::format("  direction          climb in {} blocks along the flanks, conventional in {}",
+                        result.direction.climb, result.direction.conventional));
+    for (const std::string& missing : result.missing) add("  WARNING            " + missing);
     add(fault.empty() ? "  verdict            every block is where it belongs, within the printed digits"
                       : fmt::format("  verdict            REFUSED: {}", fault));
-    add("What the cutter leaves of the wanted surface (above 0: stock, below 0: gouged):");
-    for (const SurfaceFinding& surface : result.surfaces)
-        add(fmt::format("  {}: {} to {}, at {} points", surface.name, mm(surface.check.least_stock),
-                        mm(surface.check.stock), surface.check.points));
+    const auto add_surfaces = [&](const char* what, const std::vector<SurfaceFinding>& surfaces) {
+        add(what);
+        for (const SurfaceFinding& surface : surfaces)
+            add(fmt::format("  {}: {} to {}, at {} points", surface.name, mm(surface.check.least_stock),
+                            mm(surface.check.stock), surface.check.points));
+    };
+    add_surfaces("What the cutter leaves of the wanted surface (above 0: stock, below 0: gouged):",
+                 result.surfaces);
+    if (!result.roughed.empty()) add_surfaces("What roughing left of it:", result.roughed);
     return text;
 }
 

@@ -8,19 +8,37 @@
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
 #include "output/nc/nc_travel.hpp"
+#include "output/nc/path/milling_direction.hpp"
 #include "output/nc/post/post_processor.hpp"
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt {
 
+/// Into the cam or out of it, beside the blocks of the path.
+struct CuttingWay {
+    std::vector<ToolPose> poses;
+    /// Into: from its last pose to the path's first; out: from the path's last to its first. Three axes only.
+    std::optional<MoveArc> arc = {};
+};
+
 struct CuttingPass {
     std::string name;
     ToolPath path;
+    std::vector<double> knots = {};  ///< of this path; empty: the task's
+    CuttingWay in = {}, out = {};
+    std::optional<double> chord_tolerance = {};  ///< m; none: the task's
+    std::function<bool(double)> keep = {};       ///< blocks end only where it holds; empty: everywhere
+    bool roughs = false;
+    double stock = 0.0;  ///< m: what it must leave of the cam; finishing passes: 0
+    CompensationSide compensation = CompensationSide::none;
+    std::optional<bool> climbs = {};  ///< none: it has no direction (both flanks at once)
 };
 
 /// Points of the wanted surface that are reported together.
@@ -53,12 +71,15 @@ struct SurfaceFinding {
 
 struct CheckedProgram {
     NcProgram program;
+    std::vector<std::string> missing;               ///< missing_words: not a fault
     std::vector<ToolPose> wanted;                   ///< one a cutting block
     double chord_deviation = 0.0;                   ///< m, of the blocks
     NcPoseCheck poses;                              ///< of the printed text, read back
     NcTravelCheck travel;                           ///< of the same text
+    DirectionCheck direction;                       ///< likewise
+    std::string spindle_fault;                      ///< the text turns it the other way; empty: it does not
     double least_distance = 0.0, most_depth = 0.0;  ///< m: what `travel` asked for
-    std::vector<SurfaceFinding> surfaces;
+    std::vector<SurfaceFinding> surfaces, roughed;  ///< at the end; after roughing alone
 
     /// No reason not to run it; empty: none was found.
     [[nodiscard]] std::string fault() const;

@@ -29,6 +29,8 @@ class FinishedCam {
     virtual ~FinishedCam() = default;
     /// Not const: it remembers where it found the last one, moves being followed in small steps.
     [[nodiscard]] virtual double depth(const ToolPose& pose, double cutter_radius) = 0;
+    /// From the cutter's axis towards the nearest flank, unit; zero where both flanks are equally near.
+    [[nodiscard]] virtual Eigen::Vector3d towards_flank(const ToolPose& pose) = 0;
 
  protected:
     FinishedCam() = default;

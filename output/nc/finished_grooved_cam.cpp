@@ -14,7 +14,8 @@ namespace camopt {
 namespace {
 
 constexpr int least_poses = 16;
-constexpr int sections = 24;  // from a quarter of a degree down to 1e-7 rad
+constexpr double centred = 1e-6;  // m: nearer to the roller's axis a cutter has no flank of its own
+constexpr int sections = 24;      // from a quarter of a degree down to 1e-7 rad
 
 struct Line {
     Eigen::Vector3d foot, direction;  // of the roller: station 0, unit
@@ -65,7 +66,28 @@ class GroovedCam final : public FinishedCam {
         return std::min(near, anywhere);
     }
 
+    Eigen::Vector3d towards_flank(const ToolPose& pose) override {
+        // The roller on the other side of the cam points here too: its floor lies before it comes so far.
+        const auto square = [&](const Line& line) {
+            const bool beyond = (pose.tip - line.foot).dot(line.direction) > body_.floor + body_.radius;
+            return beyond ? HUGE_VAL : across(line, pose.tip).squaredNorm();
+        };
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < lines_.size(); ++i)
+            if (square(lines_[i]) < square(lines_[best])) best = i;
+        const int place = static_cast<int>(best), last = static_cast<int>(lines_.size()) - 1;
+        const GoldenSection found =
+            golden_maximum([&](double theta) { return -square(line_at(theta)); },
+                           angle(std::max(place - 1, 0)), angle(std::min(place + 1, last)), sections);
+        const Eigen::Vector3d way = across(line_at(found.place()), pose.tip);
+        return way.norm() < centred ? Eigen::Vector3d::Zero() : Eigen::Vector3d(way.normalized());
+    }
+
  private:
+    [[nodiscard]] static Eigen::Vector3d across(const Line& line, const Eigen::Vector3d& point) {
+        const Eigen::Vector3d from = point - line.foot;
+        return from - from.dot(line.direction) * line.direction;
+    }
     struct Stand {
         const ToolPose& pose;
         double radius, way;  // of the cutter; up to where it has left the blank

@@ -44,6 +44,17 @@ class PlaneCam final : public FinishedCam {
         return std::min(under, cutter_radius + error_ - distance(pose.tip.head<2>()));
     }
 
+    Eigen::Vector3d towards_flank(const ToolPose& pose) override {
+        const Eigen::Vector2d tip = pose.tip.head<2>();
+        const Edge& nearest =
+            *std::ranges::min_element(edges_, {}, [&](const Edge& edge) { return square_to(edge, tip); });
+        const Eigen::Vector2d from = tip - nearest.from;
+        const double share = std::clamp(from.dot(nearest.along) * nearest.inverse_square, 0.0, 1.0);
+        const Eigen::Vector2d way = share * nearest.along - from;
+        if (way.isZero(0.0)) return Eigen::Vector3d::Zero();
+        return {way.x() / way.norm(), way.y() / way.norm(), 0.0};
+    }
+
  private:
     void add_chord(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
         const double square = (to - from).squaredNorm();

@@ -5,7 +5,8 @@
 // Way in: rapid up to the clearance plane, rapid in that plane over the first pose, rapid down to the safe
 // distance over the blank, plunge. Way out: feed up to the safe distance over the blank, rapid up to the
 // clearance plane. The plane lies over the blank however the table stands; both heights follow from the blank
-// alone, so a program cannot have them inside. Ways in and out are along the tool.
+// alone, so a program cannot have them inside. Ways in and out are along the tool; beside the blank the
+// cutter goes down by the ordinary feed.
 // Each block is G1 with all axes; under inverse time F = 1 / minutes, the time being the longest of
 // path / feed (path of the tip in the cam) and turn / rotary speed of each rotary axis. Rotary axes run on
 // beyond a turn instead of jumping back. m, rad, s inside.
@@ -13,19 +14,35 @@
 
 #include "output/nc/blank.hpp"
 #include "output/nc/machine.hpp"
+#include "output/nc/nc_reader.hpp"
 #include "output/nc/post/post_processor.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt {
 
+/// The block that ends at a pose goes round: three axes only.
+struct NcArc {
+    std::size_t pose = 0;                 ///< > 0: where it ends
+    Eigen::Vector2d center = {0.0, 0.0};  ///< m, cam frame
+    bool clockwise = false;               ///< seen along the tool
+};
+
 struct NcPass {
     std::string name;
     std::vector<ToolPose> poses;  ///< at least one
+    std::vector<NcArc> arcs = {};
+    /// The words G41 or G42 from the first block on, G40 in the last: the poses are the cutter's edge, the
+    /// control keeps its centre off. Three axes only; at least three poses, no arcs at either end.
+    CompensationSide compensation = CompensationSide::none;
 };
+
+/// Which way the spindle turns, seen from it down onto the work: M3, M4.
+enum class SpindleSense { clockwise, counterclockwise };
 
 struct NcJob {
     std::string title, tool;           ///< of the program; what the cutter is, in words
@@ -38,9 +55,17 @@ struct NcJob {
     double clearance = 0.02;           ///< m, >= safe_distance: of the clearance plane, above the blank
     double safe_distance = 2e-3;       ///< m, > 0: rapids keep so far from the blank
     double spindle_rpm = 0.0;          ///< rev/min, >= 0; 0: no word for the spindle
+    SpindleSense spindle = SpindleSense::clockwise;
+    std::optional<int> tool_number = {};  ///< 1 … 9999; none: no tool call
+    int compensation_register = 1;        ///< 1 … 9999: D of G41 and G42
+    double cutter_diameter = 0.0;         ///< m, >= 0; 0: not known, every plunge is one into the blank
 
     void validate() const;  ///< throws InputError
 };
+
+/// What the operator must do because the program has no words for it: no spindle speed, no tool call. Words
+/// in the post's own lines count.
+[[nodiscard]] std::vector<std::string> missing_words(const PostProcessor& post, const NcJob& job);
 
 struct NcProgram {
     std::string text;

@@ -12,12 +12,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
-constexpr double tool_change = 6.0;  // of M
+constexpr double tool_change = 6.0, spindle_clockwise = 3.0, spindle_counterclockwise = 4.0;  // of M
+// The radii at both ends of an arc: what rounding of X, Y, I and J makes them differ, in last digits.
+constexpr double arc_rounding = 4.0;
+
+enum class Motion { rapid, line, clockwise, counterclockwise };
 
 struct Word {
     char letter = ' ';
@@ -34,18 +39,23 @@ class Reader {
 
     void read_line(std::string_view line) {
         ++line_;
-        rapid_.reset();
+        motion_word_.reset();
         feed_.reset();
+        from_ = values_;
+        center_ = {std::nullopt, std::nullopt};
+        tool_offset_ = false;
         named_.assign(machine_.axes().size(), false);
         const std::vector<Word> words = words_of(line);
         for (const Word& word : words)  // modes count for their whole block, wherever they stand in it
             if (word.letter == 'G') take_mode(word.value);
         bool moves = false;
         for (const Word& word : words) moves = take(word) || moves;
-        if (rapid_) motion_is_rapid_ = rapid_;
+        if (motion_word_) motion_ = motion_word_;
+        check_compensation(words);
         if (moves) add_move();
     }
     [[nodiscard]] std::vector<NcMove> finish() && { return std::move(moves_); }
+    [[nodiscard]] NcWords words() const { return words_; }
 
  private:
     [[noreturn]] void refuse(const std::string& what) const {
@@ -94,20 +104,43 @@ class Reader {
             }
         if (word.letter == 'F') {
             feed_ = word.value;
-        } else if (word.letter == 'M' && word.value == tool_change && !moves_.empty()) {
-            refuse("M6 after the first move: where the next tool's tip is would be a guess");
+        } else if (word.letter == 'M') {
+            take_machine_word(word.value);
+        } else if (word.letter == 'S') {
+            words_.spindle_rpm = word.value;
+        } else if (word.letter == 'D') {
+            tool_offset_ = true;
+        } else if (word.letter == 'I' || word.letter == 'J') {
+            if (!unit_) refuse("a length before G20 or G21");
+            center_[word.letter == 'I' ? 0 : 1] = word.value * *unit_;
         } else if (std::string_view("GNOSTM").find(word.letter) == std::string_view::npos) {
             refuse(fmt::format("the word {}{} is not understood", word.letter, word.value));
         }
         return false;
     }
 
+    void take_machine_word(double code) {
+        if (code == tool_change) {
+            if (!moves_.empty())
+                refuse("M6 after the first move: where the next tool's tip is would be a guess");
+            words_.tool_call = true;
+        }
+        if (code == spindle_clockwise) words_.clockwise = true;
+        if (code == spindle_counterclockwise) words_.counterclockwise = true;
+        if (words_.clockwise && words_.counterclockwise) refuse("M3 and M4 in one program");
+    }
+
     void take_mode(double code) {
-        static constexpr std::array harmless{17., 18., 19., 40., 49., 54., 55.,
-                                             56., 57., 58., 59., 61., 64., 80.};
-        if (code == 0.0 || code == 1.0) {
-            if (rapid_ && *rapid_ != (code == 0.0)) refuse("G0 and G1 in one block");
-            rapid_ = code == 0.0;
+        static constexpr std::array harmless{49., 54., 55., 56., 57., 58., 59., 61., 64., 80.};
+        if (code == 0.0 || code == 1.0 || code == 2.0 || code == 3.0) {
+            const auto motion = static_cast<Motion>(static_cast<int>(code));
+            if (motion_word_ && *motion_word_ != motion) refuse("two of G0, G1, G2, G3 in one block");
+            motion_word_ = motion;
+        } else if (code == 17.0 || code == 18.0 || code == 19.0) {
+            plane_is_xy_ = code == 17.0;
+        } else if (code == 40.0 || code == 41.0 || code == 42.0) {
+            compensation_ = code == 40.0 ? 0 : code == 41.0 ? 1 : -1;
+            compensation_named_ = code != 40.0;
         } else if (!moves_.empty() && (code == 20.0 || code == 21.0 || (code >= 54.0 && code <= 59.0))) {
             refuse(fmt::format("G{} after the first move: the tool would go by other coordinates", code));
         } else if (code == 20.0 || code == 21.0) {
@@ -132,9 +165,48 @@ class Reader {
         values_(static_cast<Eigen::Index>(index)) = post.sign * (value - post.offset);
     }
 
+    /// −1 where the printed plane is the mirror image of the machine's.
+    [[nodiscard]] int mirror() const {
+        return post_axis(post_, machine_.axes()[0]).sign * post_axis(post_, machine_.axes()[1]).sign;
+    }
+    void require_plane(const char* what) const {
+        const bool named = post_axis(post_, machine_.axes()[0]).letter == "X" &&
+                           post_axis(post_, machine_.axes()[1]).letter == "Y";
+        if (!plane_is_xy_ || !named || machine_.axes().size() != 3)
+            refuse(fmt::format("{} is understood after G17, on three axes X Y Z", what));
+    }
+    void check_compensation(const std::vector<Word>& words) {
+        if (!std::exchange(compensation_named_, false)) {
+            if (tool_offset_) refuse("D without G41 or G42");
+            return;
+        }
+        require_plane("G41, G42");
+        const bool once = std::ranges::count(words, 'D', &Word::letter) == 1;
+        if (!once) refuse("G41 and G42 need one D in their block");
+    }
+
+    [[nodiscard]] MoveArc arc() const {
+        require_plane("G2, G3");
+        if (!center_[0] || !center_[1]) refuse("G2 and G3 need I and J");
+        if (!from_.allFinite()) refuse("an arc while an axis has no value yet");
+        const Eigen::Vector2d offset(post_axis(post_, machine_.axes()[0]).sign * *center_[0],
+                                     post_axis(post_, machine_.axes()[1]).sign * *center_[1]);
+        const Eigen::Vector2d center = from_.head<2>() + offset;
+        const double differ = std::abs(offset.norm() - (values_.head<2>() - center).norm());
+        if (differ > 2.0 * arc_rounding * half_last_digit(post_, AxisKind::linear))
+            refuse(fmt::format("the ends of the arc are not equally far from its centre: {:.3g} mm differ",
+                               differ / units::millimetre));
+        return {center, (*motion_ == Motion::clockwise) == (mirror() > 0)};
+    }
+
     void add_move() {
-        if (!motion_is_rapid_) refuse("an axis moves before G0 or G1");
-        NcMove move{line_, *motion_is_rapid_, values_, 0.0};
+        if (!motion_) refuse("an axis moves before G0 or G1");
+        NcMove move{line_, *motion_ == Motion::rapid, values_, 0.0};
+        const bool round = *motion_ == Motion::clockwise || *motion_ == Motion::counterclockwise;
+        if (round) move.arc = arc();
+        if (!round && (center_[0] || center_[1])) refuse("I and J without G2 or G3");
+        if (move.rapid && compensation_ != 0) refuse("a rapid under G41 or G42 is not understood");
+        move.compensation = static_cast<CompensationSide>(compensation_ * mirror());
         if (!move.rapid) {
             if (!values_.allFinite()) refuse("G1 while an axis has no value yet");
             if (feed_ && !(*feed_ > 0.0)) refuse("F must be > 0");
@@ -149,17 +221,19 @@ class Reader {
     const Machine& machine_;
     const PostProcessor& post_;
     std::vector<NcMove> moves_;
-    Eigen::VectorXd values_;
+    NcWords words_;
+    Eigen::VectorXd values_, from_;
     std::optional<double> unit_, feed_;
-    std::optional<bool> rapid_, motion_is_rapid_;
+    std::optional<Motion> motion_word_, motion_;
+    std::array<std::optional<double>, 2> center_;  // I, J
+    int compensation_ = 0;                         // as printed: 1 is left of the path
+    bool compensation_named_ = false, tool_offset_ = false, plane_is_xy_ = false;
     std::vector<bool> named_;  // axes of this block
     bool absolute_ = false, inverse_time_ = false, feed_known_ = false;
     int line_ = 0;
 };
 
-}  // namespace
-
-std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine, const PostProcessor& post) {
+Reader reader_of(std::string_view text, const Machine& machine, const PostProcessor& post) {
     post.validate();
     Reader reader(machine, post);
     while (!text.empty()) {
@@ -167,7 +241,17 @@ std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine
         reader.read_line(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    return std::move(reader).finish();
+    return reader;
+}
+
+}  // namespace
+
+NcWords read_nc_words(std::string_view text, const Machine& machine, const PostProcessor& post) {
+    return reader_of(text, machine, post).words();
+}
+
+std::vector<NcMove> read_nc_travel(std::string_view text, const Machine& machine, const PostProcessor& post) {
+    return reader_of(text, machine, post).finish();
 }
 
 std::vector<NcMove> read_nc_text(std::string_view text, const Machine& machine, const PostProcessor& post) {

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "core/scalar_search.hpp"
 #include "output/nc/nc_check.hpp"
+#include "output/nc/path/nc_path.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ class Sweep {
  public:
     Sweep(std::span<const NcMove> moves, const Machine& machine) : machine_(machine) {
         for (std::size_t i = 1; i < moves.size(); ++i)
-            if (!moves[i].rapid) segments_.push_back({&moves[i - 1].values, &moves[i].values});
+            if (!moves[i].rapid) segments_.push_back({&moves[i - 1].values, &moves[i]});
         if (segments_.empty()) throw InputError("NC check: the program does not cut");
         coarse_.reserve(segments_.size() * steps_per_block + 1);
         for (std::size_t k = 0; k < segments_.size(); ++k)
@@ -33,7 +34,7 @@ class Sweep {
 
     [[nodiscard]] ToolPose pose(std::size_t segment, double share) const {
         const Segment& s = segments_[segment];
-        return machine_.pose(*s.from + share * (*s.to - *s.from));
+        return machine_.pose(values_along(*s.from, *s.move, share));
     }
     [[nodiscard]] std::size_t segments() const { return segments_.size(); }
     /// steps_per_block + 1 poses a segment.
@@ -41,7 +42,8 @@ class Sweep {
 
  private:
     struct Segment {
-        const Eigen::VectorXd *from, *to;
+        const Eigen::VectorXd* from;
+        const NcMove* move;
     };
     const Machine& machine_;
     std::vector<Segment> segments_;

@@ -3,13 +3,14 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/nc/path/nc_path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 namespace camopt {
 
@@ -39,9 +40,14 @@ class Travel {
         line_ = move.line;
         if (!move.rapid) {
             ++check_.feeds;
-            feed(from, move.values, 0.0, 1.0);
+            if (!std::exchange(feeding_, true)) begin_pass();
+            const Eigen::Index turning = levers_.size() - 3;
+            const double turned = (move.values - from).tail(turning).cwiseAbs().dot(levers_.tail(turning));
+            length_ = linear_length(from, move) + turned;
+            feed(from, move, 0.0, 1.0);
             return;
         }
+        feeding_ = false;
         ++check_.rapids;
         if (!above_everything(from, move.values)) rapid(from, move.values);
     }
@@ -50,6 +56,14 @@ class Travel {
  private:
     void refuse(const std::string& what) {
         if (check_.good()) check_.fault = fmt::format("line {}: {}", line_, what);
+    }
+    void begin_pass() {
+        const auto pass = static_cast<std::size_t>(check_.passes++);
+        if (task_.stocks.empty()) return;
+        if (pass < task_.stocks.size())
+            stock_ = task_.stocks[pass];
+        else
+            refuse(fmt::format("a pass more than the {} there are", task_.stocks.size()));
     }
     static std::string mm(double metres) { return fmt::format("{:.4g} mm", metres / units::millimetre); }
 
@@ -67,6 +81,13 @@ class Travel {
         const double distance = lowest + height_offset_ - any_height_;
         if (distance >= task_.least_distance) {
             check_.nearest = std::min(check_.nearest, distance);
+            return true;
+        }
+        if (task_.rapids_above) {
+            refuse(
+                fmt::format("a rapid {} over the blank; it takes {}, beside the blank too: "
+                            "table and clamps are there",
+                            mm(distance), mm(task_.least_distance)));
             return true;
         }
         if (from.allFinite() && to.allFinite()) return false;
@@ -104,23 +125,24 @@ class Travel {
         rapid(other, to);
     }
 
-    void feed(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double begin, double end) {
+    void feed(const Eigen::VectorXd& from, const NcMove& move, double begin, double end) {
         if (!check_.good()) return;
-        const Eigen::VectorXd way = (to - from).cwiseProduct(levers_);
-        const double around =
-            0.5 * (end - begin) * (way.head<3>().norm() + way.tail(way.size() - 3).cwiseAbs().sum());
-        const ToolPose pose = machine_.pose(from + 0.5 * (begin + end) * (to - from));
-        const double depth = task_.cam->depth(pose, task_.cutter_radius);
-        check_.deepest = std::max(check_.deepest, depth);
+        const double around = 0.5 * (end - begin) * length_;
+        const ToolPose pose = machine_.pose(values_along(from, move, 0.5 * (begin + end)));
+        const double depth = task_.cam->depth(pose, task_.cutter_radius + stock_);
+        check_.deepest = std::max(check_.deepest, depth - stock_);
         if (depth > task_.most_depth)
-            return refuse(fmt::format("the cutter enters the finished cam by {}; {} are allowed", mm(depth),
-                                      mm(task_.most_depth)));
+            return refuse(stock_ > 0.0 ? fmt::format("roughing must leave {}; the cutter is {} too deep",
+                                                     mm(stock_), mm(depth))
+                                       : fmt::format("the cutter enters the finished cam by {}; {} are "
+                                                     "allowed",
+                                                     mm(depth), mm(task_.most_depth)));
         if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding) return;
         if (++pieces_ > most_pieces)
             return refuse("a feed that could not be shown to stay out of the finished cam");
         const double middle = 0.5 * (begin + end);
-        feed(from, to, begin, middle);
-        feed(from, to, middle, end);
+        feed(from, move, begin, middle);
+        feed(from, move, middle, end);
     }
 
     const Machine& machine_;
@@ -128,6 +150,8 @@ class Travel {
     Eigen::VectorXd levers_;  // of each axis: how far it moves a point of the blank past the cutter
     NcTravelCheck check_;
     double height_offset_ = 0.0, any_height_ = 0.0;
+    double stock_ = 0.0, length_ = 0.0;  // of this pass; of this move
+    bool feeding_ = false;
     int line_ = 0, pieces_ = 0;
 };
 
@@ -143,6 +167,8 @@ void NcTravelTask::validate() const {
     require(std::isfinite(least_distance) && least_distance > 0.0,
             "the distance of rapids from the blank must be > 0", least_distance);
     require(std::isfinite(most_depth) && most_depth > 0.0, "the allowed depth must be > 0", most_depth);
+    for (const double stock : stocks)
+        require(std::isfinite(stock) && stock >= 0.0, "the stock of a pass must be >= 0", stock);
     if (cam == nullptr) throw InputError("NC check: the finished cam is missing");
 }
 

@@ -90,7 +90,9 @@ void NcWriter::begin(const NcJob& job, double plane) {
                      {"{tool}", plain(job.tool)},
                      {"{post}", plain(post_.name)},
                      {"{machine}", plain(machine_.name())},
-                     {"{spindle_rpm}", fmt::format("{:.0f}", job.spindle_rpm)}};
+                     {"{spindle_rpm}", fmt::format("{:.0f}", job.spindle_rpm)},
+                     {"{spindle_sense}", job.spindle == SpindleSense::clockwise ? "M3" : "M4"},
+                     {"{tool_number}", fmt::format("{}", job.tool_number.value_or(0))}};
     for (const std::string& words : post_.header) line(placed(words));
     const bool inch = post_.unit == LengthUnit::inch;
     const char* const length = inch ? "inch" : "mm";
@@ -107,9 +109,19 @@ void NcWriter::begin(const NcJob& job, double plane) {
                 : fmt::format("feed: G94, {} / min", length));
     for (const std::string& remark : job.remarks) comment(remark);
     describe_blank(job, plane);
-    line(fmt::format("{} G90 G94", inch ? "G20" : "G21"));
+    warn(job);
+    const bool plane_words = std::ranges::any_of(job.passes, [](const NcPass& pass) {
+        return !pass.arcs.empty() || pass.compensation != CompensationSide::none;
+    });
+    line(fmt::format("{}{} G90 G94", inch ? "G20" : "G21", plane_words ? " G17 G40" : ""));
     feed_mode_ = "G94";
+    if (job.tool_number && !post_.tool_call.empty()) line(placed(post_.tool_call));
     if (job.spindle_rpm > 0.0 && !post_.spindle_on.empty()) line(placed(post_.spindle_on));
+}
+
+/// What a control needs before it cuts and this program does not say.
+void NcWriter::warn(const NcJob& job) {
+    for (const std::string& warning : missing_words(post_, job)) comment("WARNING: " + warning);
 }
 
 /// What the operator must set up so that no rapid runs into anything.
@@ -134,6 +146,7 @@ void NcWriter::approach(std::string_view name, const NcStep& first, const WayHei
         if (i != 2) words += axis_word(i, first.values(static_cast<Eigen::Index>(i)), true);
     line("G0" + words);
     line("G0" + axis_word(2, heights.safe, true));
+    last_values_ = first.values;
 }
 
 /// Z alone, by feed.
@@ -147,11 +160,42 @@ void NcWriter::plunge(const NcStep& first, double feed) {
     along_the_tool(first.values(2), feed);
 }
 
-void NcWriter::cut(const NcStep& step, double seconds, double feed) {
+bool NcWriter::mirrored() const {
+    return post_axis(post_, machine_.axes()[0]).sign * post_axis(post_, machine_.axes()[1]).sign < 0;
+}
+
+/// I and J: from where the block begins.
+std::string NcWriter::arc_words(const NcArc& arc) const {
+    const double unit = metres_of(post_.unit);
+    const Eigen::Vector2d offset = arc.center - last_values_.head<2>();
+    const auto word = [&](char letter, std::size_t axis) {
+        const double printed =
+            post_axis(post_, machine_.axes()[axis]).sign * offset(static_cast<Eigen::Index>(axis));
+        return fmt::format(" {}{}", letter, number(printed / unit, post_.linear_decimals));
+    };
+    return word('I', 0) + word('J', 1);
+}
+
+void NcWriter::compensate(CompensationSide side, int offset_register) {
+    const bool left = (side == CompensationSide::left) != mirrored();
+    before_block_ = fmt::format("{} D{} ", left ? "G41" : "G42", offset_register);
+}
+
+void NcWriter::end_compensation() {
+    before_block_ = "G40 ";
+}
+
+void NcWriter::cut(const NcStep& step, double seconds, double feed, const NcArc* arc) {
     const bool by_time = post_.feed_mode == FeedMode::inverse_time;
     mode(by_time ? "G93" : "G94");
     const double word = by_time ? 60.0 / seconds : feed * 60.0 / metres_of(post_.unit);
-    line("G1" + axis_words(step.values) + " F" + number(word, post_.feed_decimals));
+    const bool clockwise = arc != nullptr && arc->clockwise != mirrored();
+    const std::string motion = arc == nullptr ? "G1" : clockwise ? "G2" : "G3";
+    std::string words = before_block_ + motion + axis_words(step.values);
+    if (arc != nullptr) words += arc_words(*arc);
+    line(words + " F" + number(word, post_.feed_decimals));
+    before_block_.clear();
+    last_values_ = step.values;
 }
 
 void NcWriter::retract(const WayHeights& heights, double feed) {

@@ -30,8 +30,11 @@ class NcWriter {
     /// Rapid: up, over the first pose with the rotary axes turned, down to the safe height.
     void approach(std::string_view name, const NcStep& first, const WayHeights& heights);
     void plunge(const NcStep& first, double feed);
-    /// seconds: of the block; feed: m/s, where F is not a time.
-    void cut(const NcStep& step, double seconds, double feed);
+    /// seconds: of the block; feed: m/s, where F is not a time. arc: none is a line.
+    void cut(const NcStep& step, double seconds, double feed, const NcArc* arc = nullptr);
+    /// Words before the next block: G41 or G42 with D, or G40.
+    void compensate(CompensationSide side, int offset_register);
+    void end_compensation();
     /// Out of the blank at `feed`, then rapid.
     void retract(const WayHeights& heights, double feed);
     /// The text, with the footer.
@@ -40,6 +43,9 @@ class NcWriter {
  private:
     void line(const std::string& words);
     void comment(std::string_view words);
+    void warn(const NcJob& job);
+    [[nodiscard]] std::string arc_words(const NcArc& arc) const;
+    [[nodiscard]] bool mirrored() const;
     void describe_blank(const NcJob& job, double plane);
     void along_the_tool(double height, double feed);
     void mode(std::string_view word);
@@ -52,6 +58,8 @@ class NcWriter {
     const PostProcessor& post_;
     std::map<std::string, std::string> placeholders_;
     std::vector<std::string> last_words_;
+    Eigen::VectorXd last_values_;
+    std::string before_block_;
     std::string text_, feed_mode_;
     int block_ = 0;
 };

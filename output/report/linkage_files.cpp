@@ -13,8 +13,9 @@ std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOp
     const int count = options.points.value_or(default_profile_points(motion, scale));
     const DrivenMechanism& mechanism = solution.cam->cam;
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
-    return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}), mechanism_svg(solution, motion),
-            pressure_angle_svg(solution, profile), curvature_svg(solution, profile)};
+    return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}),
+            mechanism_svg(solution, motion), pressure_angle_svg(solution, profile),
+            curvature_svg(solution, profile)};
 }
 
 }  // namespace camopt

@@ -11,6 +11,7 @@
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/set_point_table.hpp"
 #include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
@@ -112,6 +113,11 @@ std::string limits_section(const Solution& solution) {
     return text;
 }
 
+std::string set_point_section(const Solution& solution) {
+    const TextTable table = set_point_table(solution);
+    return table.rows.empty() ? std::string() : "\n## Set points\n\n" + markdown_text(table);
+}
+
 std::string relaxation_section(const Solution& solution) {
     if (is_told_in_words(solution.scene)) return infeasible_section(solution);
     if (solution.relaxation.empty()) return {};
@@ -177,7 +183,8 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
     text += own_terms_section(solution);
-    text += limits_section(solution);
+    text += limits_section(solution) + set_point_section(solution);
+    if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";
     text += cam_section(solution);
     return text + design_section(solution.design) + solver_section(solution, origin) +

@@ -21,7 +21,8 @@ namespace camopt {
 namespace {
 
 /// The files that not every result has, beside those of its cam.
-constexpr std::array optional_files = {"motion.csv", "motion.svg", "scene.toml", "drum.svg", "developed.svg"};
+constexpr std::array optional_files = {"motion.csv",  "motion.svg", "scene.toml",
+                                       "report.html", "drum.svg",   "developed.svg"};
 
 }  // namespace
 

@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 using units::degree;
 
-constexpr int drum_angles = 361, drum_sections = 5, core_corners = 96, core_rings = 24;
+constexpr int drum_angles = 361, drum_sections = 5, drum_corners = 96, core_rings = 24;
 constexpr double core_part = 0.985, core_bore = 0.35;  // of the least radius of the flanks
 constexpr double longest_bar = 180;                    // px
 constexpr std::array<int, 3> core_colour = {150, 160, 172}, flank_colour = {226, 164, 84};
@@ -59,8 +59,8 @@ DrumSize size_of(const FlankGrid& grid) {
 TriangleMesh core_of(const DrumSize& size, double beyond) {
     const double low = size.lower - beyond, high = size.upper + beyond;
     std::vector<std::vector<Vector3d>> sections;
-    for (int k = 0; k < core_corners; ++k) {
-        const double angle = units::turn * k / core_corners;
+    for (int k = 0; k < drum_corners; ++k) {
+        const double angle = units::turn * k / drum_corners;
         const auto rim = [&](double part, double z) {
             const double radius = part * size.least_radius;
             return Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);

@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_body.hpp"
 #include "output/spatial/roller_path.hpp"
@@ -103,14 +104,14 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
     job.blank = blank_of(cam, motion, options.blank);
     job.clearance = options.clearance;
     job.safe_distance = options.safe_distance;
+    set_words(job, options.milling);
 
     CuttingTask& task = work.task;
-    const std::vector<int> flanks = flanks_cut(cam, options, location.diameter);
-    for (const int flank : flanks) {
-        location.flank = flank;
-        task.passes.push_back({flanks.size() == 1 ? "both flanks" : fmt::format("flank {:+d}", flank),
-                               cutter_path(roller, location)});
-    }
+    GroovePasses milled =
+        groove_passes({roller, motion.breakpoints, location, flanks_cut(cam, options, location.diameter),
+                       job.blank, options.milling});
+    task.passes = std::move(milled.passes);
+    job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
     task.knots = motion.breakpoints;
     task.blocks = {options.blocks, options.chord_tolerance, working_length};
     task.cutter = {location.diameter, working_length + location.diameter};

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "output/nc/checked_program.hpp"
+#include "output/nc/milling/milling_choice.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 
@@ -29,6 +30,7 @@ struct NcExportOptions {
     BlankChoice blank;                           ///< what is left out: the cam's extent and the allowance
     double clearance = 0.02;                     ///< m: of the clearance plane above the blank
     double safe_distance = 2e-3;                 ///< m: rapids keep so far from the blank
+    MillingChoice milling;
     std::string title = "cam";
 };
 

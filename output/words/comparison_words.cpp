@@ -90,7 +90,7 @@ std::string base_words(const Comparison& comparison, const ComparisonRow& row) {
 }
 
 std::string PhysicalPeak::text(const ComparisonRow& row) const {
-    return short_text(per_normalised * (row.motion_peaks.*peak).value, table_figures);
+    return fixed_text(value(row), decimals);
 }
 
 std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {
@@ -101,6 +101,13 @@ std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison) {
     for (Extremum Peaks::*peak : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk}) {
         const MotionUnit& unit = shown.motion[order++].first;
         all.push_back({unit.symbol + " " + unit.name, unit.per_normalised, peak});
+        double largest = 0.0;
+        for (const ComparisonRow& row : comparison.rows)
+            if (const double value = all.back().value(row); std::isfinite(value))
+                largest = std::max(largest, value);
+        if (largest > 0.0)
+            all.back().decimals =
+                std::max(0, table_figures - 1 - static_cast<int>(std::floor(std::log10(largest))));
     }
     return all;
 }

@@ -32,8 +32,12 @@ struct PhysicalPeak {
     std::string title;  ///< "v mm/s"
     double per_normalised = 1.0;
     Extremum Peaks::*peak = nullptr;
+    int decimals = 0;  ///< of all rows: four figures of the largest
 
-    [[nodiscard]] std::string text(const ComparisonRow& row) const;  ///< "–" where it is infinite
+    [[nodiscard]] double value(const ComparisonRow& row) const {
+        return per_normalised * (row.motion_peaks.*peak).value;
+    }
+    [[nodiscard]] std::string text(const ComparisonRow& row) const;
 };
 [[nodiscard]] std::vector<PhysicalPeak> physical_peaks(const Comparison& comparison);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/scene_words.hpp"
 
+#include "core/text/printable.hpp"
 #include "core/units.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
@@ -9,6 +10,7 @@
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +52,8 @@ std::string motion_line(const Scene& scene) {
     if (motion.speed)
         text += fmt::format(", at {} rpm", short_text(*motion.speed / units::revolution_per_minute));
     if (motion.symmetric) text += ", symmetric";
-    if (!motion.via.empty()) text += fmt::format(", through {} given points", motion.via.size());
+    if (const std::size_t points = placed_points(motion).size(); points > 0)
+        text += fmt::format(", with {} set point{}", points, points == 1 ? "" : "s");
     return text;
 }
 
@@ -68,6 +71,12 @@ std::string end_text(const Scene& scene, std::size_t index) {
                        short_text(to));
 }
 
+std::string range_words(const ProgramSegment& segment) {
+    if (!segment.angle_range) return {};
+    return fmt::format(" (searched from {} to {} deg)", short_text(segment.angle_range->least / degree),
+                       short_text(segment.angle_range->most / degree));
+}
+
 std::string segment_line(const Scene& scene) {
     const MotionSpec& motion = scene.motion;
     std::string text;
@@ -75,30 +84,41 @@ std::string segment_line(const Scene& scene) {
         const ProgramSegment& segment = motion.segments[i];
         const std::string kind =
             segment.kind == SegmentKind::law ? words_of(segment.law) : std::string(name_of(segment.kind));
-        append(text,
-               fmt::format("{} {} deg{}", kind, short_text(segment.angle / degree), end_text(scene, i)));
+        append(text, fmt::format("{} {} deg{}{}", kind, short_text(segment.angle / degree),
+                                 range_words(segment), end_text(scene, i)));
     }
     return "Segments: " + text;
 }
 
-std::string via_line(const Scene& scene) {
+/// Each in the units that a person reads, and normalised beside.
+std::string set_point_line(const Scene& scene, const std::vector<PlacedPoint>& points) {
     const ShownUnits shown = shown_units(scene);
+    const auto degrees = [&](double x) { return short_text(x * shown.degrees_per_x); };
     std::string text;
-    for (const SetPoint& point : scene.motion.via) {
+    for (const PlacedPoint& point : points) {
         std::string values;
-        const auto value = [&](const std::optional<double>& given, std::size_t order) {
-            if (!given) return;
+        for (std::size_t order = 0; order < point.wanted.size(); ++order) {
+            if (!point.wanted[order]) continue;
             const ShownDerivative& unit = shown.motion[order];
-            append(values, fmt::format("{} {} ({} normalised)", unit.name, unit.first.normalised_text(*given),
-                                       short_text(*given)));
-        };
-        value(point.displacement, 0);
-        value(point.velocity, 1);
-        value(point.acceleration, 2);
-        text += fmt::format("{}at {} deg (x = {}) {}", text.empty() ? "" : "; ",
-                            short_text(point.at * shown.degrees_per_x), short_text(point.at), values);
+            const double wanted = *point.wanted[order];
+            append(values,
+                   fmt::format("{} {} ({}{} normalised)", unit.name, unit.first.normalised_text(wanted),
+                               unit.beside ? unit.beside->normalised_text(wanted) + ", " : "",
+                               short_text(wanted)));
+        }
+        const std::string where =
+            point.is_region() ? fmt::format("from {} to {} deg", degrees(point.begin), degrees(point.end))
+                              : fmt::format("at {} deg", degrees(point.begin));
+        text +=
+            fmt::format("{}{} (x = {}) {}", text.empty() ? "" : "; ", where, short_text(point.begin), values);
     }
-    return "Given points: " + text;
+    return "Set points: " + text;
+}
+
+std::string measured_line(const MeasuredMotion& measured) {
+    return fmt::format("Measured motion{}: {} rows, {}",
+                       measured.name.empty() ? "" : " " + printable(measured.name), measured.angle.size(),
+                       measured.start ? "where searches begin, too" : "for comparison");
 }
 
 std::string breakpoint_text(const SplineSpec& spline) {
@@ -245,7 +265,9 @@ std::vector<std::string> scene_lines(const Scene& given) {
     const Scene scene = with_written_limits(given);
     std::vector<std::string> lines = {motion_line(scene)};
     if (scene.motion.type == MotionType::program) lines.push_back(segment_line(scene));
-    if (!scene.motion.via.empty()) lines.push_back(via_line(scene));
+    if (const auto points = placed_points(scene.motion); !points.empty())
+        lines.push_back(set_point_line(scene, points));
+    if (scene.measured) lines.push_back(measured_line(*scene.measured));
     lines.push_back(spline_line(scene));
     if (has_cam(scene)) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));

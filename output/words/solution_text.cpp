@@ -9,6 +9,7 @@
 #include "output/words/number_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
+#include "output/words/tables/set_point_table.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/scene_cam.hpp"
 
@@ -21,8 +22,8 @@ namespace camopt {
 namespace {
 
 constexpr int solution_line_width = 110;
-// Of a peak in its unit, and by the cam angle beside it: the widest are "−123456 mm/rad³".
-constexpr int width_of_first = 16, width_of_beside = 17;
+// Of a peak in its unit, and by the cam angle beside it: "−123456 mm/rad³", "(0.00287425 deg/deg³)".
+constexpr int width_of_first = 15, width_of_beside = 21;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
@@ -99,6 +100,14 @@ std::string interrupted_sentence(const Solution& solution) {
 std::string segment_lines(const Solution& solution) {
     if (solution.segments.empty()) return {};
     return indented(aligned_text(segment_table(solution))) + fmt::format("  {}\n", segment_table_note());
+}
+
+std::string set_point_lines(const Solution& solution) {
+    const TextTable table = set_point_table(solution);
+    std::string text = table.rows.empty() ? std::string() : indented(aligned_text(table));
+    if (solution.measured)
+        text += wrapped_text("measured: " + measured_sentence(solution), "  ", solution_line_width);
+    return text;
 }
 
 std::string cam_lines(const Solution& solution) {
@@ -245,7 +254,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));
-    text += cam_lines(solution) + relaxation_lines(solution);
+    text += set_point_lines(solution) + cam_lines(solution) + relaxation_lines(solution);
     for (const std::string& note : solution.notes) text += fmt::format("  note: {}\n", note);
     const SolverReport& solver = solution.solver;
     if (!solver.name.empty())

@@ -39,19 +39,13 @@ QuantityValue flat_regularity(const QuantityValue& radius, double base) {
 
 constexpr auto curvature = [](const auto& roller) { return roller.pitch().curvature(); };
 
-QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const double sense = sense_of(cam.rotation);
-    const auto expand = [&](const auto& formula) {
-        const std::array<Local, 3> locals = {
-            {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
-        return Expander(cam, state).expand<formulas::TranslatingRoller>(locals, formula);
-    };
+/// What a translating and an oscillating roller (or knife) have alike; `expand` gives a formula its partials.
+QuantityValue roller_quantity(const DiskCam& cam, Quantity which, const auto& expand) {
     switch (which) {
         case Quantity::pressure_numerator:
-            return linear(state.velocity - sense * cam[offset],
-                          std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
+            return expand([](const auto& roller) { return roller.pressure_numerator(); });
         case Quantity::pressure_denominator:
-            return Expander(cam, state).position();
+            return expand([](const auto& roller) { return roller.pressure_denominator(); });
         case Quantity::pitch_curvature:
             return expand(curvature);
         case Quantity::regularity:
@@ -66,6 +60,21 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
     refuse_quantity(cam.follower);
 }
 
+QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+    const double sense = sense_of(cam.rotation);
+    const auto expand = [&](const auto& formula) {
+        const std::array<Local, 3> locals = {
+            {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
+        return Expander(cam, state).expand<formulas::TranslatingRoller>(locals, formula);
+    };
+    // Linear in the motion: exact, and cheaper than the expansion.
+    if (which == Quantity::pressure_numerator)
+        return linear(state.velocity - sense * cam[offset],
+                      std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
+    if (which == Quantity::pressure_denominator) return Expander(cam, state).position();
+    return roller_quantity(cam, which, expand);
+}
+
 QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
     const auto expand = [&](const auto& formula) {
         const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
@@ -74,22 +83,7 @@ QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerStat
                                               {column_of(arm_length)}}};
         return Expander(cam, state).expand<formulas::OscillatingRoller>(locals, formula);
     };
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return expand([](const auto& roller) { return roller.pressure_numerator(); });
-        case Quantity::pressure_denominator:
-            return expand([](const auto& roller) { return roller.pressure_denominator(); });
-        case Quantity::pitch_curvature:
-            return expand(curvature);
-        case Quantity::regularity:
-            return roller_regularity(expand(curvature), cam[roller_radius]);
-        case Quantity::normal_lever:
-            return expand([](const auto& roller) { return roller.normal_lever(); });
-        case Quantity::cam_radius:
-        case Quantity::contact_offset:
-            break;
-    }
-    refuse_quantity(cam.follower);
+    return roller_quantity(cam, which, expand);
 }
 
 QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& state) {

@@ -36,6 +36,7 @@ constexpr std::array named_reasons = {
     Named{Reason::limits_within_rounding, "limits_within_rounding_of_infeasible"},
     Named{Reason::stationary, "stationary, not proved optimal"},
     Named{Reason::free_displacements, "free_displacements"},
+    Named{Reason::free_angles, "free_angles"},
     Named{Reason::breakpoints_too_close, "breakpoints_too_close"},
     Named{Reason::coefficients_too_coarse, "coefficients_too_coarse"},
     Named{Reason::condition_not_met, "condition_not_met"},

@@ -33,6 +33,7 @@ enum class Reason {
     // How far the proof came.
     stationary,          ///< "stationary, not proved optimal"
     free_displacements,  ///< the search over free displacements left a gap
+    free_angles,         ///< the search over the angles of a program left a gap
     // What the delivered motion failed by.
     breakpoints_too_close,
     coefficients_too_coarse,

@@ -7,6 +7,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
+#include "studies/measured/measured_fit.hpp"
 #include "studies/solve/solve_from_starts.hpp"
 
 #include <fmt/format.h>
@@ -207,7 +208,12 @@ SceneCheck check_scene(const Scene& given) {
     // Peaks measured by a displacement that is free: convex for given ones only.
     check.free_displacements =
         static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
-    check.convex = shape.convex && check.free_displacements == 0;
+    check.searched_angles =
+        static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
+            return segment.angle_range.has_value();
+        }));
+    check.convex = shape.convex && check.free_displacements == 0 && check.searched_angles == 0;
+    if (scene.measured) (void)measured_report(scene, reference_peaks(scene));  // throws: too few rows
     check.free_breakpoints = free.has_value();
     if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());

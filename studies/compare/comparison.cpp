@@ -14,6 +14,7 @@
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -168,10 +169,11 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
 }
 
 Comparison compare(const Scene& given, const SolveControl& control) {
-    const Scene scene = with_written_limits(given);
+    Scene scene = with_written_limits(given);
     Comparison comparison;
     comparison.optimum = solve_without_explaining(scene, control);
     const Solution& solution = comparison.optimum;
+    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
     const Bench bench = bench_of(scene, solution);
     comparison.cam = bench.disk;
     std::optional<double> optimum;
@@ -180,6 +182,7 @@ Comparison compare(const Scene& given, const SolveControl& control) {
         if (comparison.rows.back().feasible) optimum = comparison.rows.back().objective;
     }
     for (const LawInfo& info : law_catalogue()) {
+        if (!info.rests) continue;  // no rise by itself
         if (control.progress) {
             const std::string line = "compares with " + info.title;
             control.progress(line);

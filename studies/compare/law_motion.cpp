@@ -48,6 +48,14 @@ std::string free_displacement(std::span<const LawStroke> strokes) {
     return {};
 }
 
+/// A law from rest to rest does not take the velocity of a segment whose ends move.
+std::string moving_neighbour(std::span<const LawStroke> strokes) {
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (strokes[i].kind == SegmentKind::law && !make_law(strokes[i].law)->info().rests)
+            return fmt::format("rests at its ends, where segment {} moves on", i);
+    return {};
+}
+
 /// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
 std::string turn_strokes(std::vector<LawStroke>& strokes, bool closed) {
     const std::size_t count = strokes.size();
@@ -197,6 +205,8 @@ std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, con
 LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std::shared_ptr<const Law>& law) {
     LawMotion result;
     result.misfit = free_displacement(strokes);
+    if (!result.misfit.empty()) return result;
+    result.misfit = moving_neighbour(strokes);
     if (!result.misfit.empty()) return result;
     std::vector<LawStroke> placed(strokes.begin(), strokes.end());
     if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);

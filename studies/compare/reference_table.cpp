@@ -105,7 +105,7 @@ std::vector<LawComparisonRow> law_rows(double optimum) {
     }
     for (const LawInfo& law : law_catalogue()) {
         const bool listed = std::ranges::any_of(rows, [&](const auto& row) { return row.key == law.key; });
-        if (listed || law.top != TopEnd::dwell) continue;
+        if (listed || law.top != TopEnd::dwell || !law.rests) continue;
         LawComparisonRow row{law.title, law.key, {}, figures_of(make_law(law.key)->peaks()), {}};
         row.loss_percent = loss(row);
         rows.push_back(std::move(row));

@@ -251,8 +251,7 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
             const double right = curve.derivative(joint, order, Side::right);
             largest = std::max({largest, std::abs(left), std::abs(right)});
             // NaN counts as the worst.
-            if (!(std::abs(left - right) <= jump.relative))
-                jump = {std::abs(left - right), joint, order};
+            if (!(std::abs(left - right) <= jump.relative)) jump = {std::abs(left - right), joint, order};
         }
         // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
         // between.

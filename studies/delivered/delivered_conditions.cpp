@@ -4,6 +4,7 @@
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/set_point_reports.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,6 @@ namespace camopt {
 namespace {
 
 constexpr std::array<const char*, 4> derivative = {"y", "y'", "y''", "y'''"};
-constexpr std::array<const char*, 3> via_member = {"displacement", "velocity", "acceleration"};
 
 class Audit {
  public:
@@ -61,17 +61,16 @@ class Audit {
             rests(motion_.end(), Side::left, motion_.at(motion_.end(), Side::left).derivative[0]);
     }
 
-    void look_at_via_points() {
-        for (std::size_t i = 0; i < scene_.motion.via.size(); ++i) {
-            const SetPoint& via = scene_.motion.via[i];
-            const std::array<const std::optional<double>*, 3> wanted = {&via.displacement, &via.velocity,
-                                                                        &via.acceleration};
-            for (std::size_t order = 0; order < 3; ++order) {
-                if (!*wanted[order]) continue;
-                const std::string name = fmt::format("motion.via[{}].{}", i, via_member[order]);
-                for (const Side side : {Side::left, Side::right})
-                    wants({via.at, side}, order, **wanted[order], name);
-            }
+    void look_at_set_points() {
+        for (const SetPointReport& report : set_point_reports(scene_.motion, scene_.spline.degree, motion_)) {
+            const auto order = static_cast<std::size_t>(report.order);
+            const double size = std::max(size_[order], report.size);
+            if (report.distance <= tolerance(order) * size) continue;
+            keep({fmt::format("{}: it is {:.9g} {} at x = {:.6g}",
+                              words_of(scene_.motion, report.point, report.order), report.found, report.unit,
+                              report.at),
+                  report.distance / size, report.at},
+                 order);
         }
     }
 
@@ -166,7 +165,7 @@ std::vector<ConditionMiss> missed_conditions(const Solution& solution, double to
         audit.look_at_program();
     else
         audit.look_at_ends();
-    audit.look_at_via_points();
+    audit.look_at_set_points();
     audit.look_at_symmetry();
     audit.look_at_end_jerk();
     return std::move(audit).missed();

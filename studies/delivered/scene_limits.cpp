@@ -2,11 +2,11 @@
 #include "studies/delivered/scene_limits.hpp"
 
 #include "scene/limit_table.hpp"
+#include "studies/delivered/set_point_reports.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -38,23 +38,14 @@ LimitOutcome exact_point(std::string name, std::string key, double wanted, doubl
             distance};
 }
 
-void add_via_points(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
-    const std::array<const char*, 3> names = {"displacement", "velocity", "acceleration"};
-    for (std::size_t i = 0; i < scene.motion.via.size(); ++i) {
-        const SetPoint& via = scene.motion.via[i];
-        const std::array<const std::optional<double>*, 3> wanted = {&via.displacement, &via.velocity,
-                                                                    &via.acceleration};
-        const MotionPoint left = motion.at(via.at, Side::left), right = motion.at(via.at, Side::right);
-        for (std::size_t order = 0; order < 3; ++order) {
-            if (!*wanted[order]) continue;
-            const double value = **wanted[order];
-            // Where the value jumps: the farther side.
-            const bool takes_left =
-                std::abs(left.derivative[order] - value) > std::abs(right.derivative[order] - value);
-            all.push_back(exact_point(fmt::format("via_{}", names[order]),
-                                      fmt::format("motion.via[{}].{}", i, names[order]), value,
-                                      (takes_left ? left : right).derivative[order], via.at));
-        }
+void add_set_points(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
+    for (SetPointReport& report : set_point_reports(scene.motion, scene.spline.degree, motion)) {
+        const bool kept = report.distance <= just_reached * std::max(1.0, report.size);
+        const double off = std::abs(report.found - report.wanted);  // as it was written
+        all.push_back({{set_point_name(report.order), std::move(report.key), report.wanted, report.found,
+                        std::move(report.unit), report.at, true},
+                       kept,
+                       off});
     }
 }
 
@@ -120,7 +111,7 @@ LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance) {
 std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {
     std::vector<LimitOutcome> all;
     for (const PeakLimitRow& row : peak_limit_rows()) add_peak_limit(all, row, scene, figures);
-    add_via_points(all, scene, figures.motion);
+    add_set_points(all, scene, figures.motion);
     add_symmetry(all, scene, figures.motion);
     add_end_jerk(all, scene, figures.motion);
     return all;

@@ -135,6 +135,19 @@ struct SolverReport {
     std::string proof_source;  ///< whose multipliers proved the bound
 };
 
+/// A measured motion beside the delivered one: the spline of the scene's own space that is nearest to it in
+/// the mean square, and what that one is worth.
+struct MeasuredReport {
+    std::string name;
+    int rows = 0;
+    double largest_error = 0.0, rms_error = 0.0;  ///< |table − fit|, in lifts
+    double at = 0.0;                              ///< x of the largest
+    std::shared_ptr<const MotionChain> motion;    ///< the fit
+    Peaks peaks;                                  ///< of the fit, as Solution::peaks
+    std::optional<double> objective;  ///< of the fit by the scene's weights; none: not of the motion alone
+    bool started = false;             ///< the search began from it too
+};
+
 struct LimitCurve {  ///< the limit no curve can pass (motions/bounds/any_curve_limit.hpp)
     double objective = 0.0;
     std::optional<double> velocity, acceleration, jerk;  ///< none: not attained (infinite)
@@ -153,6 +166,7 @@ struct Solution {
     Peaks motion_peaks;
     Peaks reference_peaks;  ///< what the objective divides by (only the parts in use are set)
     std::optional<LimitCurve> any_curve_limit;
+    std::optional<MeasuredReport> measured;
     std::vector<OwnTermReport> own_terms;
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible

@@ -18,6 +18,8 @@ namespace {
 
 // Rows of a proof that carry less than this part of its weight do not explain anything.
 constexpr double telling_weight = 1e-3;
+// In lifts: control points that differ by less are one displacement and its roundings.
+constexpr double rounded_displacement = 1e-13;
 // A derivative that jumps by less than this part of the motion's peak is continuous.
 constexpr double same_derivative = 1e-7;
 
@@ -52,8 +54,19 @@ Peaks peaks_of_law(const std::string& key, double begin, double width, double ri
     return peaks;
 }
 
+/// A curve whose control points differ by no more than their rounding stands, and its derivatives are 0:
+/// those of its pieces would be that rounding, and not what the published control points say.
+SplineCurve without_rounded_motion(const SplineCurve& curve) {
+    const Eigen::VectorXd points = curve.coefficients();
+    if (points.maxCoeff() - points.minCoeff() > rounded_displacement) return curve;
+    Eigen::MatrixXd pieces = Eigen::MatrixXd::Zero(curve.pieces().rows(), curve.pieces().cols());
+    pieces.row(0).setConstant(points[0]);
+    return {curve.space(), std::move(pieces)};
+}
+
 SplineCurve curve_of(const ChainPart& part) {
-    return part_of_run(dynamic_cast<const SplineCurve&>(*part.shape), part.begin, part.end, -part.x0);
+    return without_rounded_motion(
+        part_of_run(dynamic_cast<const SplineCurve&>(*part.shape), part.begin, part.end, -part.x0));
 }
 
 void report_segments(Solution& solution) {

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,7 @@ void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
     adjustment.with = [](const Scene& one, double value) {
         Scene changed = one;
         changed.motion.rise = value * units::degree;
+        keep_written(changed.motion, one.motion);
         rescale_limits_in_time(changed, changed.motion.rise / one.motion.rise);
         return changed;
     };

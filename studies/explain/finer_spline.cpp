@@ -76,6 +76,7 @@ FinerSpline finer_spline(const Scene& scene, const Budget& budget) {
                 result.finest = 0;
                 return result;
             }
+            if (budget.spent()) break;  // what the clock ended was not tried in vain
         }
         fails = n;
         result.finest = n;

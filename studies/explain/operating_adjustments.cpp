@@ -2,6 +2,7 @@
 // Caps on peaks, springs, speed: what a user could change beside the cam.
 #include "core/units.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 
 #include <algorithm>
@@ -116,6 +117,7 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     adjustment.with = [unit](const Scene& one, double value) {
         Scene changed = one;
         changed.motion.speed = value * unit;
+        keep_written(changed.motion, one.motion);
         rescale_limits_in_time(changed, *one.motion.speed / *changed.motion.speed);
         return changed;
     };

@@ -122,6 +122,11 @@ class Explainer {
         return !contradictory();
     }
 
+    void add_unsettled(const std::string& key) {
+        if (std::ranges::find(found_.unsettled, key) == found_.unsettled.end())
+            found_.unsettled.push_back(key);
+    }
+
     /// One row, or the key of a search that did not end. `find`: the needed value within the time it is
     /// given.
     template <typename Find>
@@ -139,6 +144,8 @@ class Explainer {
         } else if (!part.spent()) {
             row = Relaxation{adjustment.key, adjustment.given};
             row->ruled_out = adjustment.limit && is_ruled_out(adjustment, part);
+            // A proof that the clock ended must not make two runs of one scene differ in silence.
+            if (adjustment.limit && !row->ruled_out && part.spent()) row.reset();
         }
         if (row)
             solution_.relaxation.push_back(std::move(*row));
@@ -193,10 +200,12 @@ class Explainer {
             const bool of_limit = std::ranges::find(limits, row.key, &Adjustment::key) != limits.end();
             if (of_limit && row.needed) return;
         }
-        if (is_over()) return;
-        budget_.say("what would help: all limits together");
-        const Budget part = budget_.part(1.0);
-        found_.together = joint_relaxation(scene_, limits, part);
+        if (!is_over()) {
+            budget_.say("what would help: all limits together");
+            found_.together = joint_relaxation(scene_, limits, budget_);
+        }
+        if (found_.together.empty() && is_over())
+            for (const Adjustment& one : limits) add_unsettled(one.key);
     }
 };
 

@@ -8,6 +8,9 @@
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "studies/delivered/solution_report.hpp"
+#include "studies/measured/measured_fit.hpp"
+#include "studies/solve/limit_curve.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 
@@ -135,7 +138,27 @@ void tell_of_run(Solution& solution, const ResultRecord& record) {
     solution.seconds_total = record.seconds_total;
     solution.seconds_solve = record.seconds_solve;
     solution.notes = record.notes;
-    if (record.any_curve_limit) solution.any_curve_limit = LimitCurve{*record.any_curve_limit, {}, {}, {}};
+    if (record.any_curve_limit) {
+        // The file has its objective; its peaks are what the scene gives.
+        solution.any_curve_limit =
+            limit_curve(solution.scene, solution.reference_peaks).value_or(LimitCurve{});
+        solution.any_curve_limit->objective = *record.any_curve_limit;
+    }
+}
+
+/// The angles that the search found are entries of the design.
+Scene with_found_angles(const Scene& scene, const ResultRecord& record) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+        angles.push_back(scene.motion.segments[i].angle);
+        if (!scene.motion.segments[i].angle_range || record.parts.empty()) continue;
+        const auto& names = record.design.names;
+        const std::string name = fmt::format("motion.segments[{}].angle_rad", i);
+        const auto found = std::ranges::find(names, name);
+        if (found == names.end()) refuse(fmt::format("found no {} in its design", name));
+        angles.back() = record.design.values[static_cast<std::size_t>(found - names.begin())];
+    }
+    return with_segment_angles(scene, angles);
 }
 
 }  // namespace
@@ -144,8 +167,11 @@ Solution restored_solution(const Scene& scene, const ResultRecord& record) {
     Solution solution;
     solution.scene = scene;
     solution.reference_peaks = reference_peaks(scene);
-    report_delivered(solution, delivered_of(scene, record));
+    if (searches_angles(scene)) solution.scene = with_found_angles(scene, record);
+    if (scene.measured) solution.measured = measured_report(scene, solution.reference_peaks);
+    report_delivered(solution, delivered_of(solution.scene, record));
     tell_of_run(solution, record);
+    if (solution.measured) solution.measured->started = began_from_measured(solution);
     if (record.cam && record.cam->forward_check)
         solution.cam->forward_check = forward_check_of(scene, *record.cam->forward_check);
     return solution;

@@ -75,8 +75,13 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
             .contradictions()
             .empty();
     for (const ConditionConflict& conflict : design.contradictions()) {
-        solution.notes.push_back(
-            conflict.others.empty()
+        std::string note =
+            conflict.others.empty() && !freedom
+                ? fmt::format(
+                      "{} contradicts what holds at the ends of the motion, at its top or where its "
+                      "segments join; more segments were tried and do not help: change it",
+                      conflict.condition)
+            : conflict.others.empty()
                 ? fmt::format(
                       "degree {} with {} segments leaves too little freedom to meet the conditions at both "
                       "ends: give the spline more segments",
@@ -85,7 +90,10 @@ void report_contradictions(Solution& solution, const MotionFamily& family) {
                               freedom
                                   ? "the spline has too little freedom to meet all of them: change one, or "
                                     "give it more segments"
-                                  : "more segments were tried and do not help: change one"));
+                                  : "more segments were tried and do not help: change one");
+        // A region is several conditions with one name.
+        if (std::ranges::find(solution.notes, note) == solution.notes.end())
+            solution.notes.push_back(std::move(note));
     }
 }
 

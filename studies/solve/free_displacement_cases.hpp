@@ -18,8 +18,9 @@ struct DisplacementCase {
     bool infeasible = false;
     std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
     std::vector<double> levels = {};                 ///< what the relaxation likes, one a free joint
-    int worst = -1;      ///< the box that makes the relaxation err most, −1: none known
-    double liked = 0.0;  ///< its displacement in the relaxation
+    int worst = -1;            ///< the box that makes the relaxation err most, −1: none known
+    double liked = 0.0;        ///< its displacement in the relaxation
+    bool indivisible = false;  ///< it cannot be cut into smaller ones
 };
 
 /// Bounds cases of one scene, and splits them.

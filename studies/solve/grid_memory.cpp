@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/grid_memory.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace camopt {
@@ -8,7 +9,9 @@ namespace camopt {
 namespace {
 
 // A grid that has grown by more than this over the plain one costs more than the rounds it saves.
-constexpr double most_growth = 1.5;
+constexpr double most_growth = 3.0;
+// A scene is solved with its rules and up to two relaxations of them.
+constexpr std::size_t most_grids = 4;
 
 }  // namespace
 
@@ -27,19 +30,33 @@ std::vector<double> GridMemory::joints(const CamModel& model) {
     return all;
 }
 
+/// An empty one where there is none.
+GridMemory::Grid& GridMemory::grid_of(const CamModel& model) {
+    const std::vector<Place> wanted = places(model);
+    const auto found = std::ranges::find(grids_, wanted, &Grid::places);
+    if (found != grids_.end())
+        std::rotate(grids_.begin(), found, std::next(found));
+    else
+        grids_.insert(grids_.begin(), Grid{wanted, {}, {}});
+    if (grids_.size() > most_grids) grids_.pop_back();
+    return grids_.front();
+}
+
 CamProblem GridMemory::problem(CamModel model) {
-    if (!samples_.empty() && places_ == places(model) && joints_ == joints(model))
-        return CamProblem(std::move(model), samples_);
+    Grid& grid = grid_of(model);
+    if (!grid.samples.empty() && grid.joints == joints(model))
+        return CamProblem(std::move(model), grid.samples);
     CamProblem plain(std::move(model));
-    plain_ = plain.samples().size();
+    grid.plain = plain.samples().size();
     return plain;
 }
 
 void GridMemory::keep(const CamProblem& problem) {
-    places_ = places(problem.model());
-    joints_ = joints(problem.model());
-    samples_ = problem.samples();
-    if (static_cast<double>(samples_.size()) > most_growth * static_cast<double>(plain_)) samples_.clear();
+    Grid& grid = grid_of(problem.model());
+    grid.joints = joints(problem.model());
+    grid.samples = problem.samples();
+    if (static_cast<double>(grid.samples.size()) > most_growth * static_cast<double>(grid.plain))
+        grid.samples.clear();
 }
 
 }  // namespace camopt

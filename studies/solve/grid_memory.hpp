@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the rules of a scene had to be sampled, kept for a neighbouring scene: the exchange then starts with
-// the angles that mattered instead of finding them again, round by round.
+// the angles that mattered instead of finding them again, round by round. A scene has a grid for each set of
+// rules it is solved with: its own, and those of its relaxations.
 #pragma once
 
 #include "objectives/grid/cam_problem.hpp"
@@ -14,7 +15,7 @@ namespace camopt {
 class GridMemory {
  public:
     /// The problem of `model`, on the grid kept from its neighbour. Plain where there is none: nothing kept
-    /// yet, other rules, or another spline.
+    /// yet of these rules, or another spline.
     [[nodiscard]] CamProblem problem(CamModel model);
     void keep(const CamProblem& problem);
 
@@ -27,10 +28,15 @@ class GridMemory {
     [[nodiscard]] static std::vector<Place> places(const CamModel& model);
     [[nodiscard]] static std::vector<double> joints(const CamModel& model);
 
-    std::vector<Place> places_;
-    std::vector<double> joints_;  ///< where the pieces of the motion begin and end
-    std::vector<RuleSample> samples_;
-    std::size_t plain_ = 0;  ///< samples of the plain grid
+    struct Grid {
+        std::vector<Place> places;
+        std::vector<double> joints;  ///< where the pieces of the motion begin and end
+        std::vector<RuleSample> samples;
+        std::size_t plain = 0;  ///< samples of the plain grid
+    };
+    [[nodiscard]] Grid& grid_of(const CamModel& model);
+
+    std::vector<Grid> grids_;  ///< the one asked for last in front
 };
 
 }  // namespace camopt

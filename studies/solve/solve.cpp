@@ -2,7 +2,6 @@
 #include "studies/solve/solve.hpp"
 
 #include "core/errors.hpp"
-#include "motions/bounds/any_curve_limit.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
@@ -14,9 +13,12 @@
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/relaxation.hpp"
+#include "studies/measured/measured_fit.hpp"
 #include "studies/solve/contradiction.hpp"
 #include "studies/solve/cost_scale.hpp"
+#include "studies/solve/limit_curve.hpp"
 #include "studies/solve/rest_conflict.hpp"
+#include "studies/solve/solve_free_angles.hpp"
 #include "studies/solve/solve_free_displacements.hpp"
 #include "studies/solve/solve_free_knots.hpp"
 #include "studies/solve/solve_from_starts.hpp"
@@ -36,29 +38,6 @@ namespace {
 // Part of the time after which starts that found nothing within the limits end: the rest is for explaining
 // it.
 constexpr double searched_in_vain = 0.6;
-
-std::optional<LimitCurve> limit_of(const Scene& scene, const Peaks& reference) {
-    const ObjectiveSpec& objective = scene.objective;
-    // The limit knows the peaks of one rise (and return) only; a term beside them would make it a bound that
-    // nothing approaches.
-    if (scene.motion.type == MotionType::program) return {};
-    for (const CostTerm& term : cost_terms())
-        if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
-    if (!scene.own_terms.empty()) return {};
-    if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
-    const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
-    const auto cap = [](const std::optional<PeakLimit>& limit) {
-        return limit ? std::optional(limit->normalised) : std::nullopt;
-    };
-    const AnyCurveLimit limit = any_curve_limit(
-        {scene.motion.type, scene.motion.length(), over(objective.velocity, reference.velocity.value),
-         over(objective.acceleration, reference.acceleration.value),
-         over(objective.jerk, reference.jerk.value), cap(scene.limits.velocity),
-         cap(scene.limits.acceleration), cap(scene.limits.jerk)});
-    if (limit.status == AnyCurveStatus::infeasible || limit.status == AnyCurveStatus::not_converged)
-        return {};
-    return LimitCurve{limit.objective, limit.velocity, limit.acceleration, limit.jerk};
-}
 
 /// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
 class SceneModels {
@@ -102,17 +81,18 @@ bool is_general(const Scene& scene, SceneModels& models) {
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
-                               const SolveControl& control) {
+                               const SolveControl& control, GridMemory* memory) {
     const Scene& scene = solution.scene;
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
     if (!needs_starts(problem.model())) {
         ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+        if (memory != nullptr) memory->keep(problem);
         if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
         return result;
     }
     StartsResult all =
         solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
-                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control);
+                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control, memory);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
     const int planned = scene.solver.starts.value_or(default_starts);
@@ -121,7 +101,8 @@ ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Soluti
             fmt::format("interrupted in the search: {} of {} starts were begun", all.starts, planned));
     if (all.starts == 0) solution.solver.name = "structured";  // the relaxation settled it
     if (all.starts == 0 && all.result.certificate.verdict == Verdict::optimal) {
-        if (wants_tie_break(scene, all.result.certificate)) break_tie(problem, scene, all.result, control);
+        if (wants_tie_break(scene, all.result.certificate))
+            break_tie(problem, scene, all.result, control, memory);
         solution.notes.emplace_back(
             "the limits that are not convex do not bite: the optimum without them keeps them, so it is the "
             "optimum of the whole");
@@ -166,12 +147,14 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
     solution.reference_peaks = reference;
-    solution.any_curve_limit = limit_of(scene, solution.reference_peaks);
+    solution.any_curve_limit = limit_curve(scene, solution.reference_peaks);
     solution.solver.name = choice.solver;
     solution.solver.choice = choice.reason;
     solution.design.kind = choice.design;
 
     CamModel model = models.taken(choice.design);
+    if (scene.measured && scene.measured->start && model.design.contradictions().empty())
+        model.start_design = nearest_design(model.design, scene.motion, *scene.measured);
     CamProblem problem = memory != nullptr ? memory->problem(std::move(model)) : CamProblem(std::move(model));
     const MotionFamily& design = problem.model().design;
     for (const ConditionConflict& conflict : design.redundant()) {
@@ -198,9 +181,8 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
         return found;
     }
     const Stopwatch solve_watch;
-    ContinuousResult result = solve_problem(problem, solver, solution, control);
+    ContinuousResult result = solve_problem(problem, solver, solution, control, memory);
     solution.seconds_solve = solve_watch.seconds();
-    if (memory != nullptr) memory->keep(problem);
 
     solution.certificate = std::move(result.certificate);
     solution.solver.termination = result.exchange.termination;
@@ -233,10 +215,10 @@ BackendChoice choose_backend(const Scene& scene) {
     return chosen_backend(scene, models);
 }
 
-Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
-    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+namespace {
+
+/// A scene whose angles are given.
+Solution solve_for_angles(const Scene& scene, const SolveControl& timed, GridMemory* memory) {
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
     Solution solution =
@@ -245,6 +227,24 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
             : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
                            timed, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);
+    return solution;
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
+    const Scene scene = with_written_limits(given);
+    validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    std::optional<MeasuredReport> measured;
+    if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
+    const auto for_angles = [&](const Scene& one) { return solve_for_angles(one, timed, nullptr); };
+    Solution solution = searches_angles(scene) ? solve_free_angles(scene, for_angles, timed)
+                                               : solve_for_angles(scene, timed, memory);
+    if (measured) {
+        measured->started = began_from_measured(solution);
+        solution.measured = std::move(measured);
+    }
     audit_delivered(solution);
     if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;

@@ -68,6 +68,9 @@ class DisplacementSearch {
         return part.infeasible ||
                part.bound >= objective() - closing_part * scene_.solver.gap * std::max(1.0, objective());
     }
+    [[nodiscard]] bool is_left(const DisplacementCase& part) const {
+        return !is_closed(part) && !part.indivisible;
+    }
     [[nodiscard]] bool proved() const {
         return std::ranges::all_of(parts_, [&](const DisplacementCase& part) { return is_closed(part); });
     }
@@ -197,11 +200,13 @@ void DisplacementSearch::bound_cases() {
     const int most = most_cases / static_cast<int>(std::max<std::size_t>(1, cases_.free().joints.size()));
     while (bounded_ < most && !proved() && !out_of_time(time_for_cases)) {
         const auto next = std::ranges::min_element(parts_, [&](const auto& one, const auto& other) {
-            if (is_closed(one) != is_closed(other)) return !is_closed(one);
+            if (is_left(one) != is_left(other)) return is_left(one);
             return one.bound < other.bound;
         });
+        if (!is_left(*next)) return;
         std::vector<DisplacementCase> pieces = cases_.split(*next);
-        if (pieces.empty()) return;
+        next->indivisible = pieces.empty();
+        if (next->indivisible) continue;  // what is left of the others may still hold the motion
         parts_.erase(next);
         for (DisplacementCase& piece : pieces) {
             if (!is_closed(piece) && !out_of_time(time_for_cases)) {

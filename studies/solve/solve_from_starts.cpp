@@ -59,9 +59,18 @@ class StartSearch {
     int ran_ = 0;
 
     [[nodiscard]] Eigen::VectorXd start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const {
-        if (index == 0 && relaxed.size() > 0) return relaxed;
-        if (index <= 1) return problem_.start();
+        const bool measured = problem_.model().start_design.size() > 0;
+        if (measured && index == 0) return start_from(problem_.model().start_design);
+        if (index == (measured ? 1 : 0) && relaxed.size() > 0) return relaxed;
+        if (index <= (measured ? 2 : 1)) return problem_.start();
         return problem_.random_start(seed + static_cast<unsigned>(index));
+    }
+
+    /// A motion that the scene brings, with the dimensions any search starts from.
+    [[nodiscard]] Eigen::VectorXd start_from(const Eigen::VectorXd& design) const {
+        Eigen::VectorXd x = problem_.start();
+        x.head(design.size()) = design.cwiseQuotient(design_scales(problem_.model()));
+        return problem_.completed(x);
     }
 
     /// Something that keeps the limits.
@@ -127,11 +136,13 @@ struct Relaxed {
 };
 
 Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOptions& exchange,
-                      const JudgeOptions& judge, const SolveControl& control) {
+                      const JudgeOptions& judge, const SolveControl& control, GridMemory* memory) {
     ExchangeOptions options = exchange;
     options.backend.native.clear();  // they belong to the backend the user chose
-    const auto problem = std::make_shared<CamProblem>(std::move(part));
+    const auto problem = std::make_shared<CamProblem>(memory != nullptr ? memory->problem(std::move(part))
+                                                                        : CamProblem(std::move(part)));
     Relaxed relaxed{solve_continuous(*problem, *make_structured_solver(), options, judge, control), problem};
+    if (memory != nullptr) memory->keep(*problem);
     Certificate& certificate = relaxed.result.certificate;
     drop_idle_bound(certificate);
     relaxed.settled = certificate.verdict == Verdict::infeasible;
@@ -153,16 +164,16 @@ bool needs_starts(const CamModel& model) {
 
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
-                               const SolveControl& control) {
+                               const SolveControl& control, GridMemory* memory) {
     const SolveControl timed = control.sooner(exchange.backend.max_seconds);
     StartsResult all;
     const CamProblem whole(model);
     CamModel always_convex = convex_part(model, ConvexOver::every_motion);
     CamModel usually_convex = convex_part(model, ConvexOver::sensible_motion);
     const bool more_rules = usually_convex.rules.size() > always_convex.rules.size();
-    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, timed);
+    Relaxed relaxed = solve_relaxed(std::move(always_convex), whole, exchange, judge, timed, memory);
     if (!relaxed.settled && more_rules && !timed.ending()) {
-        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, timed);
+        Relaxed tighter = solve_relaxed(std::move(usually_convex), whole, exchange, judge, timed, memory);
         const bool unproved = !tighter.result.certificate.lower_bound;
         if (unproved && !tighter.settled) {  // keep the bound at hand, start from the better motion
             if (tighter.result.x.size() > 0) relaxed.result.x = tighter.result.x;

@@ -10,6 +10,7 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "scene/scene.hpp"
 #include "solvers/exchange/continuous_solve.hpp"
+#include "studies/solve/grid_memory.hpp"
 
 namespace camopt {
 
@@ -18,9 +19,11 @@ struct StartsResult {
     int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
 };
 
+/// memory: of the relaxations of a neighbouring scene, and then of this one's; null: none.
 [[nodiscard]] StartsResult solve_from_starts(const CamModel& model, const Solver& solver,
                                              const ExchangeOptions& exchange, const JudgeOptions& judge,
-                                             int starts, unsigned seed, const SolveControl& control);
+                                             int starts, unsigned seed, const SolveControl& control,
+                                             GridMemory* memory = nullptr);
 
 /// Rules that are not convex for every motion: this is the way to solve the model.
 [[nodiscard]] bool needs_starts(const CamModel& model);

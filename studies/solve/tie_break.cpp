@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace camopt {
 
@@ -40,17 +41,22 @@ ExchangeOptions exchange_options(const Scene& scene) {
 }
 
 void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
-               const SolveControl& control) {
+               const SolveControl& control, GridMemory* memory) {
     const double objective = result.certificate.objective;
     const double allowance = scene.solver.tolerance * relative_to(objective);
     const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
     ExchangeOptions options = exchange_options(scene);
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
+    std::vector<RuleSample> samples = problem.samples();
     for (const double weight : tie_break_weights) {
-        CamProblem tied(tie_break_model(problem.model(), weight), problem.samples());
+        CamProblem tied(tie_break_model(problem.model(), weight), samples);
         const ExchangeResult smoother =
             minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
+        if (memory != nullptr) {
+            memory->keep(tied);
+            samples = tied.samples();
+        }
         if (smoother.best.x.size() == 0 || control.ending()) return;
         const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;

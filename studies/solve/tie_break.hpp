@@ -5,15 +5,18 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "scene/scene.hpp"
 #include "solvers/exchange/continuous_solve.hpp"
+#include "studies/solve/grid_memory.hpp"
 
 namespace camopt {
 
 /// Among the optima within the tolerance, the one of least mean square jerk. On a linear program a small
 /// enough weight on the energy picks exactly that one; how small is found by trying. (To demand "objective <=
 /// optimum" as a row instead leaves a feasible set without an inside, on which an interior point loses its
-/// digits.) Leaves the result alone where nothing smoother is found.
+/// digits.) Leaves the result alone where nothing smoother is found. `memory`: its grid
+/// goes on from weight to weight and is kept there for a neighbouring scene; null: each begins on that of
+/// `problem`.
 void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
-               const SolveControl& control);
+               const SolveControl& control, GridMemory* memory = nullptr);
 
 /// A proved optimum whose scene asks for it, and that is not unique by itself.
 [[nodiscard]] bool wants_tie_break(const Scene& scene, const Certificate& certificate);

@@ -72,6 +72,7 @@ SweepColumns check_rows(SweepScenes& scenes) {
     }
     SweepColumns columns;
     columns.keys = plan.keys;
+    if (plan.rows() > 0) columns.length_unit = scenes.scene(0).length_unit;
     for (int i = 0; i < sweep_figure_count; ++i)
         if (seen.figures[static_cast<std::size_t>(i)])
             columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));

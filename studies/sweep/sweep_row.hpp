@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/counting_nlp.hpp"
+#include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/certificate/certificate.hpp"
@@ -54,6 +55,7 @@ struct SweepColumns {
     /// What the Pareto front weighs against one another: the names of all figures and dimensions that carry a
     /// weight > 0 in at least one row.
     std::vector<std::string> criteria;
+    LengthUnit length_unit = LengthUnit::millimetre;  ///< in which people read the dimensions; files: mm
 };
 
 struct SweepTable {

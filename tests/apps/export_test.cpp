@@ -101,6 +101,26 @@ TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
     EXPECT_NE(read_text_file(folder.path() + "/cam_nc_check.txt").find("REFUSED"), std::string::npos);
 }
 
+// A motion alone: no cam is needed.
+TEST(ExportCommand, TableAndElectronicCamOfAMotion) {
+    const test::TemporaryFolder folder;
+    const ProgramRun run =
+        run_camopt("export " + test::scene("swing_limits") + " --out " + folder.path() +
+                   " --csv --columns theta_deg,v_rad_s --step-deg 7 --digits 8 --plc siemens");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string table = read_text_file(folder.path() + "/table.csv");
+    EXPECT_TRUE(table.starts_with("theta_deg,v_rad_s\n0,0\n7,")) << table;
+    EXPECT_NE(table.find("\n147,"), std::string::npos) << table;
+    EXPECT_NE(table.find("\n150,"), std::string::npos) << table;
+    EXPECT_NE(run.output.find(
+                  "23 rows over the motion, which is not a whole turn, 0 to 150 deg; the last step is 3"),
+              std::string::npos)
+        << run.output;
+    EXPECT_NE(run.output.find("lossless: s "), std::string::npos) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() + "/siemens.scl"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() + "/plc.json"));
+}
+
 TEST(ExportCommand, RefusesWhatItCannotExport) {
     const test::TemporaryFolder folder;
     const std::string out = " --out " + folder.path();
@@ -110,7 +130,12 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
         EXPECT_NE(run.errors.find(reason), std::string::npos) << arguments << run.errors;
     };
     const std::string barrel = test::scene("barrel_paper_cup");
-    refused(test::scene("drd_cubic_12") + out + " --nc", "export is for disk, barrel and cylindrical cams");
+    refused(test::scene("drd_cubic_12") + out + " --nc", "the rest is for disk, barrel and cylindrical cams");
+    refused(test::scene("drd_cubic_12") + out, "export writes --csv and --plc of a motion");
+    refused(barrel + out + " --digits 3", "--csv");
+    refused(barrel + out + " --csv --digits 30", "17");
+    refused(test::scene("drd_cubic_12") + out + " --csv --columns v_mm_s", "needs motion.speed_rpm");
+    refused(test::scene("drd_cubic_12") + out + " --plc codesis", "did you mean 'codesys'?");
     refused(test::scene("cam_drdrd") + out + " --obj", "of a disk cam export writes --csv, --dxf, --drawing");
     refused(test::scene("cam_smallest") + out + " --nc", "no return is given");
     refused(barrel + " --nc", "--out");

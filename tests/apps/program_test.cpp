@@ -153,7 +153,8 @@ TEST(Program, UnknownOptionsAndCommandsGetAHint) {
     expect_refused("sovle " + plain, "; did you mean 'solve'?");
     expect_refused("--verson", "'--verson' of camopt; did you mean '--version'?");
     expect_refused("list follower",
-                   "found 'follower'; allowed: laws, followers, solvers, keys; did you mean 'followers'?");
+                   "found 'follower'; allowed: laws, followers, solvers, keys, columns, controllers; did you "
+                   "mean 'followers'?");
     expect_refused("solve " + plain + " --frobnicate", "unknown option '--frobnicate' of camopt solve (see");
 }
 

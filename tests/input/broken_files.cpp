@@ -4,6 +4,22 @@
 
 namespace camopt::input {
 
+namespace {
+
+/// As the key table lists them.
+const std::string set_point_keys =
+    "at, at_deg, at_rad, from, from_deg, from_rad, to, to_deg, to_rad, displacement, displacement_mm, "
+    "displacement_in, displacement_m, displacement_deg, displacement_rad, velocity, velocity_mm_s, "
+    "velocity_in_s, "
+    "velocity_m_s, velocity_deg_s, velocity_rad_s, velocity_mm_rad, velocity_in_rad, velocity_m_rad, "
+    "velocity_mm_deg, velocity_deg_deg, velocity_rad_rad, acceleration, acceleration_mm_s2, "
+    "acceleration_in_s2, "
+    "acceleration_m_s2, acceleration_deg_s2, acceleration_rad_s2, acceleration_mm_rad2, "
+    "acceleration_in_rad2, "
+    "acceleration_m_rad2, acceleration_deg_deg2, acceleration_rad_rad2";
+
+}  // namespace
+
 std::vector<BrokenScene> broken_files() {
     return {
         {"syntax_no_value",
@@ -97,7 +113,9 @@ std::vector<BrokenScene> broken_files() {
          "via = [{ displacement = 0.5 }]\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:8: motion.via[0].at: missing; allowed: a number >= 0"},
+         "s.toml:3:8: motion.via[0].at: missing; allowed: at (at_deg, at_rad) of a point, or from and to of "
+         "a "
+         "region"},
         {"unknown_top",
          "titel = \"x\"\n"
          "[motion]\n"
@@ -105,7 +123,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "limits, drawing, solver; did you mean 'title'?"},
+         "measured, limits, drawing, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -149,7 +167,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "limits, drawing, solver; did you mean 'spline.degree'?"},
+         "measured, limits, drawing, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -206,8 +224,8 @@ std::vector<BrokenScene> broken_files() {
          "via = [{ at = 0.5, displacment = 0.5 }]\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:20: motion.via[0].displacment: found an unknown key; allowed: at, displacement, velocity, "
-         "acceleration; did you mean 'displacement'?"},
+         "s.toml:3:20: motion.via[0].displacment: found an unknown key; allowed: " + set_point_keys +
+             "; did you mean 'displacement'?"},
         {"unknown_table",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -216,7 +234,7 @@ std::vector<BrokenScene> broken_files() {
          "[solvers]\n"
          "name = \"auto\"\n",
          "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "limits, drawing, solver; did you mean 'solver'?"},
+         "measured, limits, drawing, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"
@@ -296,8 +314,7 @@ std::vector<BrokenScene> broken_files() {
          "via = [0.5]\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:3:8: motion.via[0]: found 0.5; allowed: a table of at, displacement, velocity, "
-         "acceleration"},
+         "s.toml:3:8: motion.via[0]: found 0.5; allowed: a table of " + set_point_keys},
         {"degree_is_float",
          "[motion]\n"
          "type = \"DRD\"\n"

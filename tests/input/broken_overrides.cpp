@@ -70,7 +70,7 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_unknown_table",
          plain_scene,
          "--set splines.degree=3: splines: found an unknown key; allowed: title, motion, spline, objective, "
-         "cam, forces, limits, drawing, solver; did you mean 'spline'?",
+         "cam, forces, measured, limits, drawing, solver; did you mean 'spline'?",
          {"splines.degree=3"}},
         {"set_into_text",
          plain_scene,
@@ -151,12 +151,12 @@ std::vector<BrokenScene> broken_overrides() {
         {"set_entry_unknown_key",
          program_scene,
          "--set motion.segments[1].ot=1: motion.segments[1].ot: found an unknown key; allowed: kind, "
-         "angle_deg, angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad",
+         "angle_deg, angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad, via",
          {"motion.segments[1].ot=1"}},
         {"set_entry_bad_value",
          program_scene,
          "--set motion.segments[1].angle_deg=0: motion.segments[1].angle_deg: found 0; allowed: a number > 0 "
-         "and <= 360",
+         "and <= 360, or a range { min = …, max = … }",
          {"motion.segments[1].angle_deg=0"}},
         {"set_entry_cross_check",
          program_scene,

@@ -41,7 +41,7 @@ std::vector<BrokenScene> broken_programs() {
          "type \"DRD\" or \"RR\""},
         {"program_via", program + "via = [{ at = 0.5, velocity = 1 }]\n",
          "s.toml:5:1: motion.via: found this key in a motion of type \"program\"; allowed: only in type "
-         "\"DRD\" or \"RR\""},
+         "\"DRD\" or \"RR\"; a program has set points in its segments, via in each"},
         {"program_in_drd",
          "objective.jerk = 1\n"
          "[motion]\n"
@@ -68,7 +68,7 @@ std::vector<BrokenScene> broken_programs() {
          "s.toml:5:12: motion.segments: found 3; allowed: an array of tables"},
         {"program_segment_number", program + "segments = [3]\n",
          "s.toml:5:13: motion.segments[0]: found 3; allowed: a table of kind, angle_deg, angle_rad, law, to, "
-         "to_mm, to_in, to_m, to_deg, to_rad"},
+         "to_mm, to_in, to_m, to_deg, to_rad, via"},
         {"program_segment_empty", program + "segments = [{}]\n",
          "s.toml:5:13: motion.segments[0].kind: missing; allowed: \"dwell\", \"law\" or \"spline\""},
         {"program_kind_missing",
@@ -83,18 +83,21 @@ std::vector<BrokenScene> broken_programs() {
         {"program_angle_missing",
          program + "[[motion.segments]]\n"
                    "kind = \"dwell\"\n",
-         "s.toml:5:1: motion.segments[0].angle_deg: missing; allowed: a number > 0 and <= 360"},
+         "s.toml:5:1: motion.segments[0].angle_deg: missing; allowed: a number > 0 and <= 360, or a range { "
+         "min "
+         "= …, max = … }"},
         {"program_angle_zero",
          program + "[[motion.segments]]\n"
                    "kind = \"dwell\"\n"
                    "angle_deg = 0\n",
-         "s.toml:7:13: motion.segments[0].angle_deg: found 0; allowed: a number > 0 and <= 360"},
+         "s.toml:7:13: motion.segments[0].angle_deg: found 0; allowed: a number > 0 and <= 360, or a range { "
+         "min = …, max = … }"},
         {"program_angle_over_turn",
          program + "[[motion.segments]]\n"
                    "kind = \"spline\"\n"
                    "angle_rad = 7\n",
          "s.toml:7:13: motion.segments[0].angle_rad: found 7; allowed: a number > 0 and <= "
-         "6.283185307179586"},
+         "6.283185307179586, or a range { min = …, max = … }"},
         {"program_angle_twice",
          program + "[[motion.segments]]\n"
                    "kind = \"spline\"\n"
@@ -107,14 +110,14 @@ std::vector<BrokenScene> broken_programs() {
                    "kind = \"spline\"\n"
                    "angle = 1\n",
          "s.toml:7:1: motion.segments[0].angle: found an unknown key; allowed: kind, angle_deg, angle_rad, "
-         "law, to, to_mm, to_in, to_m, to_deg, to_rad; did you mean 'angle_deg'?"},
+         "law, to, to_mm, to_in, to_m, to_deg, to_rad, via; did you mean 'angle_deg'?"},
         {"program_segment_key_unknown",
          program + "[[motion.segments]]\n"
                    "kind = \"spline\"\n"
                    "angle_deg = 360\n"
                    "velocity = 1\n",
          "s.toml:8:1: motion.segments[0].velocity: found an unknown key; allowed: kind, angle_deg, "
-         "angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad; did you mean 'motion.via.velocity'?"},
+         "angle_rad, law, to, to_mm, to_in, to_m, to_deg, to_rad, via; did you mean 'motion.via.velocity'?"},
         {"program_law_missing",
          rise + "[[motion.segments]]\n"
                 "kind = \"law\"\n"

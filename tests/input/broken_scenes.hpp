@@ -25,6 +25,7 @@ std::vector<BrokenScene> broken_files();
 std::vector<BrokenScene> broken_values();
 std::vector<BrokenScene> broken_combinations();
 std::vector<BrokenScene> broken_programs();
+std::vector<BrokenScene> broken_set_points();
 std::vector<BrokenScene> broken_cams();
 std::vector<BrokenScene> broken_mechanisms();
 std::vector<BrokenScene> broken_spatial();

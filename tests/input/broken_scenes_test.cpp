@@ -35,6 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BrokenScenes, testing::ValuesIn(broken_files()),
 INSTANTIATE_TEST_SUITE_P(Values, BrokenScenes, testing::ValuesIn(broken_values()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Combinations, BrokenScenes, testing::ValuesIn(broken_combinations()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Programs, BrokenScenes, testing::ValuesIn(broken_programs()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(SetPoints, BrokenScenes, testing::ValuesIn(broken_set_points()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Mechanisms, BrokenScenes, testing::ValuesIn(broken_mechanisms()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Spatial, BrokenScenes, testing::ValuesIn(broken_spatial()), name_of_case);
 INSTANTIATE_TEST_SUITE_P(Inverse, BrokenScenes, testing::ValuesIn(broken_inverse()), name_of_case);

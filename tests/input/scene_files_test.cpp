@@ -15,8 +15,9 @@ namespace camopt::input {
 namespace {
 
 const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
-const KnownNames known = {.laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid"},
-                          .solvers = {}};
+const KnownNames known = {
+    .laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid", "constant_velocity"},
+    .solvers = {}};
 
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -67,12 +67,6 @@ std::vector<KeyCase> motion_cases() {
         {"motion.symmetric", "true", 1, [](const Scene& s) { return s.motion.symmetric ? 1.0 : 0.0; }},
         {"motion.via", "[{ at = 0.5, velocity = 1 }]", 1,
          [](const Scene& s) { return double(s.motion.via.size()); }},
-        {"motion.via.at", "0.25", 0.25, [](const Scene& s) { return s.motion.via.at(0).at; }},
-        {"motion.via.displacement", "0.2", 0.2,
-         [](const Scene& s) { return s.motion.via.at(0).displacement.value(); }},
-        {"motion.via.velocity", "-3", -3, [](const Scene& s) { return s.motion.via.at(0).velocity.value(); }},
-        {"motion.via.acceleration", "0", 0,
-         [](const Scene& s) { return s.motion.via.at(0).acceleration.value(); }},
     };
 }
 

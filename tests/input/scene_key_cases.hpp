@@ -24,6 +24,8 @@ std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
 
 std::vector<KeyCase> motion_cases();
 std::vector<KeyCase> segment_cases();
+std::vector<KeyCase> set_point_cases();
+std::vector<KeyCase> measured_cases();
 std::vector<KeyCase> spline_cases();
 std::vector<KeyCase> objective_cases();
 std::vector<KeyCase> cam_cases();

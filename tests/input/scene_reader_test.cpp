@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -22,18 +24,41 @@ const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
 const std::string drd = "motion.type = \"DRD\"\n";
 const std::string jerk_only = "objective.jerk = 1\n";
 
+/// Where measured.csv lies.
+std::filesystem::path folder_of_tables() {
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "camopt_scene_reader";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "measured.csv")
+        << "s_mm,theta_rad\n0,0\n1,0.2\n3,0.5\n7,0.8\n12,1.1\n17,1.4\n19,1.7\n20,2\n";
+    return folder;
+}
+
 Scene read(const std::string& toml, const std::vector<std::string>& overrides = {}) {
-    return read_scene(toml, "s.toml", known, overrides);
+    static const KnownNames with_folder = [] {
+        KnownNames names = known;
+        names.folder = folder_of_tables();
+        return names;
+    }();
+    return read_scene(toml, "s.toml", with_folder, overrides);
 }
 
 std::vector<KeyCase> key_cases() {
     std::vector<KeyCase> all;
     for (const auto& part :
-         {motion_cases(), segment_cases(), spline_cases(), objective_cases(), dimension_weight_cases(),
-          cam_cases(), remote_cases(), spatial_cases(), inverse_cases(), force_cases(), limit_cases(),
-          cam_limit_cases(), drawing_cases(), solver_cases()})
+         {motion_cases(), segment_cases(), set_point_cases(), measured_cases(), spline_cases(),
+          objective_cases(), dimension_weight_cases(), cam_cases(), remote_cases(), spatial_cases(),
+          inverse_cases(), force_cases(), limit_cases(), cam_limit_cases(), drawing_cases(), solver_cases()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
+}
+
+/// A set point, or a region, with this key.
+std::string point_with(const std::string& key, const std::string& value) {
+    std::string beside = "at = 0.5";
+    if (key.starts_with("at")) beside = "velocity = 1";
+    if (key.starts_with("from")) beside = "velocity = 1, to = 0.875";
+    if (key.starts_with("to")) beside = "velocity = 1, from = 0.125";
+    return "{ " + beside + ", " + key + " = " + value + " }";
 }
 
 /// The smallest scene that holds the key.
@@ -41,8 +66,10 @@ std::string scene_with(const KeyCase& c) {
     const std::string via = "motion.via.", segment = "motion.segments.";
     std::string toml = c.rest;
     if (c.key.starts_with(via))
-        toml += "motion.via = [{ " + std::string(c.key == via + "at" ? "velocity = 1, " : "at = 0.5, ") +
-                c.key.substr(via.size()) + " = " + c.value + " }]\n";
+        toml += "motion.via = [" + point_with(c.key.substr(via.size()), c.value) + "]\n";
+    else if (c.key.starts_with(segment + "via."))
+        toml += "motion.segments = [{ kind = \"spline\", angle_rad = 2, to = 1, via = [" +
+                point_with(c.key.substr(segment.size() + 4), c.value) + "] }]\n";
     else if (c.key.starts_with(segment))
         toml += "motion.segments = [{ " + c.key.substr(segment.size()) + " = " + c.value +
                 (c.key.find("angle") == std::string::npos ? ", angle_deg = 120" : "") +

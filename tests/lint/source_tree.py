@@ -33,6 +33,10 @@ MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "solvers", "input", 
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles/spatial"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
+# Electronic cams: the motion alone, no cam.
+MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
+# A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
+MAY_INCLUDE["output/page"] = MAY_INCLUDE["output"] | {"output", "output/spatial"}
 EVERY_MODULE = set(MAY_INCLUDE)
 MAY_INCLUDE |= {
     user: EVERY_MODULE for user in ("include", "apps", "benchmarks", "bindings", "notebooks_cpp", "tests")

@@ -11,6 +11,9 @@ or runs out of processor time, *stillborn* where it does not compile, and *alive
 (DIR/mutants.csv) is written line by line; a second call goes on where the first ended. Exit status 1 where a
 mutant is alive that tests/mutation/explained.txt does not explain.
 
+--together compiles all mutants at once, each switched on by a number (switched.py), and the few that cannot be
+switched by themselves: minutes instead of hours.
+
 --again FILE tries the mutants that another run's list calls alive, found again by their lines' text.
 
 Left alone: comments, strings, preprocessor lines, asserts, and named constants (`constexpr`): a tolerance that
@@ -20,6 +23,7 @@ import argparse
 import csv
 import json
 import math
+import os
 import random
 import re
 import resource
@@ -27,7 +31,10 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
+
+from switched import Switched
 
 ROOT = Path(__file__).resolve().parents[2]
 EXPLAINED = ROOT / "tests/mutation/explained.txt"
@@ -112,8 +119,8 @@ def mutants_alive(copy, table):
     return mutants
 
 
-def run(command, folder, seconds=None):
-    """(exit status, output); no status where it ran out of time.
+def run(command, folder, seconds=None, number=0):
+    """(exit status, output); no status where it ran out of time. number: of the mutant that is switched on.
 
     Of processor time: on a loaded or halted machine a test must not pass for one that hangs. What sleeps for
     good ends by the clock.
@@ -122,7 +129,8 @@ def run(command, folder, seconds=None):
         resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 5))
     try:
         done = subprocess.run(command, cwd=folder, timeout=seconds and 20.0 * seconds, capture_output=True, text=True,
-                              errors="replace", preexec_fn=limit if seconds else None)
+                              errors="replace", preexec_fn=limit if seconds else None,
+                              env=os.environ | {"CAMOPT_MUTANT": str(number)})
     except subprocess.TimeoutExpired:
         return None, ""
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
@@ -150,10 +158,9 @@ class Tests:
         return folder in self.programs
 
     def measure(self, folder):
-        """Builds and times the programs of a folder; the copy must be unmutated. Kept for the next call."""
-        targets = re.findall(r"^(?:\S*/)?(\w+_test): phony", self.ninja_targets(folder), re.M)
+        """Builds and times the programs of a folder; no mutant may be at work. Kept for the next call."""
         found = []
-        for target in sorted(set(targets)):
+        for target in self.targets(folder):
             status, output = self.compile(target)
             if status != 0:
                 sys.exit(f"{target} does not build unmutated:\n{output[-3000:]}")
@@ -162,10 +169,9 @@ class Tests:
         self.kept.write_text(json.dumps({"slow": self.slow, "programs": self.programs,
                                          "left_out": self.left_out}))
 
-    def ninja_targets(self, folder):
+    def targets(self, folder):
         status, output = run(["ninja", "-t", "targets", "all"], self.build)
-        wanted = re.findall(rf"^tests/{folder}/(?:\S+/)?(\w+_test): CXX_EXECUTABLE_LINKER", output, re.M)
-        return "\n".join(f"{name}: phony" for name in wanted)
+        return sorted(set(re.findall(rf"^tests/{folder}/(?:\S+/)?(\w+_test): CXX_EXECUTABLE_LINKER", output, re.M)))
 
     def program(self, target):
         return next(path for path in (self.build / "tests").rglob(target) if path.is_file())
@@ -175,9 +181,10 @@ class Tests:
 
     def measured(self, target, program):
         report = self.build / "unmutated.json"
-        started = processor_seconds()
+        started, begun = processor_seconds(), time.monotonic()
         status, output = run([program, f"--gtest_output=json:{report}"], program.parent, 1800)
         seconds = processor_seconds() - started
+        share = min(1.0, seconds / (time.monotonic() - begun))  # of a processor, on a machine that is not idle
         names, slow_seconds = [], 0.0
         if status != 0:
             # A machine that is busy may make a test fail that has a time limit: it tells nothing then.
@@ -186,7 +193,7 @@ class Tests:
                 sys.exit(f"{target} fails unmutated:\n{output[-3000:]}")
         for suite in json.loads(report.read_text())["testsuites"]:
             for test in suite["testsuite"]:
-                own = float(test["time"].rstrip("s"))
+                own = share * float(test["time"].rstrip("s"))
                 if own > self.slow:
                     names.append(f"{suite['name']}.{test['name']}")
                     slow_seconds += own
@@ -203,39 +210,105 @@ class Tests:
                 status, output = self.compile(target)
                 if status != 0:
                     return "stillborn", target
-                killer = self.killer(self.program(target), pattern, 60.0 + 10.0 * seconds)
+                killer = self.killer(self.program(target), pattern, 60.0 + 10.0 * seconds, 0)
                 if killer:
                     return "killed", f"{target}: {killer}"
         return "alive", ""
 
-    def killer(self, program, pattern, seconds):
+    def killer_in(self, folder, path, number):
+        """Which test of a folder notices a mutant that is compiled already and only switched on; "": none.
+
+        First those whose name says that they are about the mutant's room or file.
+        """
+        words = {*path.parts[1:-1], path.stem}
+        for seconds, target, pattern in sorted(
+                self.programs[folder], key=lambda program: not any(word in program[1] for word in words)):
+            killer = self.killer(self.program(target), pattern, 60.0 + 10.0 * seconds, number)
+            if killer:
+                return f"{target}: {killer}"
+        return ""
+
+    def killer(self, program, pattern, seconds, number):
         """The first test that fails, and fails again by itself: once may be the machine's doing."""
         while True:
-            status, output = run([program, "--gtest_fail_fast", f"--gtest_filter={pattern}"], program.parent, seconds)
+            status, output = run([program, "--gtest_fail_fast", f"--gtest_filter={pattern}"], program.parent, seconds,
+                                 number)
             if status == 0:
                 return ""
             failed = re.search(r"\[  FAILED  \] (\S+?),?\s", output)
             if not failed:
                 return "timeout" if status is None else f"status {status}"
             name = failed.group(1)
-            status, _ = run([program, f"--gtest_filter={name}"], program.parent, seconds)
+            status, _ = run([program, f"--gtest_filter={name}"], program.parent, seconds, number)
             if status != 0:
                 return name
             pattern = f"-{name}" if pattern == "*" else f"{pattern}:{name}"
 
 
-def make_copy(work):
+def make_copy(work, shared):
     copy = work / "source"
     if not copy.exists():
         for name in subprocess.check_output(["git", "ls-files"], cwd=ROOT, text=True).splitlines():
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, copy / name)
     # Shared libraries: a mutant costs one compilation and one small link, and not a link for each program.
-    status, output = run(["cmake", "--preset", "release", "-DBUILD_SHARED_LIBS=ON",
+    status, output = run(["cmake", "--preset", "release", f"-DBUILD_SHARED_LIBS={'ON' if shared else 'OFF'}",
                           "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON"], copy)
     if status != 0:
         sys.exit(output)
     return copy
+
+
+class Together:
+    """Mutants in one build. Each test folder is built when it is first asked, so that the quick ones answer first."""
+
+    def __init__(self, tests, mutants):
+        self.tests, self.mutants = tests, mutants
+        self.switched = Switched(tests.copy, mutants, blanked)
+        self.built = set()
+
+    def build(self, targets):
+        while True:
+            self.switched.write()
+            status, output = run(["ninja", "-k0", f"-j{self.tests.jobs}", *targets], self.tests.build)
+            if status == 0:
+                return
+            blamed = self.switched.blamed(output)
+            if not blamed:
+                sys.exit(f"the mutants do not build together:\n{output[-6000:]}")
+            for number in blamed:
+                self.switched.next_way(number)
+            print("another way for", *blamed, flush=True)
+
+    def try_all(self, tell):
+        """Tells the verdicts by number: of all in their own folder's tests, then of those left in the others'."""
+        try:
+            folder_of = {number: str(path).split("/")[0] for number, (path, *_) in self.mutants.items()}
+            left = dict.fromkeys(self.mutants)  # those that nobody noticed yet
+            for depth in range(max(map(len, ABOVE.values()))):
+                for folder in dict.fromkeys(folder_of.values()):
+                    own = [number for number in left if folder_of[number] == folder]
+                    if own and depth < len(ABOVE[folder]):
+                        self.try_folder(own, ABOVE[folder][depth], left, tell)
+            for number in left:
+                if self.switched.way[number] != "alone":
+                    tell(number, "alive", "")
+        finally:
+            self.switched.restore()
+
+    def try_folder(self, numbers, folder, left, tell):
+        if folder not in self.built:
+            self.build(self.tests.targets(folder))
+            if not self.tests.knows(folder):
+                self.tests.measure(folder)
+            self.built.add(folder)
+        for number in numbers:
+            if self.switched.way[number] == "alone":
+                continue
+            killer = self.tests.killer_in(folder, self.mutants[number][0], number)
+            if killer:
+                del left[number]
+                tell(number, "killed", killer)
 
 
 def explained():
@@ -254,11 +327,12 @@ def main():
     parser.add_argument("--folders", default="profiles,objectives,solvers,studies")
     parser.add_argument("--slow", type=float, default=3.0, help="seconds: tests above this are left out")
     parser.add_argument("--again", type=Path, help="mutants.csv of an earlier run")
+    parser.add_argument("--together", action="store_true", help="all mutants in one build")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # by way of finally: the copy is left unmutated
     folders = options.folders.split(",")
-    copy = make_copy(options.work.resolve())
+    copy = make_copy(options.work.resolve(), not options.together)
     mutants = (mutants_alive(copy, options.again) if options.again
                else chosen_mutants(copy, folders, options.count, options.seed))
     tests = Tests(copy, options.slow, options.jobs)
@@ -266,30 +340,39 @@ def main():
     table = options.work / "mutants.csv"
     done = list(csv.reader(table.open())) if table.exists() else []
     tried = {int(row[0]) for row in done}
+    originals = {path: (copy / path).read_text() for _, path, *_ in mutants}
     with table.open("a", newline="") as file:
         writer = csv.writer(file)
-        for index, (folder, path, offset, old, new) in enumerate(mutants):
-            if index in tried:
-                continue
-            original = (copy / path).read_text()
-            line = original.count("\n", 0, offset) + 1
-            text = original.splitlines()[line - 1].strip()
-            verdict, by = "unknown", folder
-            while verdict == "unknown":
-                if not tests.knows(by):
-                    tests.measure(by)
-                    (options.work / "left_out.txt").write_text("\n".join(tests.left_out) + "\n")
-                (copy / path).write_text(original[:offset] + new + original[offset + len(old):])
-                try:
-                    verdict, by = tests.verdict(folder)
-                finally:
-                    (copy / path).write_text(original)
+
+        def tell(index, verdict, by):
+            _, path, offset, old, new = mutants[index]
+            line = originals[path].count("\n", 0, offset) + 1
+            text = originals[path].splitlines()[line - 1].strip()
             row = [str(index), verdict, str(path), str(line), old.strip(), new.strip(), text, by]
             writer.writerow(row)
             file.flush()
             done.append(row)
+            tried.add(index)
             print(f"{index + 1:4} of {len(mutants)}  {verdict:9}  {path}:{line}  {old.strip()} -> {new.strip()}  {by}",
                   flush=True)
+
+        if options.together:
+            left = {index + 1: mutant[1:] for index, mutant in enumerate(mutants) if index not in tried}
+            Together(tests, left).try_all(lambda number, verdict, by: tell(number - 1, verdict, by))
+        for index, (folder, path, offset, old, new) in enumerate(mutants):
+            if index in tried:
+                continue
+            verdict, by = "unknown", folder
+            while verdict == "unknown":
+                if not tests.knows(by):
+                    tests.measure(by)
+                (copy / path).write_text(originals[path][:offset] + new + originals[path][offset + len(old):])
+                try:
+                    verdict, by = tests.verdict(folder)
+                finally:
+                    (copy / path).write_text(originals[path])
+            tell(index, verdict, by)
+        (options.work / "left_out.txt").write_text("\n".join(tests.left_out) + "\n")
 
     count = {verdict: sum(row[1] == verdict for row in done) for verdict in ("killed", "stillborn", "alive")}
     known = explained()

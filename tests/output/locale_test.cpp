@@ -4,9 +4,11 @@
 #include "core/errors.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
+#include "output/csv/uniform_csv.hpp"
 #include "output/json/certificate_reader.hpp"
 #include "output/json/paper_report_json.hpp"
 #include "output/nc/post/post_processor.hpp"
+#include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/text_file.hpp"
 #include "scene/scene.hpp"
@@ -95,6 +97,11 @@ void add_folder(Texts& texts, const std::string& name) {
         texts[name + "/" + file.filename().string()] = without_times(read_text_file(file));
     for (const ConflictReport& conflict : solution.conflict)
         texts[name + "/conflict"] += fmt::format("{} {} {}\n", conflict.key, conflict.at, conflict.weight);
+    if (solution.motion) {
+        for (const PlcFile& file : plc_export(solution, plc_format_keys(), {}).files)
+            texts[name + "/" + file.name] = file.text;
+        texts[name + "/table.csv"] = uniform_table(solution, {.digits = 9}).text;
+    }
     if (solution.certificate.proof)
         texts[name + "/bound again"] =
             fmt::format("{}", recomputed_bound(read_certificate(folder.path() + "/certificate.json")));

@@ -139,7 +139,7 @@ TEST(Scene, WrongProgramsAreNamed) {
          "\"RR\""},
         {[](Scene& s) { s.motion.via = {{.at = 0.5, .velocity = 1}}; },
          "motion.via: found exact points in a motion of type \"program\"; allowed: only in type \"DRD\" or "
-         "\"RR\""},
+         "\"RR\"; a program has them in its segments"},
         {[](Scene& s) { s.motion.type = MotionType::drd; },
          "motion.segments: found segments in a motion of type \"DRD\"; allowed: only in type \"program\""},
         {[](Scene& s) {

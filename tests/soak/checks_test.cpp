@@ -159,6 +159,24 @@ TEST(SoakChecks, WrongCamsAreNoticed) {
     expect_broken(check_dimensions(outside));
 }
 
+/// A least force of 0 is missed by what the largest force leaves of its digits, and by no more.
+TEST(SoakChecks, AForceLimitOfZeroIsMeasuredByTheLargestForce) {
+    Solved result = solved(cam_scene);
+    const double largest = result.outcome.cam.at("forces.largest_force_n");
+    ASSERT_GT(largest, 10.0);
+    bool found = false;
+    for (PublishedLimit& limit : result.outcome.limits) {
+        if (limit.key != "limits.contact_force_min_n") continue;
+        found = true;
+        limit.limit = 0.0;
+        limit.worst = -1e-10 * largest;
+        EXPECT_EQ(check_reported_limits(result).value_or("none"), "");
+        limit.worst = -1e-5 * largest;
+        expect_broken(check_reported_limits(result));
+    }
+    EXPECT_TRUE(found);
+}
+
 /// Its formulas pass through infinity; what is published is how far it turns.
 TEST(SoakChecks, AFaceThatTurnsBackIsJudgedByItsTurning) {
     const Solved result = solved(R"(
@@ -219,6 +237,53 @@ TEST(SoakAgreement, WorseAndContradictingAnswersAreNoticed) {
     expect_broken(same_answer(one, none));
 }
 
+/// A trial whose every other solve says what it is told to.
+class RepeatedTrial final : public Trial {
+ public:
+    RepeatedTrial(Solved first, Solved again) : first_(std::move(first)), again_(std::move(again)) {}
+    [[nodiscard]] const Solved& base() const override { return first_; }
+    Draw& draw() override { return draw_; }
+    Solved solve(const SceneText&) override { return again_; }
+
+ private:
+    Solved first_, again_;
+    Draw draw_{1, 1};
+};
+
+TEST(SoakAgreement, ARepetitionDiffersOnlyWhereItSaysThatTheClockEndedASearch) {
+    Solved one = solved(motion_scene);
+    one.outcome.wall_seconds = 0.0;
+    Solved other = one;
+    other.outcome.repeatable += " ";
+    RepeatedTrial silent(one, other);
+    expect_broken(compare_repeated(silent));
+    other.outcome.unsettled = {"spline.segments"};
+    RepeatedTrial told(one, other);
+    EXPECT_FALSE(compare_repeated(told).has_value());
+    RepeatedTrial same(one, one);
+    EXPECT_EQ(compare_repeated(same).value_or("none"), "");
+}
+
+TEST(SoakAgreement, ASearchThatTheClockEndedIsReadFromTheResult) {
+    const Solved hurried = solved_from(SceneText::parse(R"([motion]
+type = "RR"
+rise_deg = 163.9
+return_deg = 112.2
+[spline]
+degree = 5
+breakpoints = [0.0, 1.1874, 1.6845637583892619]
+continuity = 4
+[objective]
+jerk = 1.0
+[limits]
+velocity = 1.61
+[solver]
+max_seconds = 0.02
+)"));
+    ASSERT_EQ(hurried.outcome.verdict, "infeasible") << hurried.outcome.refusal;
+    EXPECT_FALSE(hurried.outcome.unsettled.empty());
+}
+
 TEST(SoakLaws, HaveTheFiguresOfTheHandbooks) {
     const auto sine = law_figures("modified_sine");
     EXPECT_NEAR(sine.at("velocity"), 1.759603385953771, 1e-12);
@@ -236,6 +301,19 @@ TEST(SoakScenes, AreDrawnAlikeAndReadBackAsTheyWereWritten) {
         EXPECT_EQ(scene, drawn_cam_scene(other, {}).text());
         EXPECT_EQ(scene, SceneText::parse(scene).text());
     }
+}
+
+/// Two workers were killed at once, in the middle of quick solves, when the machine had stood still.
+TEST(SoakWorkers, AMachineThatStandsStillIsNoWorkerThatHangs) {
+    const Patience::Clock::time_point begin{};
+    Patience patience(begin);
+    patience.look(begin + std::chrono::milliseconds(400));
+    EXPECT_EQ(patience.waited(), std::chrono::milliseconds(400));
+    patience.look(begin + std::chrono::hours(1));
+    EXPECT_EQ(patience.waited(), std::chrono::milliseconds(1400));
+    for (int k = 1; k <= 100; ++k)
+        patience.look(begin + std::chrono::hours(1) + k * std::chrono::milliseconds(100));
+    EXPECT_EQ(patience.waited(), std::chrono::milliseconds(11400));
 }
 
 TEST(SoakWorkers, CrashesAndHangsAreOneFailureEach) {

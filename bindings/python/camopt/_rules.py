@@ -23,33 +23,33 @@ _STEP = 2e-3  # of a size
 _ERRORS, _PART = 100.0, 1e-6
 
 
-@dataclasses.dataclass(frozen=True)
-class OwnTerm:
-    """A cost term of one's own: made by camopt.term()."""
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class _OwnRule:
+    """What a term and a limit have alike."""
 
     name: str
     f: Function
-    weight: float
-    reference: float = 1.0
     shape: str = "general"
     highest_order: int = 3
     gradient: Function | None = None
     hessian: Function | None = None
 
 
-@dataclasses.dataclass(frozen=True)
-class OwnLimit:
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class OwnTerm(_OwnRule):
+    """A cost term of one's own: made by camopt.term()."""
+
+    weight: float
+    reference: float = 1.0
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class OwnLimit(_OwnRule):
     """A limit of one's own: made by camopt.limit()."""
 
-    name: str
-    f: Function
     limit: float
     unit: str = ""
     size: float = 0.0
-    shape: str = "general"
-    highest_order: int = 3
-    gradient: Function | None = None
-    hessian: Function | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -81,7 +81,8 @@ def term(name: str, f: Function, *, weight: float, reference: float = 1.0, shape
     highest_order: of the derivatives in f: 3 where j stands in it.
     Solving calls f in this and other threads, in turns. What f raises comes through.
     """
-    return _checked(OwnTerm(name, f, weight, reference, shape, highest_order, gradient, hessian))
+    return _checked(OwnTerm(name=name, f=f, weight=weight, reference=reference, shape=shape, highest_order=highest_order,
+                            gradient=gradient, hessian=hessian))
 
 
 def limit(name: str, f: Function, limit: float, *, unit: str = "", size: float = 0.0, shape: str = "general",
@@ -91,7 +92,8 @@ def limit(name: str, f: Function, limit: float, *, unit: str = "", size: float =
     unit: of f, for reports. size: what a violation is measured by; 0: |limit|, or 1 where that is 0. The rest as
     term().
     """
-    return _checked(OwnLimit(name, f, limit, unit, size, shape, highest_order, gradient, hessian))
+    return _checked(OwnLimit(name=name, f=f, limit=limit, unit=unit, size=size, shape=shape,
+                             highest_order=highest_order, gradient=gradient, hessian=hessian))
 
 
 def check_derivatives(f: Function | OwnTerm | OwnLimit, gradient: Function | None = None,
@@ -100,7 +102,7 @@ def check_derivatives(f: Function | OwnTerm | OwnLimit, gradient: Function | Non
 
     points: rows of (x, y, v, a, j); None: 24 about the modified sine. A False one names its worst entry.
     """
-    rule = f if isinstance(f, (OwnTerm, OwnLimit)) else OwnTerm("f", f, 1.0, gradient=gradient, hessian=hessian)
+    rule = f if isinstance(f, _OwnRule) else OwnTerm(name="f", f=f, weight=1.0, gradient=gradient, hessian=hessian)
     rows = _points_of_motions() if points is None else np.atleast_2d(np.asarray(points, dtype=float))
     found = [_disagreement(rule, row) for row in rows]
     wrong, error, worst = max(found, key=lambda one: (one[0], one[1]))

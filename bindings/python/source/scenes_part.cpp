@@ -45,7 +45,7 @@ void add_scenes(py::module_& module) {
         py::arg("text"), py::arg("source"), py::arg("settings"),
         "The TOML of a text with settings on top; keys and values are not looked at.");
     module.def(
-        "read_text", [](const std::string& path) { return input::scene_file_text(path); }, py::arg("path"),
+        "read_text", [](const std::string& path) { return input::whole_scene_text(path); }, py::arg("path"),
         "The text of a scene file. Raises InputError where it cannot be read.");
     module.def(
         "scene_keys", [](const std::string& table) { return input::written_keys(table); },

@@ -20,11 +20,11 @@ SweepQuantity figure_quantity(SweepFigure figure, const std::string& symbol) {
             [figure](const SweepRow& row) { return row.figure(figure); }};
 }
 
-SweepQuantity dimension_quantity(DimensionIndex dimension) {
-    const std::string title = words_of(name_of(dimension)) + " (mm)";
-    return {title, title, [dimension](const SweepRow& row) -> std::optional<double> {
+SweepQuantity dimension_quantity(DimensionIndex dimension, LengthUnit unit) {
+    const std::string title = fmt::format("{} ({})", words_of(name_of(dimension)), name_of(unit));
+    return {title, title, [dimension, unit](const SweepRow& row) -> std::optional<double> {
                 const std::optional<double>& metres = row.dimension(dimension);
-                return metres ? std::optional(*metres / units::millimetre) : std::nullopt;
+                return metres ? std::optional(*metres / metres_of(unit)) : std::nullopt;
             }};
 }
 
@@ -48,7 +48,7 @@ std::vector<SweepQuantity> drawn_quantities(const SweepTable& table) {
             quantities.push_back(figure_quantity(term.figure, ""));
     }
     for (const DimensionIndex dimension : table.columns.dimensions)
-        quantities.push_back(dimension_quantity(dimension));
+        quantities.push_back(dimension_quantity(dimension, table.columns.length_unit));
     return quantities;
 }
 

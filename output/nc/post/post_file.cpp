@@ -146,6 +146,7 @@ PostProcessor post_of_table(const toml::table& table, std::string_view name, Pos
     reader.read("header", post.header);
     reader.read("footer", post.footer);
     reader.read("spindle_on", post.spindle_on);
+    reader.read("tool_call", post.tool_call);
     if (const toml::table* const axes = reader.child("axes")) read_axes(*axes, name, post);
     reader.finish();
     post.validate();

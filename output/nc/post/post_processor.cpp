@@ -60,6 +60,8 @@ void PostProcessor::validate() const {
 
 PostProcessor generic_post(const Machine& machine) {
     PostProcessor post;
+    const bool turns = machine.axes().back().kind == AxisKind::rotary;
+    if (!turns) post.feed_mode = FeedMode::per_minute;
     const bool tilts = machine.axes().back().key == "tilt";
     for (const MachineAxis& axis : machine.axes()) {
         if (axis.kind == AxisKind::linear)

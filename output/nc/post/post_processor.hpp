@@ -35,13 +35,16 @@ struct PostProcessor {
     std::string comment_begin = "(", comment_end = ")";
     /// {title}, {post}, {tool}, {machine} are replaced. Units, G90 and the feed mode are written by camopt.
     std::vector<std::string> header = {"%"}, footer = {"M5", "M30", "%"};
-    std::string spindle_on = "S{spindle_rpm} M3";  ///< empty: none
-    std::map<std::string, PostAxis> axes;          ///< by MachineAxis::key
+    /// {spindle_rpm}; {spindle_sense} is M3 or M4. Empty: none.
+    std::string spindle_on = "S{spindle_rpm} {spindle_sense}";
+    std::string tool_call = "T{tool_number} M6";  ///< empty: none
+    std::map<std::string, PostAxis> axes;         ///< by MachineAxis::key
 
     void validate() const;  ///< throws InputError
 };
 
-/// X, Y, Z; rotary C and tilt B with five axes, rotary A with four.
+/// X, Y, Z; rotary C and tilt B with five axes, rotary A with four. Inverse time where an axis turns, else
+/// mm/min.
 [[nodiscard]] PostProcessor generic_post(const Machine& machine);
 
 /// What the file leaves out is that of `base`. Throws InputError naming file, line, key, what was found and

@@ -2,6 +2,7 @@
 #include "output/words/tables/peak_comparison.hpp"
 
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ std::string PeakRow::beside_text(int digits) const {
 std::string left_out_of_any_curve(const Scene& scene) {
     const bool cam = limits_cam(scene.limits) || (scene.cam && scene.cam->face_half_width);
     std::string text = cam ? "limits of the cam" : "";
-    if (!scene.motion.via.empty()) text += text.empty() ? "via points" : " and via points";
+    if (!placed_points(scene.motion).empty()) text += text.empty() ? "via points" : " and via points";
     return text;
 }
 

@@ -26,6 +26,8 @@ CERTAIN = [
     ("camopt export first.toml --post pos", "camopt export first.toml --post post.txt "),
     ("camopt solve --out two", "camopt solve --out two\\ words/"),
     ("camopt list so", "camopt list solvers "),
+    ("camopt export first.toml --plc code", "camopt export first.toml --plc codesys "),
+    ("camopt export first.toml --columns theta_d", "camopt export first.toml --columns theta_deg "),
     ("camopt sweep me", "camopt sweep merge "),
     ("camopt solve --nonsen", "camopt solve --nonsen"),
 ]
@@ -33,7 +35,7 @@ CERTAIN = [
 # What is typed, and every word that fits, or some of them.
 ALL = [
     ("camopt ", ["check", "compare", "export", "list", "reproduce", "solve", "sweep", "table"]),
-    ("camopt list ", ["followers", "keys", "laws", "solvers"]),
+    ("camopt list ", ["columns", "controllers", "followers", "keys", "laws", "solvers"]),
     ("camopt reproduce ", ["000", "001", "002", "003", "004"]),
 ]
 SOME = [

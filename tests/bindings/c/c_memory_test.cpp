@@ -31,6 +31,17 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
     return allocated(size);
 }
+// Those that do not throw too: a sanitizer's own would not fit the delete below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return allocated(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept {
+    return operator new(size, tag);
+}
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
@@ -42,6 +53,12 @@ void operator delete(void* memory, std::size_t) noexcept {
 }
 void operator delete[](void* memory, std::size_t) noexcept {
     std::free(memory);
+}
+
+// Eigen 3.4 loses the first of a sparse matrix's arrays where there is no memory for the second, while it
+// copies.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:Eigen::SparseMatrix<double, 1, int>::resize\n";
 }
 
 namespace camopt {

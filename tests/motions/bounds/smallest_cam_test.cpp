@@ -138,6 +138,7 @@ TEST(SmallestCam, SteepestMotionJustReachesTheLift) {
 TEST(SmallestCam, NoLawOfTheCatalogueFits) {
     for (const double offset : {0.0, 3.0, -3.0}) {
         for (const LawInfo& info : law_catalogue()) {
+            if (!info.rests) continue;  // no rise by itself
             const auto law = make_law(info.key);
             const double angle = 60 * degree;
             const double bound = smallest_cam({20.0, offset}, angle, 30 * degree).prime_coordinate;

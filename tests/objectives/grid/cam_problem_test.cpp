@@ -66,6 +66,32 @@ TEST(CamProblem, StartsFromTheCurveOfLeastJerkEnergy) {
     EXPECT_LT(energy, 722.0);
 }
 
+Scene free_program() {
+    Scene scene;
+    scene.motion.type = MotionType::program;
+    const auto angle = [](double degrees) { return degrees * std::numbers::pi / 180.0; };
+    scene.motion.segments = {{SegmentKind::law, angle(120.0), "cycloidal", 0.5},
+                             {SegmentKind::spline, angle(60.0), "", {}},
+                             {SegmentKind::law, angle(180.0), "cycloidal", 0.0}};
+    scene.spline.segments = 4;
+    scene.objective.jerk = 1.0;
+    return scene;
+}
+
+/// Limits on acceleration or jerk alone bound a motion with free displacements as well: without a bound on
+/// the velocity at its joints nothing that is infeasible could be proved so.
+TEST(CamProblem, ABoxOfFreeDisplacementsIsBoundedByAnyPeak) {
+    for (const bool jerk : {false, true}) {
+        Scene scene = free_program();
+        (jerk ? scene.limits.jerk : scene.limits.acceleration) = PeakLimit{20.0, "limits", 20.0, ""};
+        const CamProblem problem = problem_of(scene);
+        const Box box = problem.box(infinity, 0.0);
+        const auto entries = problem.model().design.size();
+        EXPECT_TRUE(box.upper.head(entries).allFinite()) << box.upper.transpose();
+        EXPECT_TRUE(box.lower.head(entries).allFinite()) << box.lower.transpose();
+    }
+}
+
 TEST(CamProblem, ARefinementAddsTheMaximumAndItsBracketAndKeepsOldRows) {
     CamProblem problem = problem_of(weighted_scene(5, 6));
     const NlpShape before = problem.grid().shape();

@@ -53,7 +53,10 @@ TEST(MotionSvg, IsWellFormedAndComplete) {
     EXPECT_TRUE(well_formed(svg));
     EXPECT_EQ(count_of(svg, "<path"), 8);  // four panels, optimum and reference
     EXPECT_NE(svg.find("Four segments &amp; &lt;one&gt; title"), std::string::npos);
-    EXPECT_NE(svg.find("V = 2 "), std::string::npos);
+    EXPECT_NE(svg.find(">400 mm/s · V = 2<"), std::string::npos);
+    EXPECT_NE(svg.find(">Velocity v (peak 12.732 mm/rad)<"), std::string::npos);
+    EXPECT_NE(svg.find(">m/s²<"), std::string::npos);
+    EXPECT_EQ(svg.find(">mm/rad<"), std::string::npos);
     EXPECT_NE(svg.find("limit 500 mm/s"), std::string::npos);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
@@ -146,9 +149,9 @@ TEST(NumberText, RoundTripsAndStaysSilentOnInfinity) {
 TEST(Report, SaysWhatACamEngineerAsks) {
     const std::string text = report_markdown(test::sample_solution(), {"a.toml", "camopt solve a.toml"});
     for (const char* part :
-         {"Proved optimal", "| velocity V | 2 |", "modified sine", "curve of least objective",
-          "`limits.velocity_mm_s`", "![Displacement", "how_to_check", "camopt solve a.toml",
-          "via point 1 follows from symmetry", "0.08333333333333333"})
+         {"Proved optimal", "| velocity V | 400 mm/s | 12.7324 mm/rad | 2 |", "modified sine",
+          "curve of least objective", "`limits.velocity_mm_s`", "![Displacement", "how_to_check",
+          "camopt solve a.toml", "via point 1 follows from symmetry", "0.08333333333333333"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
     const std::string infeasible = report_markdown(test::infeasible_solution());
     EXPECT_NE(infeasible.find("312.5 is needed"), std::string::npos);

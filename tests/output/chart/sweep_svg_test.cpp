@@ -3,7 +3,6 @@
 #include "output/chart/sweep/sweep_svg.hpp"
 
 #include "output/chart/pareto_svg.hpp"
-#include "output/chart/sweep/sweep_html.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "tests/output/well_formed.hpp"
 
@@ -191,20 +190,6 @@ TEST(SweepSvg, NothingFeasibleIsNoTrouble) {
     expect_sound(sweep_svg({weights, Scene{}, &losses}));
 }
 
-TEST(SweepHtml, HoldsEveryRowAndLoadsNothing) {
-    const LawLosses losses = some_losses();
-    for (const SweepTable& table : {weight_table(), key_table()}) {
-        const std::string html = sweep_html({table, Scene{}, &losses});
-        expect_sound(html);
-        EXPECT_EQ(count_of(html, "<tr data-row="), static_cast<int>(table.rows.size()));
-        EXPECT_EQ(count_of(html, "<svg"), 1);
-        for (const char* outside : {"src=", "href=", "@import", "url(", "fetch("})
-            EXPECT_EQ(count_of(html, outside), 0) << outside;
-        EXPECT_EQ(count_of(html, "http"), 2);  // names of the two XML vocabularies
-    }
-    EXPECT_EQ(count_of(sweep_html({key_table(), Scene{}}), "signal 11 &lt;&amp;&gt;"), 1);
-}
-
 class ParetoOutput : public testing::Test {
  protected:
     ParetoOutput() {
@@ -229,7 +214,7 @@ TEST_F(ParetoOutput, CsvHasOneLineASpacedPoint) {
     EXPECT_EQ(count_of(pareto_csv(front), "\n"), 1 + static_cast<int>(front.points.size()));
 }
 
-TEST_F(ParetoOutput, PictureAndPageHoldEveryPoint) {
+TEST_F(ParetoOutput, PictureHoldsEveryPoint) {
     const Comparison laws = compare(scene);
     const ParetoPicture picture{front, scene, &laws};
     const std::string svg = pareto_svg(picture);
@@ -237,9 +222,6 @@ TEST_F(ParetoOutput, PictureAndPageHoldEveryPoint) {
     EXPECT_EQ(marked_rows(svg).size(), 5U);
     EXPECT_NE(svg.find("limit-line"), std::string::npos);
     EXPECT_NE(svg.find("Cycloidal"), std::string::npos);
-    const std::string html = pareto_html(picture);
-    expect_sound(html);
-    EXPECT_EQ(count_of(html, "<tr data-row="), 5);
     EXPECT_NE(pareto_text(picture).find("5 points of"), std::string::npos);
 }
 

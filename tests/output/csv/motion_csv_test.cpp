@@ -35,12 +35,14 @@ TEST(MotionCsv, HeaderCarriesUnits) {
     const auto header = [&] {
         return table_of(motion_csv(*solution.curve, solution.peaks, solution.scene.motion))[0];
     };
-    EXPECT_EQ(header(),
-              (std::vector<std::string>{"theta_deg", "s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3", "x",
-                                        "y", "dy", "ddy", "dddy", "t_s", "v_mm_s", "a_mm_s2", "j_mm_s3"}));
+    EXPECT_EQ(header(), (std::vector<std::string>{"theta_deg", "s_mm", "ds_mm_rad", "dds_mm_rad2",
+                                                  "ddds_mm_rad3", "x", "y", "dy", "ddy", "dddy", "t_s",
+                                                  "v_mm_s", "a_mm_s2", "j_mm_s3", "a_m_s2", "j_m_s3"}));
     solution.scene.motion.lift_is_angle = true;
     EXPECT_EQ(header()[2], "ds_deg_deg");
     EXPECT_EQ(header()[13], "j_deg_s3");
+    EXPECT_EQ(header()[14], "v_rad_s");
+    EXPECT_EQ(header()[16], "j_rad_s3");
     solution.scene.motion.speed.reset();
     EXPECT_EQ(header().size(), 10U);
 }

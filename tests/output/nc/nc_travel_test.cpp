@@ -114,6 +114,7 @@ TEST_F(RoundCam, RefusesWrongTasks) {
 TEST(TurningRapids, CarryTheBlankWithThem) {
     struct NoCam final : FinishedCam {
         double depth(const ToolPose&, double) override { return -1.0; }
+        Eigen::Vector3d towards_flank(const ToolPose&) override { return Eigen::Vector3d::Zero(); }
     } none;
     const NcTravelTask task{{0.03, -0.1, 0.1}, 0.005, &none, 0.002, 1e-5};
     const auto fault = [&](const Machine& machine, const std::string& moves) {

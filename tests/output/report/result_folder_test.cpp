@@ -47,9 +47,10 @@ TEST(ResultFolder, ALaterRunWithoutACurveLeavesNoOldOne) {
 TEST(ResultFolder, ACamComesWithItsProfile) {
     const test::TemporaryFolder folder;
     const auto written = write_result_folder(folder.path(), test::cam_solution(), {}, {.points = 90});
-    EXPECT_EQ(names_in(folder.path()),
-              (std::set<std::string>{"certificate.json", "motion.csv", "motion.svg", "profile.csv",
-                                     "profile.svg", "profile_diagrams.svg", "report.md", "result.json"}));
+    EXPECT_EQ(
+        names_in(folder.path()),
+        (std::set<std::string>{"certificate.json", "forces.svg", "motion.csv", "motion.svg", "profile.csv",
+                               "profile.svg", "profile_diagrams.svg", "report.md", "result.json"}));
     EXPECT_EQ(written.back().filename(), "result.json");
     const std::string table = read_text_file(folder.path() + "/profile.csv");
     EXPECT_NEAR(static_cast<double>(std::count(table.begin(), table.end(), '\n')), 95.0, 6.0);

@@ -111,6 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"forces", "cam_forces", "lift_mm", 12.0, 8, {"solver.starts=1"}},
         {"smallest", "cam_smallest", "lift_mm", 10.0, 8, {"solver.starts=1"}},
         {"program", "cam_laws_and_splines", "lift_mm", 15.0, 8, {"solver.starts=1"}},
+        {"set_points", "pusher_set_points", "lift_mm", 60.0, 20, {}},
+        {"searched_angles", "program_constant_velocity", "lift_mm", 60.0, 8, {}},
         {"remote", "tappet_75", "lift_mm", 80.0, 8, {"solver.starts=1"}},
         {"barrel", "barrel_paper_cup", "lift_deg", 51.4, 8, {"solver.starts=1"}},
         {"barrel_dimensions", "barrel_smallest", "lift_deg", 40.0, 8, {"solver.starts=1"}},
@@ -119,6 +121,20 @@ INSTANTIATE_TEST_SUITE_P(
         {"inverse", "inverse_feeder", "lift_in", 2.694, 8, {"solver.starts=1"}},
     }),
     [](const auto& one) { return one.param.name; });
+
+// A result folder holds the table that its scene named.
+TEST(RoundTripOfATable, TheFolderStandsAlone) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/drd_measured.toml";
+    const Solution solution = solve(input::read_scene_file(file, known_names()));
+    ASSERT_TRUE(solution.measured);
+    write_result_folder(folder.path(), solution,
+                        {file.string(), "camopt solve …", input::whole_scene_text(file)});
+    const ResultFolder read = read_back(folder.path());
+    ASSERT_TRUE(read.solution.measured);
+    EXPECT_EQ(read.solution.measured->largest_error, solution.measured->largest_error);
+    EXPECT_EQ(result_json(read.solution, read.origin), read_text_file(folder.path() + "/result.json"));
+}
 
 // What the scene says goes through text: a scene with settings is written anew, and is the same scene.
 TEST(SceneText, WithSettingsIsTheSameSceneInOneText) {

@@ -34,6 +34,7 @@ NcWork work_of(const Case& one) {
     options.blocks = 120;  // coarse: what is cut does not matter here
     options.gouge_tolerance = 5e-4;
     options.z_offset = z_offset;
+    options.milling.ramp_angle = 1.0;  // rad: a ramp of few blocks
     NcWork work = nc_work(one.cam, one.motion, options);
     work.task.surfaces.clear();
     return work;

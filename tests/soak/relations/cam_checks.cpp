@@ -192,6 +192,23 @@ Finding check_cam_limits(const Solved& solved) {
     return holds;
 }
 
+namespace {
+
+/// What a reported limit is passed relative to; one that may be 0 needs a size of its own.
+double scale_of_limit(const Solved& solved, const PublishedLimit& limit) {
+    double size = limit.unit == "mm" ? 1e3 * solved.numbers.lift : 1e-3;
+    // The figures themselves are compared with those of the cam by check_cam_figures.
+    for (const auto& [of, figure] : {std::pair{"contact_force_min", "forces.largest_force_n"},
+                                     std::pair{"contact_moment_min", "forces.largest_moment_nm"}}) {
+        const auto largest = solved.outcome.cam.find(figure);
+        if (limit.key.find(of) != std::string::npos && largest != solved.outcome.cam.end())
+            size = std::abs(largest->second);
+    }
+    return std::max(std::abs(limit.limit), size);
+}
+
+}  // namespace
+
 Finding check_reported_limits(const Solved& solved) {
     if (!solved.motion || solved.outcome.verdict == "failed") return no_case;
     if (const auto& missing = solved.outcome.limits_without_worst; !missing.empty())
@@ -201,8 +218,7 @@ Finding check_reported_limits(const Solved& solved) {
         const bool least = limit.key.find("_min") != std::string::npos ||
                            limit.key.find("undercut_margin") != std::string::npos;
         const double passed = (least ? limit.limit - limit.worst : limit.worst - limit.limit);
-        const double scale =
-            std::max(std::abs(limit.limit), limit.unit == "mm" ? 1e3 * solved.numbers.lift : 1e-3);
+        const double scale = scale_of_limit(solved, limit);
         if (limit.unit == "in" || limit.unit == "m") continue;
         if (passed > 10 * limit_digits * scale)
             return fmt::format("{} is reported broken: {:.12g}, limit {:.12g} ({})", limit.key, limit.worst,

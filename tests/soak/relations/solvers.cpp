@@ -59,9 +59,8 @@ Finding compare_repeated(Trial& trial) {
     const Solved again = trial.solve(trial.text());
     // Time decides then, and time is never the same.
     const double half = 0.4 * trial.numbers().max_seconds;
-    if (ended_early(first) || ended_early(again.outcome) || first.wall_seconds > half ||
-        again.outcome.wall_seconds > half)
-        return no_case;
+    for (const Outcome* one : {&first, &again.outcome})
+        if (ended_early(*one) || !one->unsettled.empty() || one->wall_seconds > half) return no_case;
     if (first.repeatable == again.outcome.repeatable) return holds;
     return parting(first.repeatable, again.outcome.repeatable);
 }

@@ -130,6 +130,9 @@ void read_result(const std::string& text, Outcome& outcome) {
     read_segments(result.at("segments"), outcome);
     read_limits(result, outcome);
     for (const json& note : result.at("notes")) outcome.notes.push_back(text_of(note));
+    if (result.contains("explanation"))
+        for (const json& key : result["explanation"].at("unsettled"))
+            outcome.unsettled.push_back(text_of(key));
     erase_seconds(result);
     if (result["cam"].is_object()) result["cam"].erase("forward_check");
     outcome.repeatable += result.dump();

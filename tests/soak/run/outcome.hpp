@@ -66,6 +66,8 @@ struct Outcome {
         limits_without_worst;  ///< keys of those whose worst value is null beside a motion
     std::vector<PublishedRelaxation> relaxation;
     std::vector<std::string> notes;
+    /// Searches for what would help that the clock ended, as result.json says.
+    std::vector<std::string> unsettled;
     std::optional<Proof> proof;
     double processor_seconds = 0.0, wall_seconds = 0.0;
     /// Both texts without what may differ between two identical calls: seconds.

@@ -18,14 +18,14 @@ namespace camopt::soak {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = Patience::Clock;
 
 struct Running {
     int number = 0;
     pid_t child = -1;
     int in = -1;
     std::string rest;  ///< of a line that is not complete yet
-    Clock::time_point deadline;
+    Patience patience;
     bool killed = false;
 };
 
@@ -47,7 +47,7 @@ struct Running {
     ::_exit(code);  // nothing of the parent's is to be torn down here
 }
 
-Running started(const Worker& worker, int number, Clock::time_point deadline) {
+Running started(const Worker& worker, int number) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe for a worker process");
     std::fflush(nullptr);  // or the child would print it again
@@ -58,7 +58,7 @@ Running started(const Worker& worker, int number, Clock::time_point deadline) {
         run_child(worker, number, ends[1]);
     }
     ::close(ends[1]);
-    return {number, child, ends[0], {}, deadline, false};
+    return {number, child, ends[0], {}, Patience(Clock::now()), false};
 }
 
 void hear(Running& running, const Worker& worker, const char* text, std::size_t size) {
@@ -97,16 +97,17 @@ void run_in_processes(int count, int jobs, double most_seconds, const Worker& wo
     int next = 0;
     while (next < count || !all.empty()) {
         while (next < count && static_cast<int>(all.size()) < jobs) {
-            all.push_back(started(worker, next, Clock::now() + budget));
+            all.push_back(started(worker, next));
             ++next;
         }
         std::vector<pollfd> ready;
         for (const Running& running : all) ready.push_back({running.in, POLLIN, 0});
-        constexpr int patience = 500;  // ms until deadlines are looked at
-        ::poll(ready.data(), ready.size(), patience);
+        ::poll(ready.data(), ready.size(), static_cast<int>(Patience::turn.count()));
+        const Clock::time_point now = Clock::now();
         for (std::size_t k = all.size(); k-- > 0;) {
             Running& running = all[k];
-            if (!running.killed && Clock::now() > running.deadline) {
+            running.patience.look(now);
+            if (!running.killed && running.patience.waited() > budget) {
                 running.killed = true;
                 ::kill(running.child, SIGKILL);
             }

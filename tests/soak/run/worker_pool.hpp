@@ -2,6 +2,8 @@
 // Trials in processes of their own: one that crashes or hangs is one failure, and the others go on.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -14,6 +16,25 @@ struct Worker {
     std::function<void(int number, const std::string& line)> heard;
     /// In the parent: the trial is over; `fault`: how it died, empty where it did not.
     std::function<void(int number, const std::string& fault)> ended;
+};
+
+/// How long a worker was waited for, by a clock that is looked at every half second. A look that comes much
+/// later was held up with the whole machine, and the worker with it: it counts as a second.
+class Patience {
+ public:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds turn{500};
+
+    explicit Patience(Clock::time_point now) : last_(now) {}
+    void look(Clock::time_point now) {
+        waited_ += std::min<Clock::duration>(now - last_, 2 * turn);
+        last_ = now;
+    }
+    [[nodiscard]] Clock::duration waited() const { return waited_; }
+
+ private:
+    Clock::time_point last_;
+    Clock::duration waited_{};
 };
 
 /// Trials 0 … count − 1, `jobs` at a time; one that takes longer than `most_seconds` is killed.

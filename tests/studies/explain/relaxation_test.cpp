@@ -225,6 +225,26 @@ TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
     EXPECT_NE(told[0].find("searches what would help, for 0 s at most"), std::string::npos) << told[0];
 }
 
+/// "Nothing helps" and "nobody looked to the end" must not be told by the same words.
+TEST(Explanation, ASearchForAJointRemedyThatEndsEarlyIsUnsettled) {
+    Solution solution;
+    solution.scene = paper_objective(MotionType::drd, 3, 12);
+    solution.scene.limits.velocity = normalised_limit("limits.velocity", 0.9);
+    solution.scene.limits.acceleration = normalised_limit("limits.acceleration", 3.0);
+    solution.certificate.verdict = Verdict::infeasible;
+    bool stop = false;
+    SolveControl control;
+    control.progress = [&](const Progress& progress) {
+        stop = stop || progress.message.find("all limits together") != std::string_view::npos;
+    };
+    control.stop_requested = [&] { return stop; };
+    explain(solution, control);
+    ASSERT_TRUE(stop);
+    EXPECT_TRUE(solution.explanation->together.empty());
+    for (const char* key : {"limits.velocity", "limits.acceleration"})
+        EXPECT_EQ(std::ranges::count(solution.explanation->unsettled, key), 1) << key;
+}
+
 TEST(Explanation, EveryNumberOfACamAndItsSpringsIsTried) {
     Scene scene = pressure_angle_scene(40);
     scene.motion.speed = 60.0;

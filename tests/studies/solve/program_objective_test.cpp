@@ -244,6 +244,57 @@ TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
     EXPECT_TRUE(none.convex);
 }
 
+/// Its control points are one number; the derivatives of its pieces were the rounding of that number.
+TEST(ProgramObjective, OfASplineThatStandsIsZero) {
+    Scene scene = program({dwell(30), law(32, "polynomial_345", 0.75), spline(29),
+                           law(50, "modified_sine", 1.0), law(105, "modified_sine", 0.0), dwell(114)});
+    scene.spline.segments = 8;
+    scene.spline.design = DesignKind::states;
+    scene.objective = {};
+    scene.objective.jerk = 0.72671110930080107;
+    const Solution closed = solve(scene);
+    scene = program({law(81, "polynomial_345", 0.5), spline(105), law(50, "cycloidal", 0.75), spline(74),
+                     dwell(25), law(25, "modified_sine", 0.0)},
+                    false);
+    scene.spline.segments = 12;
+    scene.objective = {};
+    scene.objective.acceleration = 0.67;
+    scene.objective.jerk = 0.59;
+    for (const Solution& solution : {closed, solve(scene)}) {
+        ASSERT_TRUE(solution.motion) << solution.certificate.reason;
+        EXPECT_EQ(solution.certificate.objective, 0.0);
+        EXPECT_EQ(solution.peaks.jerk.value, 0.0);
+        for (const SegmentReport& segment : solution.segments) {
+            if (segment.kind != SegmentKind::spline) continue;
+            EXPECT_NEAR(segment.curve->at(segment.begin).derivative[0], segment.from, 1e-12);
+            EXPECT_EQ(segment.curve->pieces().bottomRows(segment.curve->degree()).cwiseAbs().maxCoeff(), 0.0);
+        }
+    }
+}
+
+/// The first spline has a least acceleration of 3, whatever follows, and only one displacement of the second
+/// needs no more: cases that hold no motion have to be proved empty, or the search ends among them.
+TEST(ProgramObjective, OfTheOnlyDisplacementThatKeepsTheCapsIsFound) {
+    Scene scene = program({spline(85, 0.5), spline(102), law(173, "polynomial_4567", 0.0)});
+    scene.spline.segments = 3;
+    scene.objective = {};
+    scene.objective.velocity = 0.3;
+    scene.objective.acceleration = 0.57;
+    scene.objective.jerk = 0.82;
+    scene.limits.jerk = PeakLimit{115.2, "limits.jerk", 115.2, ""};
+    const Solution free = solve(scene);
+    ASSERT_EQ(free.certificate.verdict, Verdict::optimal) << free.certificate.reason;
+    for (const double room : {1e-7, 1e-5, 3e-4}) {
+        const double most = free.peaks.acceleration.value * (1.0 + room);
+        scene.limits.acceleration = PeakLimit{most, "limits.acceleration", most, ""};
+        const Solution capped = solve(scene);
+        ASSERT_EQ(capped.certificate.verdict, Verdict::optimal) << room << " " << capped.certificate.reason;
+        EXPECT_NEAR(capped.certificate.objective, free.certificate.objective, 1e-6);
+        expect_measured(capped);
+        expect_proved(capped);
+    }
+}
+
 std::string message_of(const Scene& scene) {
     try {
         (void)solve(scene);

@@ -119,6 +119,7 @@ TEST(PostProcessor, ShapesTheText) {
         "(clearance plane: Z85.000, 20 mm above the blank however the table stands)\n"
         "(rapids keep 2 mm or more from the blank, into it and out of it by feed)\n"
         "(before the start: tool clear of blank and clamps, free to go straight to the clearance plane)\n"
+        "(WARNING: no tool call in this program, the tool must be in the spindle and measured)\n"
         "N20 G21 G90 G94\n"
         "N30 S1200 M3\n"
         "(pass: one)\n"

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// The studio: what the user sets goes to the program, what it finds is drawn. One request at a time; while one
+// is under way only the newest wish waits behind it.
+'use strict';
+(function (camopt) {
+  const begin = JSON.parse(document.getElementById('page-data').textContent).studio;
+  const page = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  const patience = 700; // ms: an older solve that takes longer is given up for a newer wish
+  const lawColours = ['#c2410c', '#15803d', '#7e22ce', '#be185d', '#0e7490', '#a16207', '#4d7c0f', '#4338ca'];
+  const laws = new Set();
+
+  /** What is asked: a scene's text and what was set since. */
+  let now = { scene: begin.scene, set: {} };
+  let kept = now, good = now;
+  const before = [], after = [];
+  let wanted = null, running = null, explained = '';
+  /** ms from a wish to its picture, for who measures. */
+  const times = [];
+
+  const post = (what, body, signal) => fetch(what, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal });
+
+  function ask(quick, explain = false) {
+    wanted = { quick, explain, since: performance.now(), laws: [...laws], state: now };
+    if (!running) work();
+    else if (performance.now() - running.begun > patience) running.abort.abort();
+  }
+
+  async function work() {
+    while (wanted) {
+      const wish = wanted;
+      wanted = null;
+      running = { abort: new AbortController(), begun: performance.now() };
+      const late = setTimeout(() => panel.solving(true), 250);
+      try {
+        await solve(wish, running.abort.signal);
+      } catch (error) {
+        if (error.name !== 'AbortError') panel.fault('No answer: ' + error.message + '. Is camopt studio still running?');
+      }
+      clearTimeout(late);
+      panel.solving(false);
+      running = null;
+    }
+    document.documentElement.dataset.settled = String(Number(document.documentElement.dataset.settled || 0) + 1);
+  }
+
+  async function solve(wish, signal) {
+    const response = await post('solve', { page, ...wish.state, laws: wish.laws, quick: wish.quick, explain: wish.explain }, signal);
+    const answer = await response.json();
+    if (response.status === 409) return;
+    if (!response.ok) { takeBack(wish.state); panel.fault(answer.error); return; }
+    panel.fault('');
+    good = wish.state;
+    show(answer, wish.quick);
+    requestAnimationFrame(() => times.push(performance.now() - wish.since));
+    // Of a scene that cannot be kept the program says which change would help, once the hand rests.
+    const question = JSON.stringify(wish.state);
+    if (answer.verdict === 'infeasible' && !wish.quick && !wish.explain && explained !== question && !wanted) {
+      explained = question;
+      ask(false, true);
+    }
+  }
+
+  const colourOf = (key) => lawColours[begin.catalogue.findIndex((law) => law.key === key) % lawColours.length];
+
+  /** The laws' curves as further series of the charts of the motion. */
+  function overlay(answer) {
+    const fitting = answer.laws.filter((law) => law.curves);
+    for (const [key, chart] of camopt.page.charts.charts) {
+      const beside = fitting.filter((law) => law.curves[key]);
+      const own = chart.ownColumns || (chart.ownColumns = chart.columns.bind(chart));
+      chart.columns = () => [...own(), ...beside.map((law) => law.curves[key])];
+      if (!chart.plot) continue;
+      const first = own().length, names = beside.map((law) => law.key);
+      if ((chart.lawNames || []).join() === names.join() && chart.lawPlot === chart.plot) continue;
+      while (chart.plot.series.length > first) chart.plot.delSeries(chart.plot.series.length - 1);
+      beside.forEach((law) => chart.plot.addSeries({ label: law.title, stroke: colourOf(law.key), width: 1.3, points: { show: false } }, chart.plot.series.length));
+      chart.lawNames = names;
+      chart.lawPlot = chart.plot;
+      chart.plot.setData(chart.columns());
+    }
+  }
+
+  function show(answer, quick) {
+    // A chart draws as many columns as it has series: the laws' change between the two.
+    forgetChangedLaws(answer);
+    camopt.page.show(answer.data, quick);
+    overlay(answer);
+    panel.status(answer);
+    if (!quick) panel.controls(answer);
+    camopt.studio.answer = answer;
+  }
+
+  function forgetChangedLaws(answer) {
+    const names = answer.laws.filter((law) => law.curves).map((law) => law.key).join();
+    for (const [key, chart] of camopt.page.charts.charts) {
+      if (!chart.ownColumns) continue;
+      const same = (chart.lawNames || []).join() === names;
+      const columns = answer.laws.filter((law) => law.curves && law.curves[key]).map((law) => law.curves[key]);
+      if (same && chart.lawPlot === chart.plot) { chart.columns = () => [...chart.ownColumns(), ...columns]; continue; }
+      chart.columns = chart.ownColumns;
+      while (chart.plot && chart.plot.series.length > chart.ownColumns().length) chart.plot.delSeries(chart.plot.series.length - 1);
+      chart.lawNames = [];
+    }
+  }
+
+  function change(next, moving) {
+    now = next;
+    if (!moving) keep();
+    ask(moving);
+  }
+
+  /** What the program refused was never there: the fields still show it, with the reason. */
+  function takeBack(state) {
+    if (kept === state && before.length) kept = before.pop();
+    if (now === state) now = good;
+    panel.history(before.length > 0, after.length > 0);
+  }
+
+  /** What stands now is what undo comes back to. */
+  function keep() {
+    if (JSON.stringify(now) === JSON.stringify(kept)) return;
+    before.push(kept);
+    after.length = 0;
+    kept = now;
+    panel.history(before.length > 0, after.length > 0);
+  }
+
+  function step(from, to) {
+    if (!from.length) return;
+    to.push(kept);
+    now = kept = from.pop();
+    panel.history(before.length > 0, after.length > 0);
+    ask(false);
+  }
+
+  async function download(name) {
+    const response = await post('export', { page, scene: now.scene, set: now.set, what: name }).catch(() => null);
+    if (!response) { panel.fault('No answer. Is camopt studio still running?'); return; }
+    if (!response.ok) { panel.fault((await response.json()).error); return; }
+    panel.fault('');
+    const file = /filename="([^"]+)"/.exec(response.headers.get('Content-Disposition') || '');
+    const address = URL.createObjectURL(await response.blob());
+    camopt.element('a', { href: address, download: file ? file[1] : name }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 10000);
+  }
+
+  const actions = {
+    laws, download,
+    set: (key, value, moving) => change({ scene: now.scene, set: { ...now.set, [key]: value } }, moving),
+    use: (scene) => change({ scene, set: {} }, false),
+    lawsChanged: () => ask(false),
+    undo: () => step(before, after),
+    redo: () => step(after, before),
+  };
+  const panel = camopt.studioPanel(begin, actions);
+  document.body.classList.add('with-studio');
+  document.body.prepend(panel.host);
+  if (window.matchMedia('(max-width: 980px)').matches) panel.host.querySelector('.all-groups').open = false;
+  for (const swatch of panel.host.querySelectorAll('.swatch')) swatch.style.background = lawColours[Number(swatch.dataset.colour) % lawColours.length];
+  panel.history(false, false);
+  document.addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.matches('textarea, input[type=text]')) return;
+    event.preventDefault();
+    if (event.shiftKey) actions.redo(); else actions.undo();
+  });
+  camopt.studio = { times, actions, answer: null };
+  const first = { ...begin, data: JSON.parse(document.getElementById('page-data').textContent) };
+  panel.status(first);
+  panel.controls(first);
+  camopt.studio.answer = first;
+  document.documentElement.dataset.studio = 'ready';
+})(window.Camopt);

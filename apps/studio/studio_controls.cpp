@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "apps/studio/studio_controls.hpp"
+
+#include "apps/completion/key_values.hpp"
+#include "apps/studio/slider_range.hpp"
+#include "core/text/number_parsing.hpp"
+#include "input/document.hpp"
+#include "input/keys/scene_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace camopt::apps {
+
+namespace {
+
+using ControlJson = nlohmann::ordered_json;
+using input::KeyMatch;
+using input::KeyRow;
+using input::KeyType;
+using input::Member;
+using input::Node;
+using input::NodeKind;
+using input::Spelling;
+
+/// A table of the scene: what the key table calls it, and where it is.
+struct SceneTable {
+    std::string path;     ///< "motion.segments"
+    std::string written;  ///< "motion.segments[1]"
+    const Node* node = nullptr;
+};
+
+std::string joined(std::string_view table, std::string_view key) {
+    return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
+}
+
+/// Those that are there, each before what is in it.
+void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
+    found.push_back(table);
+    for (const Member& member : table.node->members) {
+        const KeyRow* const row = input::match_key(table.path, member.name).row;
+        if (row == nullptr || row->type == KeyType::options || row->type == KeyType::number_or_range)
+            continue;
+        const std::string path = joined(table.path, row->name), written = joined(table.written, member.name);
+        if (member.value.kind == NodeKind::table) collect_tables({path, written, &member.value}, found);
+        for (std::size_t i = 0; i < member.value.items.size(); ++i)
+            if (member.value.items[i].kind == NodeKind::table)
+                collect_tables({path, fmt::format("{}[{}]", written, i), &member.value.items[i]}, found);
+    }
+}
+
+/// What decides which keys a scene could have.
+struct SceneState {
+    std::string cam_type;  ///< empty: no cam
+    bool has_forces = false;
+    std::set<std::string_view> units;  ///< that the scene is written in
+};
+
+SceneState state_of(const std::vector<SceneTable>& tables) {
+    SceneState state;
+    for (const SceneTable& table : tables) {
+        if (table.path == "cam")
+            if (const Member* const type = table.node->find("type")) state.cam_type = type->value.text;
+        state.has_forces = state.has_forces || table.path == "forces";
+        for (const Member& member : table.node->members)
+            if (const KeyMatch match = input::match_key(table.path, member.name);
+                match.row != nullptr && !match.spelling->unit.empty())
+                state.units.insert(match.spelling->unit);
+    }
+    return state;
+}
+
+bool is_control(const KeyRow& row, const Node* value) {
+    switch (row.type) {
+        case KeyType::table:
+        case KeyType::tables:
+        case KeyType::options:
+        case KeyType::numbers:
+            return false;
+        case KeyType::text_or_table:
+            return value == nullptr || value->kind == NodeKind::text;
+        default:
+            return true;
+    }
+}
+
+std::string type_of(const KeyRow& row, bool has_choices, const Node* value) {
+    if (row.type == KeyType::boolean) return "boolean";
+    if (has_choices) return "choice";
+    if (row.type == KeyType::integer) return "integer";
+    if (row.type == KeyType::number_or_range && value != nullptr && value->kind == NodeKind::table)
+        return "range";
+    return row.type == KeyType::text || row.type == KeyType::text_or_table ? "text" : "number";
+}
+
+ControlJson value_json(const Node& value) {
+    switch (value.kind) {
+        case NodeKind::boolean:
+            return value.boolean;
+        case NodeKind::integer:
+            return value.integer;
+        case NodeKind::number:
+            return value.number;
+        case NodeKind::text:
+            return value.text;
+        case NodeKind::table: {
+            ControlJson ends = ControlJson::object();
+            for (const Member& end : value.members) ends[end.name] = value_json(end.value);
+            return ends;
+        }
+        default:
+            return nullptr;
+    }
+}
+
+ControlJson choices_json(const KeyRow& row) {
+    ControlJson choices = ControlJson::array();
+    for (const std::string& choice : values_of_key(row))
+        choices.push_back(row.type == KeyType::integer ? ControlJson(integer_in(choice).value())
+                                                       : ControlJson(choice));
+    return choices;
+}
+
+ControlJson slider_json(const KeyRow& row, const Spelling& spelling, const Node& value) {
+    const Range allowed = row.range.scaled(row.spellings.front().factor / spelling.factor);
+    const SliderRange slider = slider_range(allowed, value.as_number(), row.type == KeyType::integer);
+    return {{"from", slider.from}, {"to", slider.to}, {"step", slider.step}};
+}
+
+ControlJson control_json(const SceneTable& table, const KeyRow& row, const Spelling& spelling,
+                         const Node* value) {
+    const ControlJson choices = choices_json(row);
+    const std::string type = type_of(row, !choices.empty(), value);
+    const bool slides = value != nullptr && (type == "number" || type == "integer");
+    return {{"table", table.written},
+            {"key", row.key(spelling)},
+            {"given", value != nullptr},
+            {"type", type},
+            {"value", value == nullptr ? ControlJson(nullptr) : value_json(*value)},
+            {"unit", spelling.unit},
+            {"choices", choices},
+            {"default", row.default_text},
+            {"allowed", row.allowed(spelling)},
+            {"meaning", row.meaning},
+            {"may_range", row.type == KeyType::number_or_range},
+            {"slider", slides ? slider_json(row, spelling, *value) : ControlJson(nullptr)}};
+}
+
+/// In the units the scene is written in, where the quantity has one of them.
+const Spelling& fitting_spelling(const KeyRow& row, const SceneState& state) {
+    for (const Spelling& spelling : row.spellings)
+        if (state.units.contains(spelling.unit)) return spelling;
+    return row.spellings.front();
+}
+
+bool could_be(const KeyRow& row, const SceneState& state) {
+    if (row.availability != input::Availability::now && state.cam_type.empty()) return false;
+    if (row.availability == input::Availability::needs_forces && !state.has_forces) return false;
+    return row.is_for(state.cam_type);
+}
+
+struct Written {
+    const Member* member = nullptr;
+    const Spelling* spelling = nullptr;
+};
+
+Written written_in(const SceneTable& table, std::string_view name) {
+    for (const Member& member : table.node->members) {
+        const KeyMatch match = input::match_key(table.path, member.name);
+        if (match.row != nullptr && match.row->name == name) return {&member, match.spelling};
+    }
+    return {};
+}
+
+bool is_replaced(const SceneTable& table, const KeyRow& row) {
+    if (!row.instead_of.empty() && written_in(table, row.instead_of).member != nullptr) return true;
+    return std::ranges::any_of(input::scene_keys(), [&](const KeyRow& other) {
+        return other.table == row.table && other.instead_of == row.name &&
+               written_in(table, other.name).member != nullptr;
+    });
+}
+
+void add_controls(ControlJson& list, const SceneTable& table, const SceneState& state) {
+    for (const KeyRow& row : input::scene_keys()) {
+        if (row.table != table.path) continue;
+        const auto [member, spelling] = written_in(table, row.name);
+        if (!is_control(row, member == nullptr ? nullptr : &member->value)) continue;
+        if (member != nullptr)
+            list.push_back(control_json(table, row, *spelling, &member->value));
+        else if (could_be(row, state) && !is_replaced(table, row))
+            list.push_back(control_json(table, row, fitting_spelling(row, state), nullptr));
+    }
+}
+
+/// The tables of the top level that a scene could have without naming a new cam.
+void add_empty_tables(std::vector<SceneTable>& tables, const Node& nothing) {
+    for (const KeyRow& row : input::scene_keys()) {
+        if (!row.table.empty() || row.type != KeyType::table ||
+            row.availability != input::Availability::now || row.name == "cam")
+            continue;
+        if (std::ranges::find(tables, row.name, &SceneTable::path) == tables.end())
+            tables.push_back({std::string(row.name), std::string(row.name), &nothing});
+    }
+}
+
+}  // namespace
+
+ControlJson studio_controls(const std::string& text) {
+    const Node root = input::parse_document(text, "scene"), nothing;
+    std::vector<SceneTable> tables;
+    collect_tables({"", "", &root}, tables);
+    const SceneState state = state_of(tables);
+    add_empty_tables(tables, nothing);
+    ControlJson list = ControlJson::array();
+    for (const KeyRow& row : input::scene_keys()) {
+        if (!row.table.empty()) continue;
+        for (const SceneTable& table : tables)
+            if (table.path == row.name || table.path.starts_with(std::string(row.name) + "."))
+                add_controls(list, table, state);
+    }
+    return list;
+}
+
+}  // namespace camopt::apps

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "apps/studio/studio_session.hpp"
+
+#include "apps/studio/studio_answer.hpp"
+#include "apps/studio/studio_downloads.hpp"
+#include "apps/studio/studio_scene.hpp"
+#include "core/errors.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/solve/solve_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <list>
+#include <mutex>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace camopt::apps {
+
+namespace {
+
+using RequestJson = nlohmann::ordered_json;
+
+/// A request that cannot be read; its text is for who wrote the page.
+class RequestError : public InputError {
+    using InputError::InputError;
+};
+
+/// A newer request came, or the studio ends.
+class Superseded : public std::exception {};
+
+struct Request {
+    std::string page, scene, what;
+    RequestJson set = RequestJson::object();
+    std::vector<std::string> laws;
+    bool explain = false, quick = false;
+};
+
+[[noreturn]] void bad_member(std::string_view name, std::string_view allowed) {
+    throw RequestError(fmt::format("the request's \"{}\" is not what is allowed: {}", name, allowed));
+}
+
+std::string text_member(const RequestJson& body, const char* name, std::size_t most) {
+    const auto found = body.find(name);
+    if (found == body.end() || !found->is_string() || found->get_ref<const std::string&>().size() > most)
+        bad_member(name, fmt::format("a text of at most {} bytes", most));
+    return found->get<std::string>();
+}
+
+std::vector<std::string> law_members(const RequestJson& body, std::size_t most) {
+    const auto found = body.find("laws");
+    if (found == body.end()) return {};
+    const auto is_text = [](const RequestJson& law) { return law.is_string(); };
+    if (!found->is_array() || found->size() > most || !std::ranges::all_of(*found, is_text))
+        bad_member("laws", fmt::format("an array of at most {} keys of laws", most));
+    return found->get<std::vector<std::string>>();
+}
+
+bool flag_member(const RequestJson& body, const char* name) {
+    const auto found = body.find(name);
+    if (found == body.end()) return false;
+    if (!found->is_boolean()) bad_member(name, "true or false");
+    return found->get<bool>();
+}
+
+Request read_request(const std::string& text, const StudioLimits& limits, bool is_download) {
+    const RequestJson body = RequestJson::parse(text, nullptr, false);
+    if (!body.is_object()) throw RequestError("the request is no JSON object");
+    constexpr std::size_t longest_name = 64, longest_scene = 1'000'000;
+    Request request;
+    request.page = text_member(body, "page", longest_name);
+    request.scene = text_member(body, "scene", longest_scene);
+    if (is_download) request.what = text_member(body, "what", longest_name);
+    if (const auto set = body.find("set"); set != body.end()) {
+        if (!set->is_object() || set->size() > limits.settings)
+            bad_member("set", fmt::format("an object of at most {} keys", limits.settings));
+        request.set = *set;
+    }
+    request.laws = law_members(body, limits.laws);
+    request.explain = flag_member(body, "explain");
+    request.quick = flag_member(body, "quick");
+    return request;
+}
+
+/// An open page: its solves one after another, each from what the one before found.
+struct Page {
+    std::string name;
+    std::atomic<unsigned long> newest{0};
+    std::mutex turn;
+    SolveSequence sequence;
+};
+
+StudioAnswer answer_of(int status, const RequestJson& body) {
+    return {.status = status, .body = body.dump(-1, ' ', false, RequestJson::error_handler_t::replace)};
+}
+
+StudioAnswer error_answer(int status, std::string_view what) {
+    return answer_of(status, {{"error", what}});
+}
+
+/// For a picture that the next one follows within a tenth of a second: no eye sees the difference, and the
+/// rounds that find the last digits are left out.
+void loosen(Scene& scene) {
+    constexpr double tolerance = 1e-6, gap = 1e-4;
+    scene.solver.tolerance = std::max(scene.solver.tolerance, tolerance);
+    scene.solver.gap = std::max(scene.solver.gap, gap);
+}
+
+/// Faults become answers.
+template <typename Work>
+StudioAnswer answered(const Work& work) {
+    try {
+        return work();
+    } catch (const Superseded&) {
+        return error_answer(409, "a newer request came");
+    } catch (const RequestError& error) {
+        return error_answer(400, error.what());
+    } catch (const InputError& error) {
+        return error_answer(422, error.what());
+    } catch (const std::exception& error) {
+        return error_answer(500, fmt::format("internal error: {}", error.what()));
+    }
+}
+
+}  // namespace
+
+struct StudioSession::State {
+    StudioLimits limits;
+    std::atomic<bool> stopping{false};
+    std::mutex mutex;
+    std::list<std::shared_ptr<Page>> pages;  ///< the one heard of last in front
+
+    std::shared_ptr<Page> page_named(const std::string& name) {
+        const std::lock_guard lock(mutex);
+        const auto found = std::ranges::find(pages, name, [](const auto& page) { return page->name; });
+        if (found != pages.end()) {
+            pages.splice(pages.begin(), pages, found);
+        } else {
+            pages.push_front(std::make_shared<Page>());
+            pages.front()->name = name;
+        }
+        while (pages.size() > limits.pages) {
+            ++pages.back()->newest;  // what it still solves is for nobody
+            pages.pop_back();
+        }
+        return pages.front();
+    }
+
+    [[nodiscard]] SolveControl control(const Scene& scene, double seconds, std::function<bool()> stop) const {
+        return {.stop_requested = std::move(stop),
+                .progress = {},
+                .deadline = Deadline::after(std::min(seconds, scene.solver.max_seconds))};
+    }
+
+    StudioAnswer solve(const std::string& body) {
+        const Request request = read_request(body, limits, false);
+        const std::shared_ptr<Page> page = page_named(request.page);
+        const unsigned long number = ++page->newest;
+        const auto outdated = [&] { return stopping || page->newest != number; };
+        const std::lock_guard turn(page->turn);
+        if (outdated()) throw Superseded();
+        StudioScene given = studio_scene(request.scene, request.set, "scene");
+        if (request.quick) loosen(given.scene);
+        const SolveControl solving = control(given.scene, limits.solve_seconds, outdated);
+        const Solution solution = request.explain ? camopt::solve(given.scene, solving)
+                                                  : page->sequence.solve(given.scene, solving);
+        if (outdated()) throw Superseded();
+        return {.body = studio_answer(solution, given.text, {request.laws, request.quick})};
+    }
+
+    std::string first(const std::string& scene) const {
+        const StudioScene given = studio_scene(scene, RequestJson::object(), "scene");
+        const auto ending = [this] { return stopping.load(); };
+        return studio_answer(camopt::solve(given.scene, control(given.scene, limits.solve_seconds, ending)),
+                             given.text, {});
+    }
+
+    /// As the command line would: from the scene alone, not from the solve before.
+    StudioAnswer download(const std::string& body) {
+        const Request request = read_request(body, limits, true);
+        const std::shared_ptr<Page> page = page_named(request.page);
+        const std::lock_guard turn(page->turn);
+        const auto ending = [this] { return stopping.load(); };
+        if (ending()) throw Superseded();
+        StudioScene given = studio_scene(request.scene, request.set, "scene");
+        return studio_download(request.what, given, control(given.scene, limits.download_seconds, ending));
+    }
+};
+
+StudioSession::StudioSession(const StudioLimits& limits) : state_(std::make_unique<State>()) {
+    state_->limits = limits;
+}
+
+StudioSession::~StudioSession() = default;
+
+StudioAnswer StudioSession::solve(const std::string& body) {
+    if (state_->stopping) return error_answer(503, "the studio ends");
+    return answered([&] { return state_->solve(body); });
+}
+
+StudioAnswer StudioSession::download(const std::string& body) {
+    if (state_->stopping) return error_answer(503, "the studio ends");
+    return answered([&] { return state_->download(body); });
+}
+
+std::string StudioSession::first(const std::string& scene) {
+    return state_->first(scene);
+}
+
+void StudioSession::stop() {
+    state_->stopping = true;
+}
+
+}  // namespace camopt::apps

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: MIT
+#include "output/csv/uniform_csv.hpp"
+
+#include "core/errors.hpp"
+#include "core/infinity.hpp"
+#include "core/units.hpp"
+#include "core/whole_turn.hpp"
+#include "output/words/number_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/sampling.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/follower_loads.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camopt {
+
+namespace {
+
+/// What a value of a row is made of.
+struct TableRow {
+    const MotionSpec* motion = nullptr;
+    MotionPoint point;  ///< normalised
+    double theta_deg = 0.0;
+    const MechanismPoint* cam = nullptr;
+    FollowerLoads loads;  ///< where the cam has forces
+};
+
+using RowValue = double (*)(const TableRow&);
+
+/// By what a derivative is taken.
+enum class TablePer { x, degree, radian, second };
+
+struct ColumnRow {
+    TableColumn column;
+    RowValue value = nullptr;  ///< none: a derivative of the motion
+    std::size_t order = 0;
+    double unit = 1.0;  ///< SI
+    TablePer per = TablePer::x;
+};
+
+double per_x(const MotionSpec& motion, TablePer per) {
+    if (per == TablePer::degree) return motion.unit_angle() / units::degree;
+    if (per == TablePer::radian) return motion.unit_angle();
+    if (per == TablePer::second) return motion.unit_angle() / motion.speed.value();
+    return 1.0;
+}
+
+double value_of_row(const ColumnRow& column, const TableRow& row) {
+    if (column.value) return column.value(row);
+    const double y = row.point.derivative[column.order];
+    if (column.per == TablePer::x) return y;
+    return y * row.motion->lift / column.unit /
+           std::pow(per_x(*row.motion, column.per), static_cast<int>(column.order));
+}
+
+ColumnNeed need_of(bool swings, TablePer per) {
+    if (per != TablePer::second) return swings ? ColumnNeed::swinging : ColumnNeed::translating;
+    return swings ? ColumnNeed::speed_swinging : ColumnNeed::speed_translating;
+}
+
+struct DerivativeUnit {
+    const char* key;    ///< "mm"
+    const char* words;  ///< "mm"
+    double si;
+    bool swings;
+};
+
+constexpr std::array<const char*, 4> derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
+
+/// "", "2", "3": the exponent of what a derivative is taken by.
+std::string exponent_of(std::size_t order) {
+    return order < 2 ? "" : std::to_string(order);
+}
+
+void add_derivatives(std::vector<ColumnRow>& rows, const DerivativeUnit& unit) {
+    const auto add = [&](std::string key, std::size_t order, TablePer per, const std::string& words) {
+        rows.push_back({{std::move(key), fmt::format("{} in {}", derivative_names[order], words),
+                         need_of(unit.swings, per)},
+                        nullptr,
+                        order,
+                        unit.si,
+                        per});
+    };
+    add(fmt::format("s_{}", unit.key), 0, TablePer::radian, unit.words);
+    constexpr std::array<const char*, 4> by_angle = {"s", "ds", "dds", "ddds"},
+                                         by_time = {"s", "v", "a", "j"};
+    for (std::size_t order = 1; order < 4; ++order) {
+        const std::string power = exponent_of(order);
+        add(fmt::format("{}_{}_rad{}", by_angle[order], unit.key, power), order, TablePer::radian,
+            fmt::format("{}/rad{}", unit.words, power));
+        add(fmt::format("{}_{}_deg{}", by_angle[order], unit.key, power), order, TablePer::degree,
+            fmt::format("{}/deg{}", unit.words, power));
+        add(fmt::format("{}_{}_s{}", by_time[order], unit.key, power), order, TablePer::second,
+            fmt::format("{}/s{}", unit.words, power));
+    }
+}
+
+void add_normalised(std::vector<ColumnRow>& rows) {
+    constexpr std::array<const char*, 4> keys = {"y", "dy", "ddy", "dddy"};
+    for (std::size_t order = 0; order < keys.size(); ++order)
+        rows.push_back(
+            {{keys[order], fmt::format("{}, normalised", derivative_names[order]), ColumnNeed::nothing},
+             nullptr,
+             order,
+             1.0,
+             TablePer::x});
+}
+
+double millimetres(double metres) {
+    return metres / units::millimetre;
+}
+
+void add_cam(std::vector<ColumnRow>& rows) {
+    const auto add = [&](const char* key, const char* meaning, RowValue value) {
+        rows.push_back({{key, meaning, ColumnNeed::plane_cam}, value, 0, 1.0, TablePer::x});
+    };
+    add("pressure_angle_deg", "pressure angle in deg",
+        [](const TableRow& row) { return row.cam->pressure_angle / units::degree; });
+    add("cam_radius_mm", "radius of curvature of the cam in mm, > 0 convex",
+        [](const TableRow& row) { return millimetres(row.cam->cam_radius); });
+    add("pitch_radius_mm", "radius of curvature of the pitch curve in mm",
+        [](const TableRow& row) { return 1.0 / (row.cam->pitch_curvature * units::millimetre); });
+    add("pitch_x_mm", "roller centre, x in mm",
+        [](const TableRow& row) { return millimetres(row.cam->pitch.x()); });
+    add("pitch_y_mm", "roller centre, y in mm",
+        [](const TableRow& row) { return millimetres(row.cam->pitch.y()); });
+    add("cam_x_mm", "point of the cam, x in mm",
+        [](const TableRow& row) { return millimetres(row.cam->contact.x()); });
+    add("cam_y_mm", "point of the cam, y in mm",
+        [](const TableRow& row) { return millimetres(row.cam->contact.y()); });
+    add("normal_x", "outward normal of the cam, x", [](const TableRow& row) { return row.cam->normal.x(); });
+    add("normal_y", "outward normal of the cam, y", [](const TableRow& row) { return row.cam->normal.y(); });
+    add("regularity", "<= 0 where the cam is undercut",
+        [](const TableRow& row) { return row.cam->regularity; });
+    add("contact_offset_mm", "where a flat face is touched in mm",
+        [](const TableRow& row) { return millimetres(row.cam->contact_offset); });
+}
+
+void add_loads(std::vector<ColumnRow>& rows) {
+    const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
+        rows.push_back({{key, meaning, need}, value, 0, 1.0, TablePer::x});
+    };
+    add("force_n", "force along the lift in N", ColumnNeed::force,
+        [](const TableRow& row) { return row.loads.force; });
+    add("moment_nm", "moment on the arm in N m", ColumnNeed::moment,
+        [](const TableRow& row) { return row.loads.force; });
+    add("torque_nm", "torque on the camshaft in N m", ColumnNeed::loads,
+        [](const TableRow& row) { return row.loads.torque; });
+    add("normal_force_n", "force along the cam's normal in N", ColumnNeed::loads,
+        [](const TableRow& row) { return row.loads.normal_force; });
+    add("hertz_pressure_mpa", "Hertz pressure in MPa", ColumnNeed::pressure, [](const TableRow& row) {
+        return row.loads.hertz_pressure.value_or(infinity * units::megapascal) / units::megapascal;
+    });
+}
+
+std::vector<ColumnRow> column_rows() {
+    std::vector<ColumnRow> rows;
+    const auto add = [&](const char* key, const char* meaning, ColumnNeed need, RowValue value) {
+        rows.push_back({{key, meaning, need}, value, 0, 1.0, TablePer::x});
+    };
+    add("theta_deg", "cam angle in deg", ColumnNeed::nothing,
+        [](const TableRow& row) { return row.theta_deg; });
+    add("theta_rad", "cam angle in rad", ColumnNeed::nothing,
+        [](const TableRow& row) { return row.theta_deg * units::degree; });
+    add("x", "cam angle, normalised", ColumnNeed::nothing, [](const TableRow& row) { return row.point.x; });
+    add("t_s", "time in s", ColumnNeed::speed,
+        [](const TableRow& row) { return row.theta_deg * units::degree / row.motion->speed.value(); });
+    add_normalised(rows);
+    for (const DerivativeUnit& unit :
+         {DerivativeUnit{"mm", "mm", units::millimetre, false}, DerivativeUnit{"m", "m", 1.0, false},
+          DerivativeUnit{"in", "in", units::inch, false}, DerivativeUnit{"deg", "deg", units::degree, true},
+          DerivativeUnit{"rad", "rad", 1.0, true}})
+        add_derivatives(rows, unit);
+    add_cam(rows);
+    add_loads(rows);
+    return rows;
+}
+
+const std::vector<ColumnRow>& all_column_rows() {
+    static const std::vector<ColumnRow> rows = column_rows();
+    return rows;
+}
+
+bool has_plane_cam(const Solution& solution) {
+    return solution.cam && solution.cam->cam.formulas->planar() &&
+           solution.cam->cam.formulas->stations() == 1;
+}
+
+bool has_loads(const Solution& solution) {
+    return solution.cam && solution.cam->summary.forces && disk_cam(solution.cam->cam);
+}
+
+bool has_column(const Solution& solution, ColumnNeed need) {
+    const MotionSpec& motion = solution.scene.motion;
+    switch (need) {
+        case ColumnNeed::nothing:
+            return true;
+        case ColumnNeed::translating:
+            return !motion.lift_is_angle;
+        case ColumnNeed::swinging:
+            return motion.lift_is_angle;
+        case ColumnNeed::speed:
+            return motion.speed.has_value();
+        case ColumnNeed::speed_translating:
+            return motion.speed && !motion.lift_is_angle;
+        case ColumnNeed::speed_swinging:
+            return motion.speed && motion.lift_is_angle;
+        case ColumnNeed::plane_cam:
+            return has_plane_cam(solution);
+        case ColumnNeed::loads:
+            return has_loads(solution);
+        case ColumnNeed::force:
+            return has_loads(solution) && !motion.lift_is_angle;
+        case ColumnNeed::moment:
+            return has_loads(solution) && motion.lift_is_angle;
+        case ColumnNeed::pressure:
+            return has_loads(solution) && solution.cam->summary.forces->hertz_pressure.has_value();
+    }
+    return false;
+}
+
+std::vector<std::string> columns_of(const Solution& solution) {
+    std::vector<std::string> keys;
+    for (const ColumnRow& row : all_column_rows())
+        if (has_column(solution, row.column.need)) keys.push_back(row.column.key);
+    return keys;
+}
+
+std::vector<std::string> default_columns(const Solution& solution) {
+    const MotionSpec& motion = solution.scene.motion;
+    std::vector<std::string> keys = {"theta_deg"};
+    const auto add = [&](std::initializer_list<const char*> more) {
+        keys.insert(keys.end(), more.begin(), more.end());
+    };
+    if (motion.lift_is_angle && motion.speed)
+        add({"s_deg", "v_rad_s", "a_rad_s2", "j_rad_s3"});
+    else if (motion.lift_is_angle)
+        add({"s_deg", "ds_deg_deg", "dds_deg_deg2", "ddds_deg_deg3"});
+    else if (solution.scene.length_unit == LengthUnit::inch && motion.speed)
+        add({"s_in", "v_in_s", "a_in_s2", "j_in_s3"});
+    else if (solution.scene.length_unit == LengthUnit::inch)
+        add({"s_in", "ds_in_rad", "dds_in_rad2", "ddds_in_rad3"});
+    else if (motion.speed)
+        add({"s_mm", "v_mm_s", "a_m_s2", "j_m_s3"});
+    else
+        add({"s_mm", "ds_mm_rad", "dds_mm_rad2", "ddds_mm_rad3"});
+    if (has_plane_cam(solution)) add({"pressure_angle_deg"});
+    return keys;
+}
+
+std::vector<const ColumnRow*> chosen_columns(const Solution& solution, std::vector<std::string> keys) {
+    if (keys.empty()) keys = default_columns(solution);
+    std::vector<const ColumnRow*> chosen;
+    for (const std::string& key : keys) {
+        const auto found =
+            std::ranges::find(all_column_rows(), key, [](const ColumnRow& row) { return row.column.key; });
+        const bool known = found != all_column_rows().end();
+        if (!known || !has_column(solution, found->column.need))
+            throw InputError(fmt::format("--columns: found \"{}\"{}; allowed: {}", key,
+                                         known ? fmt::format(", which {}", words_of(found->column.need)) : "",
+                                         fmt::join(columns_of(solution), ", ")));
+        chosen.push_back(&*found);
+    }
+    return chosen;
+}
+
+/// Angles in degrees; none of them is a sum.
+std::vector<double> even_angles(const UniformTableOptions& options, double end) {
+    constexpr int default_rows = 361, most_rows = 1'000'000;
+    std::vector<double> angles;
+    if (!options.step_deg) {
+        const int last = options.rows.value_or(default_rows) - 1;
+        if (last < 1) throw InputError("a table: allowed: 2 rows or more");
+        for (int i = 0; i < last; ++i) angles.push_back(end * i / last);
+        angles.push_back(end);
+        return angles;
+    }
+    const double step = *options.step_deg;
+    if (!(step > 0.0 && step <= end) || end / step > most_rows)
+        throw InputError(
+            fmt::format("--step-deg: found {}; allowed: a number > 0 and <= {:.9g}, at most {} rows", step,
+                        end, most_rows));
+    constexpr double part_of_step = 1e-6;  // a row that close to the end is the end
+    for (int i = 0; i * step < end - part_of_step * step; ++i) angles.push_back(i * step);
+    angles.push_back(end);
+    return angles;
+}
+
+/// What does not exist is not finite.
+FollowerLoads loads_at(const Solution& solution, const TableRow& row) {
+    const DiskCam cam = *disk_cam(solution.cam->cam);
+    FollowerLoads loads = follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed,
+                                         state_of(row.point, motion_scale(solution.scene)), *row.cam);
+    if (!solution.cam->summary.no_contact) return loads;
+    loads.normal_force = infinity;
+    loads.hertz_pressure.reset();
+    return loads;
+}
+
+/// x of the angle, and the breakpoint itself where it is one but for rounding.
+double place_on(const std::vector<double>& breakpoints, double x) {
+    constexpr double same_x = 1e-12;
+    const double tolerance = same_x * std::max(1.0, breakpoints.back());
+    const auto next = std::ranges::lower_bound(breakpoints, x - tolerance);
+    if (next != breakpoints.end() && *next <= x + tolerance) return *next;
+    return std::clamp(x, breakpoints.front(), breakpoints.back());
+}
+
+std::string cell_text(double value, const std::optional<int>& digits) {
+    if (!digits || !std::isfinite(value)) return round_trip_text(value == 0.0 ? 0.0 : value);
+    return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, *digits);
+}
+
+void check_digits(const std::optional<int>& digits) {
+    constexpr int most = std::numeric_limits<double>::max_digits10;
+    if (digits && (*digits < 1 || *digits > most))
+        throw InputError(fmt::format("--digits: found {}; allowed: 1 to {}", *digits, most));
+}
+
+}  // namespace
+
+std::string words_of(ColumnNeed need) {
+    switch (need) {
+        case ColumnNeed::translating:
+            return "needs a lift that is a length";
+        case ColumnNeed::swinging:
+            return "needs a lift that is an angle";
+        case ColumnNeed::speed:
+            return "needs motion.speed_rpm";
+        case ColumnNeed::speed_translating:
+            return "needs motion.speed_rpm and a lift that is a length";
+        case ColumnNeed::speed_swinging:
+            return "needs motion.speed_rpm and a lift that is an angle";
+        case ColumnNeed::loads:
+            return "needs a disk cam with [forces]";
+        case ColumnNeed::force:
+            return "needs a disk cam with [forces] and a lift that is a length";
+        case ColumnNeed::moment:
+            return "needs a disk cam with [forces] and a lift that is an angle";
+        case ColumnNeed::pressure:
+            return "needs a disk cam with [forces] and a width of contact";
+        case ColumnNeed::plane_cam:
+            return "needs a plane cam";
+        case ColumnNeed::nothing:
+            break;
+    }
+    return "";
+}
+
+const std::vector<TableColumn>& table_columns() {
+    static const std::vector<TableColumn> columns = [] {
+        std::vector<TableColumn> all;
+        for (const ColumnRow& row : all_column_rows()) all.push_back(row.column);
+        return all;
+    }();
+    return columns;
+}
+
+std::string UniformTable::words() const {
+    std::string text =
+        fmt::format("{} rows over the {}, 0 to {} deg", rows,
+                    whole_turn ? "whole turn" : "motion, which is not a whole turn", short_text(end_deg, 9));
+    if (last_step_deg > 0.0)
+        text += fmt::format("; the last step is {} deg: the step does not divide the angle",
+                            short_text(last_step_deg, 6));
+    return text;
+}
+
+UniformTable uniform_table(const Solution& solution, const UniformTableOptions& options) {
+    check_digits(options.digits);
+    const MotionChain motion = cam_motion(solution);
+    const std::vector<const ColumnRow*> columns = chosen_columns(solution, options.columns);
+    const MotionSpec& spec = solution.scene.motion;
+    const double degrees_per_x = spec.unit_angle() / units::degree;
+    const std::vector<double> breakpoints = motion.breakpoints();
+    UniformTable table;
+    table.whole_turn = is_whole_turn(motion.end() * spec.unit_angle());
+    constexpr double whole = 360.0;
+    table.end_deg = table.whole_turn ? whole : as_written(motion.end() * degrees_per_x);
+    for (const ColumnRow* column : columns)
+        table.text += (table.text.empty() ? "" : ",") + column->column.key;
+    table.text += "\n";
+    const std::vector<double> angles = even_angles(options, table.end_deg);
+    for (const double theta : angles) {
+        const bool last = theta == angles.back();
+        const double x = last ? motion.end() : place_on(breakpoints, theta / degrees_per_x);
+        TableRow row{&spec, motion.at(x, last ? Side::left : Side::right), theta, nullptr, {}};
+        row.point.x = x;
+        std::optional<MechanismPoint> cam;
+        if (has_plane_cam(solution)) {
+            cam = mechanism_point(solution.cam->cam, row.point, motion_scale(solution.scene));
+            row.cam = &*cam;
+            if (has_loads(solution)) row.loads = loads_at(solution, row);
+        }
+        std::string line;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            line += (i == 0 ? "" : ",") + cell_text(value_of_row(*columns[i], row), options.digits);
+        table.text += line + "\n";
+    }
+    table.rows = static_cast<int>(angles.size());
+    if (options.step_deg) {
+        const double last_step = angles.back() - angles[angles.size() - 2];
+        constexpr double same_step = 1e-6;
+        if (last_step < *options.step_deg * (1.0 - same_step)) table.last_step_deg = last_step;
+    }
+    return table;
+}
+
+std::vector<std::string> column_names(std::string_view list) {
+    std::vector<std::string> names;
+    std::size_t begin = 0;
+    while (begin <= list.size()) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        std::string_view name = list.substr(begin, end - begin);
+        while (name.starts_with(' ')) name.remove_prefix(1);
+        while (name.ends_with(' ')) name.remove_suffix(1);
+        if (name.empty()) throw InputError("--columns: found an empty name; allowed: names between commas");
+        names.emplace_back(name);
+        begin = end + 1;
+    }
+    return names;
+}
+
+}  // namespace camopt

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The page: puts the parts together and shows data. camopt.page.show(data) draws it again, with what is there.
+'use strict';
+(function (camopt) {
+  const { element } = camopt;
+
+  function themeButton() {
+    const button = element('button', { type: 'button', class: 'quiet-button', 'data-control': 'theme' });
+    const name = () => { button.textContent = camopt.isDark() ? 'Light' : 'Dark'; button.setAttribute('aria-label', camopt.isDark() ? 'Light colours' : 'Dark colours'); };
+    button.addEventListener('click', () => camopt.setTheme(camopt.isDark() ? 'light' : 'dark'));
+    camopt.themeChanged.listen(name);
+    name();
+    return button;
+  }
+
+  camopt.header = function (kind) {
+    const title = element('h1', {});
+    const host = element('header', { class: 'top' },
+      element('div', { class: 'titles' }, element('p', { class: 'kind' }, kind), title),
+      element('div', { class: 'top-buttons' }, element('button', { type: 'button', class: 'quiet-button', onclick: () => window.print() }, 'Print'), themeButton()));
+    return { host, title };
+  };
+
+  camopt.verdictPanel = function (data) {
+    const panel = element('section', { class: 'verdict ' + data.verdict.tone, 'data-verdict': data.verdict.key, 'aria-label': 'Verdict' },
+      element('h2', {}, data.verdict.headline), ...data.verdict.sentences.map((sentence) => element('p', {}, sentence)));
+    return panel;
+  };
+
+  camopt.referencePanel = (reference) => element('section', { class: 'against', 'aria-label': 'Against the reference law' },
+    element('h2', {}, 'Against ' + reference.title), ...reference.sentences.map((sentence) => element('p', {}, sentence)));
+
+  camopt.figureStrip = (figures) => element('dl', { class: 'figures' }, ...figures.map((figure) =>
+    element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value, element('span', {}, 'at ' + figure.at)))));
+
+  /** The report of one solved scene. */
+  camopt.report = function (host) {
+    const angle = camopt.angle(), charts = camopt.charts(angle), drawing = camopt.drawing(angle), solid = camopt.solid(angle);
+    const top = camopt.header('Report');
+    const words = element('div', { class: 'words' }), tables = element('div', { class: 'tables' }), end = element('div', { class: 'end' });
+    const controls = camopt.angleControls(angle);
+    const stage = element('aside', { class: 'stage', 'aria-label': 'The cam in motion' }, element('h2', {}, 'The cam in motion'), drawing.host, solid.host, controls);
+    const pictures = element('div', { class: 'pictures' }, element('div', { class: 'chart-column' }, charts.chips, charts.host), stage);
+    const foot = element('footer', { class: 'foot' });
+    host.replaceChildren(top.host, element('main', {}, words, pictures, tables, end), foot);
+    const self = {
+      angle, charts, drawing, solid, stage, data: null,
+      /** quick: curves and pictures only; the words stay. */
+      show(data, quick = false) {
+        self.data = data;
+        document.title = data.title;
+        top.title.textContent = data.title;
+        const hasMotion = Boolean(data.angle);
+        pictures.hidden = !hasMotion;
+        const hasCam = Boolean(data.drawing || data.solid);
+        stage.hidden = !hasCam;
+        pictures.classList.toggle('without-cam', !hasCam);
+        if (hasMotion) {
+          angle.use(data.angle.values);
+          charts.show(data);
+          drawing.show(data.drawing);
+          solid.show(data.solid);
+        }
+        if (quick) return;
+        words.replaceChildren(camopt.verdictPanel(data));
+        if (data.reference) words.append(camopt.referencePanel(data.reference));
+        words.append(camopt.figureStrip(data.figures));
+        tables.replaceChildren(...data.tables.map(camopt.tableSection));
+        if (data.remarks.length) tables.append(element('section', { class: 'table-block' }, element('h2', {}, 'On the cam'), camopt.list(data.remarks)));
+        end.replaceChildren(camopt.sceneSection(data.scene), camopt.appendixSection(data));
+        foot.textContent = 'Made by camopt ' + data.camopt + '. This page loads nothing from anywhere.';
+      },
+    };
+    return self;
+  };
+
+  const data = JSON.parse(document.getElementById('page-data').textContent);
+  const host = document.getElementById('page');
+  camopt.page = data.page === 'report' ? camopt.report(host) : camopt.study(host);
+  camopt.page.show(data);
+  document.documentElement.dataset.ready = 'true';
+})(window.Camopt);

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Pages of many motions: comparison, sweep, front. What the pointer or the keys rest on is named; a click or Enter
+// hands out its scene.
+'use strict';
+(function (camopt) {
+  const { element, numberText, colour } = camopt;
+  const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+
+  /** Steps of 1, 2, 5 over a range. */
+  function ticksOf(low, high, wanted) {
+    const rough = (high - low) / wanted, power = 10 ** Math.floor(Math.log10(rough));
+    const step = power * ([1, 2, 5, 10].find((one) => one * power >= rough) || 10), ticks = [];
+    for (let i = Math.ceil(low / step); i * step <= high + 1e-9 * step; ++i) ticks.push(i * step);
+    return ticks;
+  }
+
+  class Study {
+    constructor(host) {
+      this.host = host;
+      this.tip = element('div', { class: 'tip', hidden: true });
+      this.status = element('p', { class: 'hidden-status', role: 'status' });
+    }
+
+    /** The scene of an item as text; null: it has none. */
+    sceneOf(item) {
+      const scenes = this.data.scenes;
+      if (!scenes || !scenes.edits || !scenes.edits[item]) return null;
+      const lines = scenes.base.split('\n');
+      for (const [line, text] of scenes.edits[item]) {
+        if (line < 0) return text;
+        lines[line] = text;
+      }
+      return lines.join('\n');
+    }
+
+    handOut(item) {
+      const text = this.sceneOf(item);
+      if (text === null) return;
+      const name = this.data.items.names[item].normalize('NFKD').replace(/[^A-Za-z0-9]+/g, '_').replace(/^_|_$/g, '').slice(0, 60);
+      camopt.download(name + '.toml', text, 'application/toml');
+      this.status.textContent = 'Downloaded ' + name + '.toml';
+    }
+
+    words(item) {
+      return this.data.columns.filter((column) => column.values[item] !== null && column.values[item] !== '')
+        .map((column) => column.title + ': ' + (isNumber(column.values[item]) ? numberText(column.values[item], 7) : column.values[item]));
+    }
+
+    point(item, x, y) {
+      if (item === this.pointed) return this.placeTip(x, y);
+      this.mark(this.pointed, false);
+      this.pointed = item;
+      this.mark(item, true);
+      if (item === null || item === undefined) { this.tip.hidden = true; return undefined; }
+      const scene = this.sceneOf(item) !== null;
+      this.tip.replaceChildren(element('strong', {}, this.data.items.names[item]), ...this.words(item).map((line) => element('div', {}, line)),
+        scene ? element('div', { class: 'tip-hint' }, 'click: its scene as TOML') : null);
+      this.tip.hidden = false;
+      return this.placeTip(x, y);
+    }
+
+    placeTip(x, y) {
+      if (x === undefined || this.tip.hidden) return;
+      this.tip.style.left = Math.max(4, Math.min(x + 14, innerWidth - this.tip.offsetWidth - 8)) + 'px';
+      this.tip.style.top = Math.max(4, Math.min(y + 14, innerHeight - this.tip.offsetHeight - 8)) + 'px';
+    }
+
+    mark(item, on) {
+      if (item === null || item === undefined) return;
+      this.host.querySelectorAll(`[data-item="${item}"]`).forEach((one) => one.classList.toggle('pointed', on));
+    }
+
+    /** Pointer, keys and click of anything that stands for an item. */
+    listen(one, item) {
+      one.dataset.item = item;
+      one.addEventListener('mousemove', (event) => this.point(item, event.clientX, event.clientY));
+      one.addEventListener('mouseleave', () => this.point(null));
+      one.addEventListener('focus', () => { const box = one.getBoundingClientRect(); this.point(item, box.right, box.bottom); });
+      one.addEventListener('blur', () => this.point(null));
+      one.addEventListener('click', () => this.handOut(item));
+      one.addEventListener('keydown', (event) => { if (event.key === 'Enter') this.handOut(item); });
+    }
+
+    picture() {
+      if (!this.data.picture) return null;
+      const svg = document.adoptNode(new DOMParser().parseFromString(this.data.picture, 'image/svg+xml').documentElement);
+      svg.removeAttribute('width');
+      svg.removeAttribute('height');
+      const at = new Map(this.data.items.numbers.map((number, item) => [String(number), item]));
+      svg.querySelectorAll('[class]').forEach((one) => {
+        const found = /(?:^| )r(\d+)(?: |$)/.exec(one.getAttribute('class'));
+        if (found && at.has(found[1])) this.listen(one, at.get(found[1]));
+      });
+      return element('section', { class: 'study-picture' }, element('div', { class: 'paper' }, svg));
+    }
+
+    /** Any column against any other. */
+    explorer() {
+      const numeric = this.data.columns.filter((column) => column.values.filter(isNumber).length > 1);
+      if (numeric.length < 2) return null;
+      const chosen = { x: this.data.axes.x, y: this.data.axes.y };
+      const host = element('div', { class: 'scatter' });
+      const select = (axis, words) => {
+        const made = element('select', { 'aria-label': words }, ...numeric.map((column) =>
+          element('option', { value: column.key, selected: column.key === chosen[axis] }, column.title)));
+        made.addEventListener('change', () => { chosen[axis] = made.value; draw(); });
+        return made;
+      };
+      const draw = () => host.replaceChildren(this.scatter(numeric.find((column) => column.key === chosen.x) || numeric[0],
+        numeric.find((column) => column.key === chosen.y) || numeric[1]));
+      draw();
+      return element('section', { class: 'study-block' }, element('h2', {}, 'One figure against another'),
+        element('p', { class: 'controls-line' }, select('y', 'Figure upwards'), ' over ', select('x', 'Figure to the right')), host);
+    }
+
+    scatter(x, y) {
+      const width = 860, height = 430, left = 74, right = 18, top = 14, bottom = 46;
+      const items = this.data.items.names.map((name, item) => item).filter((item) => isNumber(x.values[item]) && isNumber(y.values[item]));
+      const range = (column) => {
+        const values = items.map((item) => column.values[item]), low = Math.min(...values), high = Math.max(...values);
+        const room = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1;
+        return [low - room, high + room];
+      };
+      const [x0, x1] = range(x), [y0, y1] = range(y);
+      const px = (value) => left + (width - left - right) * (value - x0) / (x1 - x0);
+      const py = (value) => height - bottom - (height - top - bottom) * (value - y0) / (y1 - y0);
+      const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'group', 'aria-label': y.title + ' over ' + x.title });
+      for (const tick of ticksOf(x0, x1, 7)) svg.append(element('line', { class: 'grid', x1: px(tick), x2: px(tick), y1: top, y2: height - bottom }),
+        element('text', { x: px(tick), y: height - bottom + 17, 'text-anchor': 'middle' }, numberText(tick, 6)));
+      for (const tick of ticksOf(y0, y1, 6)) svg.append(element('line', { class: 'grid', x1: left, x2: width - right, y1: py(tick), y2: py(tick) }),
+        element('text', { x: left - 8, y: py(tick) + 4, 'text-anchor': 'end' }, numberText(tick, 6)));
+      svg.append(element('text', { class: 'axis', x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle' }, x.title),
+        element('text', { class: 'axis', x: 0, y: 0, 'text-anchor': 'middle', transform: `translate(16 ${(top + height - bottom) / 2}) rotate(-90)` }, y.title));
+      for (const item of items) {
+        const dot = element('circle', { class: 'dot ' + this.data.items.tones[item], cx: px(x.values[item]), cy: py(y.values[item]), r: 5,
+          tabindex: items.length <= 60 ? 0 : null, role: 'button', 'aria-label': this.data.items.names[item] });
+        this.listen(dot, item);
+        svg.append(dot);
+      }
+      if (items.length <= 40) this.nameDots(svg, items, (item) => [px(x.values[item]), py(y.values[item])], { left, right: width - right, top, bottom: height - bottom });
+      return svg;
+    }
+
+    /** Names beside dots, where there is room for them. */
+    nameDots(svg, items, place, frame) {
+      const taken = items.map((item) => { const [x, y] = place(item); return [x - 6, y - 6, x + 6, y + 6]; });
+      for (const item of items) {
+        const [x, y] = place(item), name = this.data.items.names[item].split(':')[0], width = 6.1 * name.length;
+        for (const [left, below] of [[x + 9, y - 6], [x - 9 - width, y - 6], [x - width / 2, y - 20], [x - width / 2, y + 8]]) {
+          const box = [left, below, left + width, below + 12];
+          if (box[0] < frame.left || box[2] > frame.right || box[1] < frame.top || box[3] > frame.bottom) continue;
+          if (taken.some((one) => box[0] < one[2] && one[0] < box[2] && box[1] < one[3] && one[1] < box[3])) continue;
+          taken.push(box);
+          svg.append(element('text', { class: 'dot-name', x: left, y: below + 10 }, name));
+          break;
+        }
+      }
+    }
+
+    overlay() {
+      const overlay = this.data.overlay;
+      if (!overlay) return null;
+      this.plots = [];
+      const host = element('div', { class: 'overlay' });
+      // Thirty laws are a grey band; what the pointer is near stands out, the optimum always.
+      const isBest = (item) => this.data.items.tones[item] === 'good';
+      const hue = (item) => item === this.curve ? colour('now') : isBest(item) ? colour('curve') : colour('rule');
+      const shown = overlay.curves[0].lines.map((line, item) => line ? item : -1).filter((item) => item >= 0)
+        .sort((one, other) => isBest(one) - isBest(other));
+      const sync = 'camopt-laws';
+      for (const curve of overlay.curves) {
+        const plotHost = element('div', { class: 'plot', role: 'img', 'aria-label': curve.title + ' of all laws by cam angle; the table below has their peaks' });
+        const name = element('output', { class: 'read-out' });
+        host.append(element('figure', { class: 'chart', 'data-curve': curve.key }, element('figcaption', {},
+          element('h3', {}, curve.title[0].toUpperCase() + curve.title.slice(1) + ' ', element('span', { class: 'symbol' }, curve.symbol), ', ' + curve.unit), name), plotHost));
+        const plot = new uPlot({
+          width: 300, height: 230, pxAlign: 0.5, padding: [6, 20, 0, 0], legend: { show: false }, focus: { alpha: 0.55 },
+          cursor: { y: false, sync: { key: sync, setSeries: true }, focus: { prox: 24 }, drag: { x: true, y: false }, points: { show: false } },
+          scales: { x: { time: false, range: (u, low, high) => [low, high] } },
+          axes: [{ stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 26, space: 56,
+            values: (u, splits) => splits.map((value) => numberText(value, 6) + '°'), incrs: [1, 2, 5, 10, 15, 30, 45, 60, 90, 120] },
+          { stroke: () => colour('quiet'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, size: 62, space: 30,
+            values: (u, splits) => splits.map((value) => numberText(value, 6)) }],
+          series: [{}].concat(shown.map((item) => ({ label: this.data.items.names[item], stroke: () => hue(item),
+            width: isBest(item) ? 2.6 : 1.2, points: { show: false } }))),
+          hooks: { setSeries: [(u, series) => {
+            const item = series === null || series === undefined ? null : shown[series - 1];
+            this.mark(this.curve, false);
+            this.curve = item;
+            this.mark(item, true);
+            for (const one of this.plots) one.name.textContent = item === null || item === undefined ? '' : this.data.items.names[item];
+          }] },
+        }, [overlay.angle.values].concat(shown.map((item) => curve.lines[item])), plotHost);
+        plot.over.addEventListener('click', () => { if (this.curve !== null && this.curve !== undefined) this.handOut(this.curve); });
+        this.plots.push({ plot, plotHost, name });
+      }
+      const resize = () => this.plots.forEach(({ plot, plotHost }) => plot.setSize({ width: Math.max(220, plotHost.clientWidth), height: 230 }));
+      new ResizeObserver(resize).observe(host);
+      camopt.themeChanged.listen(() => this.plots.forEach(({ plot }) => plot.redraw(false)));
+      camopt.printing.listen((on) => this.plots.forEach(({ plot }) => plot.setSize({ width: on ? 320 : Math.max(220, plot.root.parentElement.clientWidth), height: on ? 190 : 230 })));
+      return element('section', { class: 'study-block' }, element('h2', {}, 'The motions over one another'), host);
+    }
+
+    table() {
+      const { columns, items } = this.data;
+      // A row's settings have columns of their own.
+      const names = items.names.map((name) => name.split(': ')[0]);
+      const heads = [{ title: this.data.kind === 'Comparison' ? 'motion' : 'solve', left: true, values: names }]
+        .concat(columns.filter((column) => column.key !== 'row' && column.values.some((value) => value !== null)));
+      let rows = items.names.map((name, item) => item), sorted = -1, up = false;
+      const body = element('tbody', {});
+      const fill = () => body.replaceChildren(...rows.map((item) => lines[item]));
+      const cell = (value) => value === null ? '' : isNumber(value) ? numberText(value, 7) : value;
+      const lines = items.names.map((name, item) => {
+        const row = element('tr', { class: items.tones[item], tabindex: 0 }, ...heads.map((column, i) =>
+          element(i === 0 ? 'th' : 'td', { scope: i === 0 ? 'row' : null, class: column.left ? 'left' : null }, cell(column.values[item]))));
+        this.listen(row, item);
+        return row;
+      });
+      const head = element('tr', {}, ...heads.map((column, i) => {
+        const button = element('button', { type: 'button', class: 'sort' }, column.title);
+        const made = element('th', { scope: 'col', class: column.left ? 'left' : null, 'aria-sort': 'none' }, button);
+        button.addEventListener('click', () => {
+          up = sorted === i ? !up : true;
+          sorted = i;
+          const value = (item) => column.values[item];
+          rows.sort((one, other) => {
+            const a = value(one), b = value(other);
+            if (isNumber(a) !== isNumber(b)) return isNumber(a) ? -1 : 1;
+            if (!isNumber(a)) return (up ? 1 : -1) * String(a ?? '').localeCompare(String(b ?? ''));
+            return (up ? 1 : -1) * (a - b);
+          });
+          head.querySelectorAll('th').forEach((one, k) => one.setAttribute('aria-sort', k !== i ? 'none' : up ? 'ascending' : 'descending'));
+          fill();
+        });
+        return made;
+      }));
+      fill();
+      return element('section', { class: 'study-block' }, element('h2', {}, 'All of them'),
+        element('p', { class: 'note' }, 'A click on a head sorts. A click on a row, a mark or a curve hands out its scene.'),
+        element('div', { class: 'table-scroll study-table', tabindex: 0, role: 'region', 'aria-label': 'All of them' },
+          element('table', {}, element('thead', {}, head), body)));
+    }
+
+    show(data) {
+      this.data = data;
+      document.title = data.title;
+      const top = camopt.header(data.kind);
+      top.title.textContent = data.title;
+      const main = element('main', { class: 'study' }, element('div', { class: 'words' }, camopt.verdictPanel(data)));
+      this.host.replaceChildren(top.host, main, this.tip, this.status,
+        element('footer', { class: 'foot' }, 'Made by camopt ' + data.camopt + '. This page loads nothing from anywhere.'));
+      for (const part of [this.overlay(), this.picture(), this.explorer(), this.table()]) if (part) main.append(part);
+      if (data.scene) main.append(element('section', { class: 'study-block' }, camopt.sceneSection(data.scene)));
+    }
+  }
+
+  camopt.study = (host) => new Study(host);
+})(window.Camopt);

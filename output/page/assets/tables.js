@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Tables, lists, the scene.
+'use strict';
+(function (camopt) {
+  const { element } = camopt;
+
+  /** {columns: [{title, left}], rows: [[text]]} */
+  camopt.table = function (table, caption) {
+    const head = element('tr', {}, ...table.columns.map((column) => element('th', { scope: 'col', class: column.left ? 'left' : null }, column.title)));
+    const rows = table.rows.map((cells) => element('tr', {}, ...cells.map((cell, i) =>
+      element(i === 0 && table.columns[0].left ? 'th' : 'td', { scope: i === 0 && table.columns[0].left ? 'row' : null, class: (table.columns[i] || {}).left ? 'left' : null }, cell))));
+    return element('div', { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': caption || 'table' },
+      element('table', {}, caption ? element('caption', {}, caption) : null, element('thead', {}, head), element('tbody', {}, ...rows)));
+  };
+
+  camopt.tableSection = (table) => element('section', { class: table.columns.length > 5 ? 'table-block wide' : 'table-block', 'data-table': table.key },
+    element('h2', {}, table.title), camopt.table(table, table.title), table.note ? element('p', { class: 'note' }, table.note) : null);
+
+  camopt.list = (sentences, name) => element('ul', { class: name || 'sentences' }, ...sentences.map((sentence) => element('li', {}, sentence)));
+
+  camopt.sceneSection = function (scene) {
+    const section = element('section', { class: 'scene-block' }, element('h2', {}, 'The scene'), camopt.list(scene.lines));
+    if (!scene.text) return section;
+    const name = (scene.file || 'scene.toml').split(/[\\/]/).pop();
+    section.append(
+      element('details', { class: 'scene-text', open: true }, element('summary', {}, 'The scene as text: with it the work can be repeated'),
+        element('pre', { tabindex: '0' }, scene.text)),
+      element('p', { class: 'controls-line' }, element('button', { type: 'button', 'data-download': 'scene', onclick: () => camopt.download(name, scene.text, 'application/toml') }, 'Download ' + name)));
+    return section;
+  };
+
+  camopt.appendixSection = function (data) {
+    const section = element('section', { class: 'appendix' }, element('h2', {}, 'Appendix: how it was found'), camopt.list(data.appendix.sentences));
+    if (data.notes.length) section.append(element('h3', {}, 'Notes of the solve'), camopt.list(data.notes));
+    if (data.appendix.command) section.append(element('p', { class: 'note' }, 'Command: ', element('code', {}, data.appendix.command)));
+    return section;
+  };
+})(window.Camopt);

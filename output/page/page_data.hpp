@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What a page shows of a solved scene, as one JSON text: words, tables, curves along the turn, the cam with
+// its follower at every cam angle. Who draws it (assets/, the studio) knows no kind of cam and computes
+// nothing but pixels; every number is in the unit that stands beside it (output/words/shown_units.hpp).
+//
+//   page          "report"
+//   camopt, title
+//   verdict       key (of Verdict), tone ("good", "fair", "bad"), headline, sentences[]
+//   figures[]     name, value: what stands first, as texts
+//   reference     null without a law to compare with; title, sentences[]
+//   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the rows
+//   of
+//                 motion.csv, two where the jerk jumps (seen from the left, then from the right), and after
+//                 the motion those of the dwell that closes the cam
+//   curves[]      by cam angle:
+//     key, group ("motion", "cam", "forces"), title, symbol, unit, values[] (null: nothing to say there)
+//     beside        null, or unit and factor: value · factor is the same by the cam angle
+//     reference     null, or title and values[] of the law
+//     measured      null, or title and values[] of the measured motion
+//     limits[]      from, to, at (signed), words; outside (+1: values above are out, −1: below)
+//     marks[]       at, value, words: the peaks and extremes that the tables name, at the tables' angles;
+//                   given: true: an exact point of the scene; with "to" that velocity is held so far
+//   segments[]    from, to, title: of a program
+//   breakpoints[] cam angles
+//   drawing       null, or a plane cam and its mechanism in the frame that stands still:
+//     unit, rotation (+1 counterclockwise), center[x, y]
+//     outlines[]    name, closed, pitch (it is the path of a roller's centre), points[x, y, …] in the cam
+//     frame circles[]     name, radius about the centre turned[]      by angle: degrees by which the cam
+//     frame has turned contact[]     by angle: x, y parts[]       kind ("link", "circle", "pivot", "guide",
+//     "face"), name, radius, count (of points) and
+//                   points[x, y, …] by angle; a part that never moves has one set of points
+//   solid         null, or a three-dimensional cam (needs WebGL):
+//     unit, rotation, parts[] (name, closed, vertices[x, y, z, …], triangles[…]), roller (radius, length),
+//     rollers[] (poses[…]: foot x, y, z and direction x, y, z by angle), pivot [x, y, z] or null
+//   tables[]      key, title, columns[] (title, left), rows[][], note
+//   remarks[]     sentences on the cam
+//   notes[]       of the solve
+//   appendix      how it was found: sentences[], command
+//   scene         file, text (TOML), lines[] (the scene in words)
+#pragma once
+
+#include "output/json/run_origin.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <string>
+
+namespace camopt {
+
+struct PageDataOptions {
+    /// The reference law in the scene's place: its limits need a second look at the cam, some milliseconds.
+    bool reference = true;
+    bool solid = true;  ///< the meshes of a three-dimensional cam
+};
+
+/// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.
+[[nodiscard]] std::string page_data(const Solution& solution, const RunOrigin& origin = {},
+                                    const PageDataOptions& options = {});
+
+/// The page of the solution needs a library for three dimensions.
+[[nodiscard]] bool page_needs_solids(const Solution& solution);
+
+}  // namespace camopt

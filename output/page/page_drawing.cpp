@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
+// far the cam frame has turned, parts.
+#include "core/units.hpp"
+#include "output/page/page_parts.hpp"
+#include "output/spatial/cam_scene.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/number_text.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
+#include "studies/spatial/solved_cam.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double drawn_steps = 1e4;   // of a shown unit: a pixel is larger
+constexpr double still = 1e-9;        // m: a part that moves less does not move
+constexpr double face_beyond = 0.12;  // of the cam's length: a face reaches so far beyond the contact
+constexpr int outline_points = 720;
+
+/// To a ten-thousandth of the unit; ten thousand steps a unit keep the text short: 12.3,
+/// not 12.299999999999999.
+void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::VectorXd>& point) {
+    for (const double coordinate : point) {
+        const double shown = unit.factor * coordinate;
+        list.push_back(std::isfinite(shown) ? Json(std::round(shown * drawn_steps) / drawn_steps)
+                                            : Json(nullptr));
+    }
+}
+
+/// The plane mechanism by rows.
+struct PlaneCourse {
+    const Solution& solution;
+    ShownUnit length;
+    std::vector<std::vector<MechanismShape>> shapes;  ///< by row
+    std::vector<double> turned;                       ///< rad
+    std::vector<MechanismPoint> points;
+    double least_offset = 0.0, largest_offset = 0.0;  ///< of the contact on a face
+};
+
+PlaneCourse plane_course(const Solution& solution, const PageRows& rows) {
+    PlaneCourse course{solution, shown_units(solution.scene).length, {}, {}, {}};
+    const DrivenMechanism& cam = solution.cam->cam;
+    const MotionScale scale = motion_scale(solution.scene);
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        const double theta = scale.unit_angle * rows.rows[i].x;
+        const MechanismState state{cam.dimensions, state_of(page_motion_at(solution, rows, i), scale), theta};
+        course.shapes.push_back(cam.formulas->shapes(state));
+        course.turned.push_back(cam.formulas->turned(state));
+        course.points.push_back(cam.formulas->point(theta, state, 0));
+        const double offset = course.points.back().contact_offset;
+        if (!std::isfinite(offset)) continue;
+        course.least_offset = i == 0 ? offset : std::min(course.least_offset, offset);
+        course.largest_offset = i == 0 ? offset : std::max(course.largest_offset, offset);
+    }
+    return course;
+}
+
+/// From where to where a face is drawn, along itself.
+std::pair<double, double> reach_of_face(const PlaneCourse& course) {
+    const Scene& scene = course.solution.scene;
+    if (scene.cam && scene.cam->face_half_width)
+        return {-*scene.cam->face_half_width, *scene.cam->face_half_width};
+    const double beyond = face_beyond * course.solution.cam->summary.base_radius;
+    return {std::min(course.least_offset - beyond, 0.0), std::max(course.largest_offset + beyond, 0.0)};
+}
+
+std::vector<Vector2d> points_of(const MechanismShape& shape, const std::pair<double, double>& reach) {
+    if (shape.kind != MechanismShape::Kind::face) return shape.points;
+    const Vector2d along = shape.points[1] - shape.points[0];
+    return {shape.points[0] + reach.first * along, shape.points[0] + reach.second * along};
+}
+
+const char* name_of_kind(MechanismShape::Kind kind) {
+    switch (kind) {
+        case MechanismShape::Kind::link:
+            return "link";
+        case MechanismShape::Kind::circle:
+            return "circle";
+        case MechanismShape::Kind::pivot:
+            return "pivot";
+        case MechanismShape::Kind::guide:
+            return "guide";
+        case MechanismShape::Kind::face:
+            break;
+    }
+    return "face";
+}
+
+Json parts_of(const PlaneCourse& course) {
+    Json parts = Json::array();
+    const std::pair<double, double> reach = reach_of_face(course);
+    for (std::size_t k = 1; k < course.shapes.front().size(); ++k) {  // the first is the cam's centre
+        const MechanismShape& first = course.shapes.front()[k];
+        std::vector<std::vector<Vector2d>> places;
+        bool moves = false;
+        for (const std::vector<MechanismShape>& shapes : course.shapes) {
+            places.push_back(k < shapes.size() ? points_of(shapes[k], reach) : places.back());
+            for (std::size_t p = 0; p < places.back().size(); ++p)
+                moves = moves || (places.back()[p] - places.front()[p]).norm() > still;
+        }
+        if (!moves) places.resize(1);
+        Json points = Json::array();
+        for (const std::vector<Vector2d>& place : places)
+            for (const Vector2d& point : place) append(points, course.length, point);
+        parts.push_back({{"kind", name_of_kind(first.kind)},
+                         {"name", words_of(first.name)},
+                         {"radius", rounded_json(course.length.factor * first.radius)},
+                         {"count", places.front().size()},
+                         {"points", std::move(points)}});
+    }
+    return parts;
+}
+
+Json outline(const PlaneCourse& course, const MechanismProfile& profile, const char* name, bool pitch) {
+    Json points = Json::array();
+    const auto place = [&](const MechanismPoint& point) -> const Vector3d& {
+        return pitch ? point.pitch : point.contact;
+    };
+    for (const MechanismPoint& point : profile.points) append(points, course.length, place(point).head<2>());
+    const double gap = (place(profile.points.front()) - place(profile.points.back())).norm();
+    const bool turn = profile.points.back().theta - profile.points.front().theta > units::turn - still;
+    return {{"name", name},
+            {"closed", turn && gap < 1e3 * still},
+            {"pitch", pitch},
+            {"points", std::move(points)}};
+}
+
+Json outlines_of(const PlaneCourse& course, const PageRows& rows) {
+    const DrivenMechanism& cam = course.solution.cam->cam;
+    const MotionScale scale = motion_scale(course.solution.scene);
+    const auto profile = [&](int station) {
+        return mechanism_profile(cam, *rows.whole, scale, outline_points, station);
+    };
+    Json all = Json::array();
+    const MechanismProfile first = profile(0);
+    if (cam.formulas->has_guide()) {
+        all.push_back(outline(course, first, "left wall", false));
+        all.push_back(outline(course, profile(1), "right wall", false));
+    } else {
+        all.push_back(outline(course, first, "cam", false));
+    }
+    if (cam.formulas->roller_radius() >= 0)
+        all.push_back(outline(course, first, "path of the roller's centre", true));
+    return all;
+}
+
+Json circles_of(const PlaneCourse& course) {
+    Json all = Json::array();
+    const CamMechanism& formulas = *course.solution.cam->cam.formulas;
+    if (!formulas.planar()) return all;
+    const double base = course.solution.cam->summary.base_radius;
+    all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.factor * base)}});
+    if (const int roller = formulas.roller_radius(); roller >= 0)
+        all.push_back(
+            {{"name", "prime circle"},
+             {"radius",
+              rounded_json(course.length.factor *
+                           (base + course.solution.cam->cam.dimensions[static_cast<std::size_t>(roller)]))}});
+    return all;
+}
+
+}  // namespace
+
+Json plane_drawing(const Solution& solution, const PageRows& rows) {
+    if (!solution.cam || !rows.whole || !solution.cam->cam.formulas->is_plane_curve()) return nullptr;
+    const PlaneCourse course = plane_course(solution, rows);
+    if (course.shapes.front().empty()) return nullptr;
+    const Vector2d center = course.shapes.front().front().points.front();
+    Json turned = Json::array(), contact = Json::array(), middle = Json::array();
+    for (std::size_t i = 0; i < course.turned.size(); ++i) {
+        turned.push_back(rounded_json(course.turned[i] / units::degree));
+        append(contact, course.length,
+               center + Eigen::Rotation2Dd(course.turned[i]) * course.points[i].contact.head<2>());
+    }
+    append(middle, course.length, center);
+    return {{"unit", course.length.name},    {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
+            {"center", std::move(middle)},   {"outlines", outlines_of(course, rows)},
+            {"circles", circles_of(course)}, {"turned", std::move(turned)},
+            {"contact", std::move(contact)}, {"parts", parts_of(course)}};
+}
+
+namespace {
+
+Json mesh_json(const CamScene::Part& part, const ShownUnit& length) {
+    Json vertices = Json::array(), triangles = Json::array();
+    for (const Vector3d& vertex : part.mesh.vertices) append(vertices, length, vertex);
+    for (const std::array<int, 3>& triangle : part.mesh.triangles)
+        for (const int corner : triangle) triangles.push_back(corner);
+    return {{"name", part.name},
+            {"closed", part.closed},
+            {"vertices", std::move(vertices)},
+            {"triangles", std::move(triangles)}};
+}
+
+}  // namespace
+
+Json solid_drawing(const Solution& solution, const PageRows& rows) {
+    if (!rows.whole || !page_needs_solids(solution)) return nullptr;
+    const MotionScale scale = motion_scale(solution.scene);
+    std::vector<double> angles;
+    for (const MotionRow& row : rows.rows) angles.push_back(scale.unit_angle * row.x);
+    const CamScene scene =
+        cam_scene(solved_spatial_cam(solution), follower_motion(*rows.whole, scale), angles);
+    const ShownUnit length = shown_units(solution.scene).length;
+    Json parts = Json::array(), rollers = Json::array();
+    for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));
+    for (const std::vector<RollerPlace>& roller : scene.rollers) {
+        Json poses = Json::array();
+        for (const RollerPlace& pose : roller) {
+            append(poses, length, pose.foot);
+            for (const double part : pose.direction) poses.push_back(rounded_json(part));
+        }
+        rollers.push_back(std::move(poses));
+    }
+    Json pivot = nullptr;
+    if (scene.pivot) {
+        pivot = Json::array();
+        append(pivot, length, *scene.pivot);
+    }
+    return {{"unit", length.name},
+            {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
+            {"parts", std::move(parts)},
+            {"roller",
+             {{"radius", rounded_json(length.factor * scene.roller_radius)},
+              {"length", rounded_json(length.factor * scene.roller_length)}}},
+            {"rollers", std::move(rollers)},
+            {"pivot", std::move(pivot)}};
+}
+
+}  // namespace camopt

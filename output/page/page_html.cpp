@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "output/page/page_html.hpp"
+
+#include "core/text/printable.hpp"
+#include "output/page/page_asset.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+/// In the order in which they build on one another.
+constexpr std::array page_scripts = {"assets/base.js",  "assets/charts.js", "assets/drawing.js",
+                                     "assets/solid.js", "assets/tables.js", "assets/study.js",
+                                     "assets/page.js"};
+
+/// "<" begins nothing then: no end of the script, no comment.
+std::string script_json(std::string_view text) {
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+std::string script(std::string_view text, const std::string& nonce) {
+    return fmt::format("<script{}>\n{}\n</script>\n",
+                       nonce.empty() ? "" : fmt::format(" nonce=\"{}\"", xml_text(nonce)), text);
+}
+
+/// The licences of what the page carries, for who reads its text.
+std::string licences(bool solids) {
+    std::string text = "uPlot\n" + std::string(page_asset("vendor/uPlot.LICENSE"));
+    if (solids) text += "\nthree.js\n" + std::string(page_asset("vendor/three.LICENSE"));
+    return fmt::format("<script type=\"text/plain\" id=\"licences\">\n{}</script>\n", text);
+}
+
+std::string style(std::string_view text) {
+    return fmt::format("<style>\n{}\n</style>\n", text);
+}
+
+/// A part of a page and its mark in the skeleton.
+struct PagePart {
+    std::string_view mark;
+    std::string text;
+};
+
+/// Every mark of the skeleton becomes its part; marks within parts stay what they are.
+std::string filled(std::string_view skeleton, const std::vector<PagePart>& parts) {
+    std::string page;
+    while (true) {
+        std::size_t first = std::string_view::npos;
+        const PagePart* next = nullptr;
+        for (const PagePart& part : parts)
+            if (const std::size_t at = skeleton.find(part.mark); at < first) {
+                first = at;
+                next = &part;
+            }
+        page += skeleton.substr(0, first);
+        if (next == nullptr) return page;
+        page += next->text;
+        skeleton.remove_prefix(first + next->mark.size());
+    }
+}
+
+}  // namespace
+
+std::string page_html(const PageHtml& page) {
+    std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
+    for (const std::string& text : page.styles) styles += style(text);
+    std::string scripts = licences(page.solids) + script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
+    if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
+    for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);
+    for (const std::string& text : page.scripts) scripts += script(text, page.nonce);
+    return filled(page_asset("assets/page.html"), {{"@CONNECT@", xml_text(page.connect)},
+                                                   {"@TITLE@", xml_text(page.title)},
+                                                   {"@STYLES@", std::move(styles)},
+                                                   {"@DATA@", script_json(page.data)},
+                                                   {"@SCRIPTS@", std::move(scripts)}});
+}
+
+std::string report_html(const Solution& solution, const RunOrigin& origin) {
+    PageHtml page;
+    page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
+    page.data = page_data(solution, origin);
+    page.solids = page_needs_solids(solution);
+    return page_html(page);
+}
+
+}  // namespace camopt

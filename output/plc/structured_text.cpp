@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "output/plc/structured_text.hpp"
+
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <system_error>
+
+namespace camopt {
+
+namespace {
+
+/// A literal of type REAL has digits on both sides of a point, before an exponent too.
+std::string with_point(std::string digits) {
+    if (digits.find('.') != std::string::npos) return digits;
+    const std::size_t exponent = digits.find('e');
+    return digits.insert(exponent == std::string::npos ? digits.size() : exponent, ".0");
+}
+
+std::string trimmed_text(std::string_view text) {
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return "";
+    return std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
+}
+
+std::string without_comments(std::string_view text) {
+    std::string code;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text.substr(i, 2) == "//")
+            i = std::min(text.find('\n', i), text.size()) - 1;
+        else
+            code += text[i];
+    }
+    return code;
+}
+
+template <class Number>
+Number parsed_number(std::string_view text) {
+    Number value{};
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc() || end != text.data() + text.size())
+        throw InputError(fmt::format("an electronic cam: found \"{}\" where a number stands", text));
+    return value;
+}
+
+const std::string& value_at(const std::map<std::string, std::string>& fields, const std::string& field,
+                            const std::string& where) {
+    const auto found = fields.find(field);
+    if (found == fields.end()) throw InputError(fmt::format("an electronic cam: {} has no {}", where, field));
+    return found->second;
+}
+
+void assign(StElements& read, const std::string& target, const std::string& value) {
+    const std::size_t open = target.rfind('['), close = target.rfind(']');
+    if (open == std::string::npos || close == std::string::npos || close < open) {
+        read.fields[target] = value;
+        return;
+    }
+    const int index = parsed_number<int>(std::string_view(target).substr(open + 1, close - open - 1));
+    const std::string field = close + 2 <= target.size() ? target.substr(close + 2) : "";
+    if (!read.elements[index].emplace(field, value).second)
+        throw InputError(fmt::format("an electronic cam: {} is assigned twice", target));
+}
+
+}  // namespace
+
+std::string lreal_text(double value) {
+    return with_point(fmt::format("{}", value == 0.0 ? 0.0 : value));
+}
+
+std::string real_text(float value) {
+    return with_point(fmt::format("{}", value == 0.0F ? 0.0F : value));
+}
+
+std::string comment_lines(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += "// " + line + "\n";
+    return text;
+}
+
+double StElements::number(int index, const std::string& field) const {
+    return number_of(word(index, field));
+}
+
+float StElements::real(int index, const std::string& field) const {
+    return real_of(word(index, field));
+}
+
+double StElements::number(const std::string& field) const {
+    return number_of(value_at(fields, field, "the file"));
+}
+
+const std::string& StElements::word(int index, const std::string& field) const {
+    const auto element = elements.find(index);
+    if (element == elements.end())
+        throw InputError(fmt::format("an electronic cam: found no element {}", index));
+    return value_at(element->second, field, fmt::format("element {}", index));
+}
+
+StElements read_assignments(std::string_view text) {
+    StElements read;
+    const std::string code = without_comments(text);
+    std::size_t begin = 0;
+    while (begin < code.size()) {
+        const std::size_t end = std::min(code.find(';', begin), code.size());
+        const std::string statement = trimmed_text(std::string_view(code).substr(begin, end - begin));
+        begin = end + 1;
+        const std::size_t sign = statement.find(":=");
+        if (sign == std::string::npos) continue;  // a declaration, a call
+        std::string target = trimmed_text(statement.substr(0, sign));
+        // END_VAR and the like end without a semicolon.
+        if (const std::size_t blank = target.find_last_of(" \t\r\n"); blank != std::string::npos)
+            target.erase(0, blank + 1);
+        assign(read, target, trimmed_text(statement.substr(sign + 2)));
+    }
+    return read;
+}
+
+double number_of(std::string_view text) {
+    return parsed_number<double>(text);
+}
+
+float real_of(std::string_view text) {
+    return parsed_number<float>(text);
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(trimmed_text(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace camopt

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// A measured motion: enough rows, ascending angles over the whole motion, the displacements the scene asks
+// for.
+#include "core/units.hpp"
+#include "scene/scene_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+// Rows below which nothing that deserves the name of a measurement was given.
+constexpr std::size_t least_rows = 8, most_rows = 1000000;
+// Of the lift: what a table may miss the displacements of the scene by and still be of this motion.
+constexpr double wrong_lift = 0.05;
+// Of the motion's angle: what a table may leave of its ends.
+constexpr double missing_end = 0.01;
+
+/// Displacements in lifts that the scene gives, at places in rad from the start.
+std::vector<std::pair<double, double>> given_displacements(const MotionSpec& motion) {
+    if (motion.type == MotionType::drd) return {{0.0, 0.0}, {motion.rise, 1.0}};
+    if (motion.type == MotionType::rr)
+        return {{0.0, 0.0}, {motion.rise, 1.0}, {motion.length() * motion.rise, 0.0}};
+    std::vector<std::pair<double, double>> all = {{0.0, 0.0}};
+    double angle = 0.0;
+    for (const ProgramSegment& segment : motion.segments) {
+        angle += segment.angle;
+        if (segment.to) all.emplace_back(angle, *segment.to);
+    }
+    return all;
+}
+
+class MeasuredCheck {
+ public:
+    MeasuredCheck(const MotionSpec& motion, const MeasuredMotion& table)
+        : motion_(motion), table_(table), whole_(motion.length() * motion.unit_angle()) {}
+
+    [[nodiscard]] Fault fault() const {
+        if (Fault fault = rows_fault()) return fault;
+        if (Fault fault = ends_fault()) return fault;
+        return lift_fault();
+    }
+
+ private:
+    const MotionSpec& motion_;
+    const MeasuredMotion& table_;
+    double whole_;  ///< rad
+
+    [[nodiscard]] static std::string degrees(double angle) {
+        return fmt::format("{:.6g} deg", angle / units::degree);
+    }
+    [[nodiscard]] std::string shown(double displacement) const {
+        return motion_.lift_is_angle ? degrees(displacement)
+                                     : fmt::format("{:.6g} mm", displacement / units::millimetre);
+    }
+    [[nodiscard]] static std::string member(const char* column, std::size_t row) {
+        return fmt::format("measured.{}[{}]", column, row);
+    }
+
+    [[nodiscard]] Fault rows_fault() const {
+        const std::size_t rows = table_.angle.size();
+        if (rows != table_.displacement.size())
+            return SceneFault{"measured.s",
+                              fmt::format("{} displacements for {} angles", table_.displacement.size(), rows),
+                              "as many displacements as angles"};
+        if (rows < least_rows || rows > most_rows)
+            return SceneFault{"measured.theta", fmt::format("{} rows", rows),
+                              fmt::format("{} to {} rows", least_rows, most_rows)};
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (!std::isfinite(table_.angle[i]))
+                return SceneFault{member("theta", i), fmt::format("{}", table_.angle[i]), "a finite number"};
+            if (!std::isfinite(table_.displacement[i]))
+                return SceneFault{member("s", i), fmt::format("{}", table_.displacement[i]),
+                                  "a finite number"};
+            if (i > 0 && !(table_.angle[i] > table_.angle[i - 1]))
+                return SceneFault{
+                    member("theta", i),
+                    fmt::format("{} after {}", degrees(table_.angle[i]), degrees(table_.angle[i - 1])),
+                    "ascending angles"};
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] Fault ends_fault() const {
+        const std::size_t last = table_.angle.size() - 1;
+        const double slack = missing_end * whole_;
+        if (std::abs(table_.angle.front()) > slack)
+            return SceneFault{member("theta", 0), degrees(table_.angle.front()),
+                              "0 deg, the start of the motion"};
+        if (std::abs(table_.angle.back() - whole_) > slack)
+            return SceneFault{member("theta", last), degrees(table_.angle.back()),
+                              fmt::format("{}, the end of the motion", degrees(whole_))};
+        return std::nullopt;
+    }
+
+    /// Against the scene's displacements, at the row nearest to each.
+    [[nodiscard]] Fault lift_fault() const {
+        const auto given = given_displacements(motion_);
+        double largest = 0.0;
+        for (const auto& [angle, lifts] : given) largest = std::max(largest, std::abs(lifts));
+        const double slack = wrong_lift * largest * motion_.lift;
+        for (const auto& [angle, lifts] : given) {
+            const auto after = std::ranges::lower_bound(table_.angle, angle);
+            auto row = static_cast<std::size_t>(after - table_.angle.begin());
+            row = std::min(row, table_.angle.size() - 1);
+            if (row > 0 && angle - table_.angle[row - 1] < table_.angle[row] - angle) --row;
+            const double wanted = lifts * motion_.lift;
+            if (std::abs(table_.displacement[row] - wanted) > slack)
+                return SceneFault{
+                    member("s", row),
+                    fmt::format("{} at {}", shown(table_.displacement[row]), degrees(table_.angle[row])),
+                    fmt::format("{}, to {}: what the scene asks for at {}", shown(wanted), shown(slack),
+                                degrees(angle))};
+        }
+        return std::nullopt;
+    }
+};
+
+}  // namespace
+
+Fault measured_fault(const Scene& scene) {
+    if (!scene.measured) return std::nullopt;
+    return MeasuredCheck(scene.motion, *scene.measured).fault();
+}
+
+}  // namespace camopt

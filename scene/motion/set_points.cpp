@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "scene/motion/set_points.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "scene/scene_faults.hpp"
+#include "scene/spellings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace camopt {
+namespace {
+
+constexpr std::array<const char*, 3> value_names = {"displacement", "velocity", "acceleration"};
+
+const std::string& unit_of(const SetPointUnits& units, int order) {
+    return order == 0 ? units.displacement : order == 1 ? units.velocity : units.acceleration;
+}
+
+std::span<const Spelling> spellings_of(int order) {
+    if (order == 0) return spellings::set_point_displacement;
+    if (order == 1) return spellings::set_point_velocity;
+    return spellings::set_point_acceleration;
+}
+
+const Spelling& spelling_of_unit(int order, std::string_view unit) {
+    for (const Spelling& spelling : spellings_of(order))
+        if (spelling.unit == unit) return spelling;
+    throw InputError(
+        fmt::format("a set point: found a {} in \"{}\"; allowed: none (normalised), or the unit of "
+                    "a key of the scene file",
+                    value_names[static_cast<std::size_t>(order)], unit));
+}
+
+const std::optional<double>& value_of(const SetPoint& point, int order) {
+    return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
+}
+
+std::optional<double>& value_of(SetPoint& point, int order) {
+    return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
+}
+
+/// Points of one stretch that begins at x and is `width` of x long.
+void place(std::vector<PlacedPoint>& all, const std::vector<SetPoint>& points, const std::string& member,
+           const PlacedPoint& stretch) {
+    const double width = stretch.end - stretch.begin;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SetPoint& point = points[i];
+        PlacedPoint placed;
+        placed.member = fmt::format("{}[{}]", member, i);
+        placed.segment = stretch.segment;
+        placed.begin = placed.end = stretch.begin + width * point.at;
+        if (point.until) placed.end = stretch.begin + width * *point.until;
+        for (int order = 0; order < 3; ++order)
+            if (const std::optional<double>& value = value_of(point, order))
+                placed.wanted[static_cast<std::size_t>(order)] = *value / std::pow(width, order);
+        placed.units = point.units;
+        all.push_back(std::move(placed));
+    }
+}
+
+/// The angle by which a point was normalised, rad.
+double own_angle(const MotionSpec& motion, const PlacedPoint& point) {
+    return point.segment < 0 ? motion.unit_angle()
+                             : motion.segments[static_cast<std::size_t>(point.segment)].angle;
+}
+
+/// As it was written: of a segment from its start.
+std::string place_words(const MotionSpec& motion, const PlacedPoint& point, double x) {
+    const bool segment = point.segment >= 0;
+    double begin = 0.0;
+    for (int i = 0; i < point.segment; ++i) begin += motion.segments[static_cast<std::size_t>(i)].angle;
+    const double angle = x * motion.unit_angle() - begin;  // rad
+    const char* const of = segment ? " of the segment" : "";
+    if (point.units.place.empty())
+        return fmt::format("{}{:.6g}{}",
+                           segment ? "" : "x = ", segment ? angle / own_angle(motion, point) : x, of);
+    const double unit = point.units.place == "deg" ? units::degree : 1.0;
+    return fmt::format("{:.6g} {}{}", angle / unit, point.units.place, of);
+}
+
+}  // namespace
+
+bool is_unit_of_time(std::string_view unit) {
+    const std::size_t slash = unit.find('/');
+    return slash != std::string_view::npos && unit.substr(slash + 1).starts_with('s');
+}
+
+double set_point_unit(const SetPointScale& scale, int order, bool in_time) {
+    if (in_time && !scale.speed)
+        throw InputError("a set point in time: found no speed; allowed: together with motion.speed");
+    return scale.lift * std::pow((in_time ? *scale.speed : 1.0) / scale.angle, order);
+}
+
+std::vector<PlacedPoint> placed_points(const MotionSpec& motion) {
+    std::vector<PlacedPoint> all;
+    PlacedPoint stretch;
+    stretch.end = 1.0;
+    place(all, motion.via, "motion.via", stretch);
+    if (motion.type != MotionType::program) return all;
+    const double unit = motion.unit_angle();
+    double angle = 0.0;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        stretch.segment = static_cast<int>(i);
+        stretch.begin = angle / unit;
+        angle += motion.segments[i].angle;
+        stretch.end = angle / unit;
+        place(all, motion.segments[i].via, fmt::format("motion.segments[{}].via", i), stretch);
+    }
+    return all;
+}
+
+WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order) {
+    const std::string& unit = unit_of(point.units, order);
+    const Spelling& spelling = spelling_of_unit(order, unit);
+    WrittenValue written;
+    written.key =
+        fmt::format("{}.{}{}", point.member, value_names[static_cast<std::size_t>(order)], spelling.suffix);
+    written.unit = unit;
+    if (unit.empty()) {
+        written.per_normalised = std::pow(own_angle(motion, point) / motion.unit_angle(), order);
+        return written;
+    }
+    const SetPointScale whole{motion.unit_angle(), motion.lift, motion.speed};
+    written.per_normalised = set_point_unit(whole, order, is_unit_of_time(unit)) / spelling.factor;
+    return written;
+}
+
+std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order) {
+    const WrittenValue written = written_value(motion, point, order);
+    const double value = *point.wanted[static_cast<std::size_t>(order)] * written.per_normalised;
+    const std::string_view unit_space = written.unit.empty() ? "" : " ";
+    const bool along = point.is_region() && order > 0;
+    return fmt::format("{}.{} = {:.6g}{}{} {} {}{}", point.member,
+                       value_names[static_cast<std::size_t>(order)], value, unit_space, written.unit,
+                       along ? "from" : "at", place_words(motion, point, point.begin),
+                       along ? " to " + place_words(motion, point, point.end) : "");
+}
+
+std::vector<double> with_regions(std::vector<double> breakpoints, std::vector<std::array<double, 2>> regions,
+                                 double closest) {
+    if (regions.empty()) return breakpoints;
+    std::ranges::sort(regions);
+    std::vector<std::array<double, 2>> apart;  // those that overlap are one; those that touch are two
+    for (const std::array<double, 2>& region : regions) {
+        if (!apart.empty() && region[0] < apart.back()[1] - same_place)
+            apart.back()[1] = std::max(apart.back()[1], region[1]);
+        else
+            apart.push_back(region);
+    }
+    const double first = breakpoints.front(), last = breakpoints.back();
+    const auto gives_way = [&](double point) {
+        return std::ranges::any_of(apart, [&](const std::array<double, 2>& region) {
+            return point > region[0] - closest && point < region[1] + closest;
+        });
+    };
+    std::erase_if(breakpoints,
+                  [&](double point) { return point != first && point != last && gives_way(point); });
+    for (const std::array<double, 2>& region : apart)
+        for (const double end : region)
+            if (std::abs(end - first) > same_place && std::abs(end - last) > same_place)
+                breakpoints.push_back(end);
+    std::ranges::sort(breakpoints);
+    const auto repeated = std::ranges::unique(
+        breakpoints, [](double one, double other) { return std::abs(one - other) <= same_place; });
+    breakpoints.erase(repeated.begin(), repeated.end());
+    return breakpoints;
+}
+
+void keep_written(MotionSpec& changed, const MotionSpec& before) {
+    const auto keep = [](std::vector<SetPoint>& points, const SetPointScale& now, const SetPointScale& then) {
+        for (SetPoint& point : points) {
+            if (!point.units.place.empty()) {
+                point.at *= then.angle / now.angle;
+                if (point.until) *point.until *= then.angle / now.angle;
+            }
+            for (int order = 0; order < 3; ++order) {
+                const std::string& unit = unit_of(point.units, order);
+                std::optional<double>& value = value_of(point, order);
+                if (!value || unit.empty()) continue;
+                const bool in_time = is_unit_of_time(unit);
+                *value *= set_point_unit(then, order, in_time) / set_point_unit(now, order, in_time);
+            }
+        }
+    };
+    keep(changed.via, {changed.unit_angle(), changed.lift, changed.speed},
+         {before.unit_angle(), before.lift, before.speed});
+    for (std::size_t i = 0; i < changed.segments.size(); ++i)
+        keep(changed.segments[i].via, {changed.segments[i].angle, changed.lift, changed.speed},
+             {before.segments[i].angle, before.lift, before.speed});
+}
+
+MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles) {
+    MotionSpec changed = motion;
+    for (std::size_t i = 0; i < changed.segments.size(); ++i) changed.segments[i].angle = angles[i];
+    keep_written(changed, motion);
+    return changed;
+}
+
+}  // namespace camopt

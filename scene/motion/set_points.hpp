@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Set points of a motion, wherever the scene holds them, on the whole motion: x = cam angle / unit angle, y
+// in lifts, y' = dy/dx.
+//
+// A set point is kept normalised by its own stretch (the rise, or a program's segment). In units:
+//   place θ = at · angle,   s = y · lift,   ds/dθ = y' · lift / angle,   ds/dt = y' · lift · speed / angle.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt {
+
+/// What a stretch normalises its set points by. SI, rad.
+struct SetPointScale {
+    double angle = 1.0, lift = 1e-3;
+    std::optional<double> speed;
+};
+
+/// SI value of one normalised unit of the derivative of `order` (0 to 2), by time or by the cam angle.
+/// Throws InputError by time without a speed.
+[[nodiscard]] double set_point_unit(const SetPointScale& scale, int order, bool in_time);
+
+/// Whether a unit counts by time: "mm/s", "rad/s^2".
+[[nodiscard]] bool is_unit_of_time(std::string_view unit);
+
+/// A set point on the whole motion.
+struct PlacedPoint {
+    std::string member;                           ///< "motion.via[0]", "motion.segments[2].via[0]"
+    int segment = -1;                             ///< of a program
+    double begin = 0.0, end = 0.0;                ///< x; the same but of a region
+    std::array<std::optional<double>, 3> wanted;  ///< y, y', y''; of a region at its beginning
+    SetPointUnits units;
+
+    [[nodiscard]] bool is_region() const { return end > begin; }
+};
+
+/// One wanted number, as it was written.
+struct WrittenValue {
+    std::string key;              ///< "motion.via[0].velocity_mm_s"
+    std::string unit;             ///< "mm/s"; empty: normalised by its stretch
+    double per_normalised = 1.0;  ///< what y^(order) of the whole motion is multiplied by to get the unit
+};
+
+/// In the order of the scene.
+[[nodiscard]] std::vector<PlacedPoint> placed_points(const MotionSpec& motion);
+
+/// How the wanted number of derivative `order` was written.
+[[nodiscard]] WrittenValue written_value(const MotionSpec& motion, const PlacedPoint& point, int order);
+
+/// "motion.via[0]: velocity = 120 mm/s at 40 deg", "… = 80 mm/s from 30 deg to 50 deg"; in normalised units
+/// where they were written so.
+[[nodiscard]] std::string words_of(const MotionSpec& motion, const PlacedPoint& point, int order);
+
+/// Regions lie in the spline's breakpoints: those given (the ends among them) with the ends of every region
+/// in place of what is inside of it or close to its ends. `regions`: pairs of begin and end, x.
+/// `closest`: an own breakpoint closer than this to an end of a region gives way to it.
+[[nodiscard]] std::vector<double> with_regions(std::vector<double> breakpoints,
+                                               std::vector<std::array<double, 2>> regions, double closest);
+
+/// After angles, lift or speed changed: set points that were written in units say what they said before.
+void keep_written(MotionSpec& changed, const MotionSpec& before);
+
+/// The motion with other angles of its segments, kept as above. Limits in time are the caller's.
+[[nodiscard]] MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles);
+
+}  // namespace camopt

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: MIT
+#include "studies/solve/solve_free_angles.hpp"
+
+#include "core/deadline.hpp"
+#include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/motion/set_points.hpp"
+#include "studies/explain/adjustment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace camopt {
+
+namespace {
+
+// Boxes bounded at most; three ranges of a flat optimum would take thousands, and are left open.
+constexpr int most_boxes = 400;
+// Part of the time that boxes may take, and moves with them; the rest is for the last solve.
+constexpr double time_for_boxes = 0.6, time_for_angle_moves = 0.9;
+// Of a turn: the first step of a move, and the last one that must not help.
+constexpr double first_angle_step = 1.0 / 64.0, last_angle_step = 1e-8;
+constexpr double angle_growth = 2.0, angle_shrink = 0.25;
+constexpr int most_angle_moves = 400;
+// Angles tried at random where those at hand allow no motion.
+constexpr int random_angles = 24;
+// Part of the gap that a box may keep when it is closed.
+constexpr double closing_part_of_gap = 0.5;
+// Of a turn: a box narrower than this has nothing left to gain but rounding.
+constexpr double narrowest_box = 1e-12;
+
+/// Angles of the segments with a range.
+using Angles = std::vector<double>;
+
+struct AngleBox {
+    Angles least, most;
+    double bound = 0.0;
+    bool infeasible = false;
+    std::shared_ptr<const DualityProof> proof;
+};
+
+bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
+    if (neighbour.kind == SegmentKind::dwell) return true;
+    if (neighbour.kind == SegmentKind::spline) return false;
+    const auto law = make_law(neighbour.law);
+    const MotionPoint point = at_its_end ? law->at(1.0, Side::left) : law->at(0.0, Side::right);
+    constexpr double at_rest = 1e-9;  // of the mean velocity 1: less is rounding
+    return std::abs(point.derivative[1]) < at_rest && std::abs(point.derivative[2]) < at_rest;
+}
+
+bool is_normalised(const SetPoint& point) {
+    return point.units.place.empty() && point.units.velocity.empty() && point.units.acceleration.empty();
+}
+
+/// Whether the least objective can only fall where an angle grows (solve_free_angles.hpp).
+bool falls_with_angles(const Scene& scene) {
+    if (scene.cam || scene.mechanism || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
+    // A mean over the turn weighs segments by their angles.
+    for (const CostTerm& term : cost_terms())
+        if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;
+    const std::vector<ProgramSegment>& segments = scene.motion.segments;
+    const std::size_t count = segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (segments[i].kind != SegmentKind::spline) continue;
+        if (!std::ranges::all_of(segments[i].via, is_normalised)) return false;
+        if (!rests_at_joint(segments[(i + count - 1) % count], true) ||
+            !rests_at_joint(segments[(i + 1) % count], false))
+            return false;
+    }
+    return true;
+}
+
+class AngleSearch {
+ public:
+    AngleSearch(const Scene& scene, const SolveGiven& solve_given, const SolveControl& control)
+        : scene_(scene), solve_given_(solve_given), control_(control), falls_(falls_with_angles(scene)) {
+        for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+            const ProgramSegment& segment = scene.motion.segments[i];
+            if (!segment.angle_range) {
+                fixed_ += segment.angle;
+                continue;
+            }
+            searched_.push_back(i);
+            whole_.least.push_back(segment.angle_range->least);
+            whole_.most.push_back(segment.angle_range->most);
+            given_.push_back(segment.angle);
+        }
+    }
+
+    void run() {
+        try_angles(given_, time_for_boxes);
+        if (falls_) bound_boxes();
+        if (!best_.motion && !proved()) try_at_random();
+        if (!proved() && best_.motion) move_angles();
+    }
+
+    [[nodiscard]] Solution deliver();
+
+ private:
+    [[nodiscard]] double left(double part) const { return part * allowed_ - watch_.seconds(); }
+    [[nodiscard]] bool out_of_time(double part) {
+        if (control_.stopped()) return true;
+        const bool in_vain = !best_.motion && control_.in_vain.passed();
+        if (!in_vain && left(part) > 0.0) return false;
+        timed_out_ = true;
+        return true;
+    }
+    [[nodiscard]] double objective() const { return best_.motion ? best_.certificate.objective : infinity; }
+    [[nodiscard]] bool is_closed(const AngleBox& box) const {
+        return box.infeasible || box.bound >= objective() - closing_part_of_gap * scene_.solver.gap *
+                                                                std::max(1.0, objective());
+    }
+    [[nodiscard]] bool proved() const {
+        return !boxes_.empty() &&
+               std::ranges::all_of(boxes_, [&](const AngleBox& box) { return is_closed(box); });
+    }
+
+    [[nodiscard]] std::vector<double> all_angles(const Angles& angles) const;
+    [[nodiscard]] bool narrow(AngleBox& box) const;
+    [[nodiscard]] Angles inside(const AngleBox& box) const;
+    bool try_angles(const Angles& angles, double part_of_time);
+    void bound(AngleBox& box);
+    [[nodiscard]] std::vector<AngleBox> split(const AngleBox& box) const;
+    void bound_boxes();
+    void try_at_random();
+    void move_angles();
+    [[nodiscard]] std::string words(const AngleBox& box, std::size_t k) const;
+    void judge(Solution& solution) const;
+    void tell(Solution& solution) const;
+
+    const Scene& scene_;
+    const SolveGiven& solve_given_;
+    const SolveControl& control_;
+    Stopwatch watch_;
+    double allowed_ = std::min(scene_.solver.max_seconds, control_.deadline.seconds_left());
+    bool falls_;
+    double fixed_ = 0.0;                 ///< rad, of the segments without a range
+    std::vector<std::size_t> searched_;  ///< the others
+    AngleBox whole_;
+    Angles given_;
+    std::vector<AngleBox> boxes_;  ///< together they hold everything
+    Solution best_;
+    Angles best_angles_;
+    std::vector<Angles> tried_;
+    int bounded_ = 0;
+    bool timed_out_ = false, settled_ = false;
+};
+
+std::vector<double> AngleSearch::all_angles(const Angles& angles) const {
+    std::vector<double> all;
+    for (const ProgramSegment& segment : scene_.motion.segments) all.push_back(segment.angle);
+    for (std::size_t k = 0; k < angles.size(); ++k) all[searched_[k]] = angles[k];
+    return all;
+}
+
+/// Leaves of a box what can add up to the turn; false: nothing.
+bool AngleSearch::narrow(AngleBox& box) const {
+    const double rest = units::turn - fixed_, rounding = narrowest_box * units::turn;
+    for (int sweep = 0; sweep < 2; ++sweep) {
+        double least = 0.0, most = 0.0;
+        for (const double angle : box.least) least += angle;
+        for (const double angle : box.most) most += angle;
+        if (least > rest + rounding || most < rest - rounding) return false;
+        for (std::size_t k = 0; k < box.least.size(); ++k) {
+            const double up = std::min(box.most[k], rest - (least - box.least[k]));
+            const double down = std::max(box.least[k], rest - (most - box.most[k]));
+            box.most[k] = std::max(up, box.least[k]);
+            box.least[k] = std::min(down, box.most[k]);
+        }
+    }
+    return true;
+}
+
+/// Angles of a box that add up.
+Angles AngleSearch::inside(const AngleBox& box) const {
+    double least = 0.0, most = 0.0;
+    for (const double angle : box.least) least += angle;
+    for (const double angle : box.most) most += angle;
+    const double part =
+        most > least ? std::clamp((units::turn - fixed_ - least) / (most - least), 0.0, 1.0) : 0.0;
+    Angles angles;
+    for (std::size_t k = 0; k < box.least.size(); ++k)
+        angles.push_back(box.least[k] + part * (box.most[k] - box.least[k]));
+    return angles;
+}
+
+/// The scene for these angles as an ordinary one; the search itself breaks no ties.
+Scene given_scene(const Scene& scene, const std::vector<double>& angles) {
+    Scene given = with_segment_angles(scene, angles);
+    for (ProgramSegment& segment : given.motion.segments) segment.angle_range.reset();
+    return given;
+}
+
+Scene quick_scene(const Scene& scene, const std::vector<double>& angles, double seconds) {
+    Scene given = given_scene(scene, angles);
+    given.objective.tie_break = TieBreak::none;
+    given.solver.name = "auto";
+    given.solver.options.clear();
+    given.spline.design = DesignKind::automatic;
+    given.solver.max_seconds = seconds;
+    return given;
+}
+
+bool AngleSearch::try_angles(const Angles& angles, double part_of_time) {
+    if (std::ranges::find(tried_, angles) != tried_.end()) return false;
+    tried_.push_back(angles);
+    const double seconds = left(part_of_time);
+    if (seconds <= 0.0) return false;
+    Solution solution = solve_given_(quick_scene(scene_, all_angles(angles), seconds));
+    if (!solution.motion || !(solution.certificate.objective < objective())) return false;
+    if (solution.certificate.verdict == Verdict::failed) return false;
+    best_ = std::move(solution);
+    best_angles_ = angles;
+    if (control_.progress) {
+        const std::string line =
+            fmt::format("{} sets of angles, objective {:.9g}", tried_.size(), objective());
+        Progress progress(line);
+        progress.incumbent = objective();
+        control_.progress(progress);
+    }
+    return true;
+}
+
+void AngleSearch::bound(AngleBox& box) {
+    ++bounded_;
+    const double seconds = left(time_for_boxes);
+    if (seconds <= 0.0) return;
+    Certificate certificate = solve_given_(quick_scene(scene_, all_angles(box.most), seconds)).certificate;
+    if (certificate.verdict == Verdict::infeasible && certificate.proof) {
+        box.infeasible = true;
+        box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
+    } else if (certificate.lower_bound && certificate.proof && *certificate.lower_bound > box.bound) {
+        box.bound = *certificate.lower_bound;
+        box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
+    }
+}
+
+std::vector<AngleBox> AngleSearch::split(const AngleBox& box) const {
+    std::size_t widest = 0;
+    for (std::size_t k = 1; k < box.least.size(); ++k)
+        if (box.most[k] - box.least[k] > box.most[widest] - box.least[widest]) widest = k;
+    if (box.most[widest] - box.least[widest] < narrowest_box * units::turn) return {};
+    const double middle = 0.5 * (box.least[widest] + box.most[widest]);
+    std::vector<AngleBox> parts;
+    for (const bool upper : {false, true}) {
+        AngleBox part = box;
+        (upper ? part.least : part.most)[widest] = middle;
+        if (narrow(part)) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+void AngleSearch::bound_boxes() {
+    AngleBox all = whole_;
+    if (!narrow(all)) return;
+    bound(all);
+    boxes_.push_back(std::move(all));
+    while (bounded_ < most_boxes && !proved() && !out_of_time(time_for_boxes)) {
+        const auto next = std::ranges::min_element(boxes_, [&](const AngleBox& one, const AngleBox& other) {
+            if (is_closed(one) != is_closed(other)) return !is_closed(one);
+            return one.bound < other.bound;
+        });
+        std::vector<AngleBox> parts = split(*next);
+        if (parts.empty()) return;
+        boxes_.erase(next);
+        for (AngleBox& part : parts) {
+            if (!out_of_time(time_for_boxes)) {
+                try_angles(inside(part), time_for_boxes);
+                if (!is_closed(part)) bound(part);
+            }
+            boxes_.push_back(std::move(part));
+        }
+    }
+}
+
+void AngleSearch::try_at_random() {
+    std::mt19937 engine(scene_.solver.seed);
+    for (int k = 0; k < random_angles && !best_.motion && !out_of_time(time_for_boxes); ++k) {
+        // A box around random corners holds angles that add up, or is passed over.
+        AngleBox box = whole_;
+        for (std::size_t i = 0; i < box.least.size(); ++i) {
+            const double part = static_cast<double>(engine()) / 4294967295.0;
+            const double cut = box.least[i] + part * (box.most[i] - box.least[i]);
+            (engine() % 2 == 0 ? box.least : box.most)[i] = cut;
+        }
+        if (narrow(box)) try_angles(inside(box), time_for_boxes);
+    }
+}
+
+/// From each segment to each other, by steps that shrink where none helps.
+void AngleSearch::move_angles() {
+    double step = first_angle_step * units::turn;
+    int moves = 0;
+    while (step >= last_angle_step * units::turn) {
+        bool helped = false;
+        for (std::size_t from = 0; from < searched_.size() && !helped; ++from) {
+            for (std::size_t to = 0; to < searched_.size() && !helped; ++to) {
+                const double passed = std::min(
+                    {step, best_angles_[from] - whole_.least[from], whole_.most[to] - best_angles_[to]});
+                if (from == to || passed < last_angle_step * units::turn) continue;
+                if (++moves > most_angle_moves || out_of_time(time_for_angle_moves)) return;
+                Angles angles = best_angles_;
+                angles[from] -= passed;
+                angles[to] += passed;
+                helped = try_angles(angles, time_for_angle_moves);
+            }
+        }
+        step *= helped ? angle_growth : angle_shrink;
+    }
+    settled_ = true;
+}
+
+std::string AngleSearch::words(const AngleBox& box, std::size_t k) const {
+    return fmt::format("{:.9g} deg <= angle of motion.segments[{}] <= {:.9g} deg",
+                       box.least[k] / units::degree, searched_[k], box.most[k] / units::degree);
+}
+
+void AngleSearch::judge(Solution& solution) const {
+    Certificate& certificate = solution.certificate;
+    const Verdict for_given = certificate.verdict;
+    certificate.lower_bound.reset();
+    certificate.gap.reset();
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::none;
+    certificate.cases.clear();
+    solution.solver.proof_source.clear();
+    double bound = infinity;
+    bool complete = !boxes_.empty();
+    for (const AngleBox& box : boxes_) {
+        if (!box.infeasible) bound = std::min(bound, box.bound);
+        complete = complete && box.proof;
+        std::vector<std::string> region;
+        for (std::size_t k = 0; k < searched_.size(); ++k) region.push_back(words(box, k));
+        certificate.cases.push_back({std::move(region), box.bound, box.infeasible, box.proof});
+    }
+    const bool nothing = complete && std::ranges::all_of(boxes_, &AngleBox::infeasible);
+    if (!complete) {
+        certificate.cases.clear();
+    } else if (boxes_.size() == 1) {  // the largest angles of all settle it
+        certificate.cases.clear();
+        certificate.proof = *boxes_.front().proof;
+        certificate.proof_kind = ProofKind::duality;
+    } else {
+        certificate.proof_kind = ProofKind::boxes;
+    }
+    if (complete) solution.solver.proof_source = "structured, the largest angles of each box";
+    if (!solution.motion) {
+        certificate.verdict = nothing ? Verdict::infeasible : Verdict::failed;
+        certificate.reason = nothing              ? Reason::limits_contradict
+                             : control_.stopped() ? Reason::interrupted
+                             : timed_out_         ? Reason::time_limit
+                                                  : Reason::no_feasible_point;
+        if (nothing && !certificate.proof) certificate.proof = *boxes_.front().proof;
+        return;
+    }
+    if (complete) {
+        certificate.lower_bound = bound;
+        certificate.gap = relative_gap(certificate.objective, bound);
+    }
+    if (for_given == Verdict::failed || for_given == Verdict::infeasible) return;
+    const bool optimal = certificate.gap && *certificate.gap <= scene_.solver.gap;
+    // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
+    const bool local = settled_ && searched_.size() == 2 && for_given <= Verdict::local;
+    certificate.verdict = optimal ? Verdict::optimal : local ? Verdict::local : Verdict::feasible;
+    certificate.reason = optimal ? Reason::none : local ? Reason::stationary : Reason::free_angles;
+    if (!optimal && control_.stopped()) certificate.reason = Reason::interrupted;
+    if (!optimal && timed_out_) certificate.reason = Reason::time_limit;
+}
+
+/// The angles are entries of the design like any other; rad, so that they come back as they are.
+void AngleSearch::tell(Solution& solution) const {
+    solution.notes.push_back(fmt::format("searched angles: {} boxes bounded, {} sets of angles tried{}",
+                                         bounded_, tried_.size(),
+                                         falls_ ? "" : "; no bound over angles is known for such a scene"));
+    if (timed_out_)
+        solution.notes.emplace_back(
+            "the time ended the search for angles: how far it came depends on the machine");
+    if (!solution.motion) return;
+    const auto count = static_cast<Eigen::Index>(best_angles_.size());
+    std::vector<std::string> names;
+    for (const std::size_t segment : searched_)
+        names.push_back(fmt::format("motion.segments[{}].angle_rad", segment));
+    names.insert(names.end(), solution.design.names.begin(), solution.design.names.end());
+    Eigen::VectorXd values(count + solution.design.values.size());
+    values << Eigen::Map<const Eigen::VectorXd>(best_angles_.data(), count), solution.design.values;
+    solution.design.names = std::move(names);
+    solution.design.values = std::move(values);
+}
+
+Solution AngleSearch::deliver() {
+    Solution solution = best_;
+    const std::vector<double> angles = all_angles(best_.motion ? best_angles_ : given_);
+    if (best_.motion) {
+        Scene scene = given_scene(scene_, angles);
+        scene.solver.max_seconds = std::max(left(1.0), allowed_ * (1.0 - time_for_angle_moves));
+        Solution last = solve_given_(scene);
+        const double allowance = scene_.solver.gap * std::max(1.0, objective());
+        if (last.motion && last.certificate.objective <= objective() + allowance) solution = std::move(last);
+    } else {
+        solution = solve_given_(given_scene(scene_, angles));  // its conflict is told
+    }
+    solution.scene = with_segment_angles(scene_, angles);
+    solution.seconds_solve = solution.seconds_total = watch_.seconds();
+    solution.solver.convex = false;
+    for (std::string& note : solution.notes) note = "for these angles: " + note;
+    judge(solution);
+    tell(solution);
+    return solution;
+}
+
+}  // namespace
+
+bool searches_angles(const Scene& scene) {
+    return std::ranges::any_of(scene.motion.segments,
+                               [](const ProgramSegment& segment) { return segment.angle_range.has_value(); });
+}
+
+Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles) {
+    Scene changed = scene;
+    changed.motion = with_angles(scene.motion, angles);
+    rescale_limits_in_time(changed, changed.motion.unit_angle() / scene.motion.unit_angle());
+    return changed;
+}
+
+Solution solve_free_angles(const Scene& scene, const SolveGiven& solve_given, const SolveControl& control) {
+    AngleSearch search(scene, solve_given, control);
+    search.run();
+    return search.deliver();
+}
+
+}  // namespace camopt

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Set points of the whole motion and of segments, and measured motions: every key in every unit.
+#include "tests/input/scene_key_cases.hpp"
+
+#include <numbers>
+
+namespace camopt::input {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Lift 20 mm (or 0.5 rad) over 2 rad at 10 rad/s: lift/β = 10 mm/rad, lift·ω/β = 0.1 m/s, lift (ω/β)² = 0.5
+// m/s².
+const std::string of_length = "motion.lift_mm = 20\nmotion.speed_rad_s = 10\n";
+const std::string of_angle = "motion.lift_rad = 0.5\nmotion.speed_rad_s = 10\n";
+
+struct Written {
+    const char* key;
+    const char* value;
+    double expected;
+    bool swings = false;
+};
+
+using Got = std::function<double(const SetPoint&)>;
+
+std::vector<KeyCase> point_cases(const std::string& table, const std::string& rest,
+                                 const std::function<const SetPoint&(const Scene&)>& point) {
+    std::vector<KeyCase> all;
+    const auto add = [&](const Written& written, const Got& got) {
+        all.push_back({table + "." + written.key, written.value, written.expected,
+                       [=](const Scene& scene) { return got(point(scene)); },
+                       rest + (written.swings ? of_angle : of_length)});
+    };
+    const Got at = [](const SetPoint& p) { return p.at; };
+    for (const Written& w :
+         {Written{"at", "0.25", 0.25}, Written{"at_deg", "45", pi / 8}, Written{"at_rad", "0.5", 0.25},
+          Written{"from", "0.25", 0.25}, Written{"from_deg", "45", pi / 8}, Written{"from_rad", "0.5", 0.25}})
+        add(w, at);
+    const Got until = [](const SetPoint& p) { return p.until.value(); };
+    for (const Written& w :
+         {Written{"to", "0.75", 0.75}, Written{"to_deg", "90", pi / 4}, Written{"to_rad", "1.25", 0.625}})
+        add(w, until);
+    const Got displacement = [](const SetPoint& p) { return p.displacement.value(); };
+    for (const Written& w :
+         {Written{"displacement", "0.2", 0.2}, Written{"displacement_mm", "5", 0.25},
+          Written{"displacement_in", "0.5", 0.635}, Written{"displacement_m", "0.01", 0.5},
+          Written{"displacement_deg", "18", pi / 5, true}, Written{"displacement_rad", "0.125", 0.25, true}})
+        add(w, displacement);
+    const Got velocity = [](const SetPoint& p) { return p.velocity.value(); };
+    for (const Written& w :
+         {Written{"velocity", "-3", -3}, Written{"velocity_mm_s", "150", 1.5},
+          Written{"velocity_in_s", "10", 2.54}, Written{"velocity_m_s", "-0.2", -2},
+          Written{"velocity_deg_s", "180", pi / 2.5, true}, Written{"velocity_rad_s", "5", 2, true},
+          Written{"velocity_mm_rad", "15", 1.5}, Written{"velocity_in_rad", "1", 2.54},
+          Written{"velocity_m_rad", "0.02", 2}, Written{"velocity_mm_deg", "0.5", 9 / pi},
+          Written{"velocity_deg_deg", "0.5", 2, true}, Written{"velocity_rad_rad", "0.25", 1, true}})
+        add(w, velocity);
+    const Got acceleration = [](const SetPoint& p) { return p.acceleration.value(); };
+    for (const Written& w :
+         {Written{"acceleration", "0", 0}, Written{"acceleration_mm_s2", "3000", 6},
+          Written{"acceleration_in_s2", "100", 5.08}, Written{"acceleration_m_s2", "-3", -6},
+          Written{"acceleration_deg_s2", "1800", 10 * pi / 12.5, true},
+          Written{"acceleration_rad_s2", "50", 4, true}, Written{"acceleration_mm_rad2", "10", 2},
+          Written{"acceleration_in_rad2", "1", 5.08}, Written{"acceleration_m_rad2", "0.01", 2},
+          Written{"acceleration_deg_deg2", "0.01", 1.8 / pi / 0.125, true},
+          Written{"acceleration_rad_rad2", "0.25", 2, true}})
+        add(w, acceleration);
+    return all;
+}
+
+}  // namespace
+
+std::vector<KeyCase> set_point_cases() {
+    std::vector<KeyCase> all =
+        point_cases("motion.via", "motion.rise_rad = 2\n",
+                    [](const Scene& scene) -> const SetPoint& { return scene.motion.via.at(0); });
+    const std::vector<KeyCase> segments = point_cases(
+        "motion.segments.via", "motion.type = \"program\"\nmotion.closed = false\n",
+        [](const Scene& scene) -> const SetPoint& { return scene.motion.segments.at(0).via.at(0); });
+    all.insert(all.end(), segments.begin(), segments.end());
+    all.push_back({"motion.segments.via", "[{ at = 0.5, velocity = 1 }]", 1,
+                   [](const Scene& scene) { return double(scene.motion.segments.at(0).via.size()); },
+                   "motion.type = \"program\"\nmotion.closed = false\n"});
+    return all;
+}
+
+std::vector<KeyCase> measured_cases() {
+    const std::string motion = "motion.rise_rad = 2\nmotion.lift_mm = 20\n";
+    const std::string swing = "motion.rise_rad = 2\nmotion.lift_rad = 0.5\n";
+    const std::string theta = "measured.theta_rad = [0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.7, 2]\n";
+    const std::string s = "measured.s_mm = [0, 1, 3, 7, 12, 17, 19, 20]\n";
+    const auto angle = [](const Scene& scene) { return scene.measured.value().angle.at(3); };
+    const auto displacement = [](const Scene& scene) { return scene.measured.value().displacement.at(3); };
+    const std::string both = motion + theta + s;
+    return {
+        {"measured.table", "\"measured.csv\"", 8,
+         [](const Scene& scene) { return double(scene.measured.value().angle.size()); }, motion},
+        {"measured.theta_rad", "[0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.7, 2]", 0.8, angle, motion + s},
+        {"measured.theta_deg", "[0, 10, 30, 45, 60, 80, 100, 114.6]", pi / 4, angle, motion + s},
+        {"measured.s_mm", "[0, 1, 3, 7, 12, 17, 19, 20]", 0.007, displacement, motion + theta},
+        {"measured.s_in", "[0, 0.1, 0.2, 0.25, 0.4, 0.6, 0.7, 0.79]", 0.00635, displacement, motion + theta},
+        {"measured.s_m", "[0, 0.001, 0.003, 0.007, 0.012, 0.017, 0.019, 0.02]", 0.007, displacement,
+         motion + theta},
+        {"measured.s_deg", "[0, 1, 3, 9, 15, 20, 25, 28.6]", pi / 20, displacement, swing + theta},
+        {"measured.s_rad", "[0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.47, 0.5]", 0.2, displacement, swing + theta},
+        {"measured.use", "\"start\"", 1,
+         [](const Scene& scene) { return scene.measured.value().start ? 1.0 : 0.0; }, both},
+        {"measured.name", "\"old cam\"", 1,
+         [](const Scene& scene) { return scene.measured.value().name == "old cam" ? 1.0 : 0.0; }, both},
+    };
+}
+
+}  // namespace camopt::input

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The data of a page are the result's: curves those of the motion, marks those of the tables, poses those of
+// the follower.
+#include "output/page/page_data.hpp"
+
+#include "core/units.hpp"
+#include "output/csv/motion_csv.hpp"
+#include "output/words/shown_units.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
+#include "tests/output/sample_solution.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace {
+
+using nlohmann::json;
+
+constexpr double printed = 1e-7;  // relative: eight digits
+
+json data_of(const Solution& solution) {
+    return json::parse(page_data(solution, {"scene.toml", "camopt solve scene.toml", "title = \"x\"\n"}));
+}
+
+const json& curve(const json& data, const std::string& key) {
+    for (const json& one : data.at("curves"))
+        if (one.at("key") == key) return one;
+    throw std::runtime_error("no curve " + key);
+}
+
+void expect_close(const json& shown, double value) {
+    ASSERT_TRUE(shown.is_number()) << shown;
+    EXPECT_NEAR(shown.get<double>(), value, printed * std::abs(value) + 1e-12);
+}
+
+TEST(PageData, CurvesAreTheMotionInShownUnits) {
+    const Solution solution = test::sample_solution();
+    const json data = data_of(solution);
+    const ShownUnits units = shown_units(solution.scene);
+    const auto rows = motion_rows(*solution.motion, solution.motion_peaks);
+    const json& angles = data.at("angle").at("values");
+    ASSERT_EQ(angles.size(), rows.size());
+    const char* const keys[] = {"displacement", "velocity", "acceleration", "jerk"};
+    for (std::size_t order = 0; order < 4; ++order) {
+        const json& one = curve(data, keys[order]);
+        EXPECT_EQ(one.at("unit"), units.motion[order].first.name);
+        ASSERT_EQ(one.at("values").size(), rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            expect_close(angles[i], units.degrees_per_x * rows[i].x);
+            const double y = solution.motion->at(rows[i].x, rows[i].side).derivative[order];
+            expect_close(one.at("values")[i], units.motion[order].first.per_normalised * y);
+        }
+    }
+}
+
+TEST(PageData, BesideStandsTheSameByCamAngle) {
+    const Solution solution = test::sample_solution();
+    const json velocity = curve(data_of(solution), "velocity");
+    // 300 rpm: mm/rad = mm/s / (10 π).
+    EXPECT_EQ(velocity.at("beside").at("unit"), "mm/rad");
+    expect_close(velocity.at("beside").at("factor"), 1.0 / (10.0 * 3.14159265358979));
+}
+
+TEST(PageData, PeaksAreMarkedWhereTheResultHasThem) {
+    const Solution solution = test::sample_solution();
+    const json data = data_of(solution);
+    // V = 2 at x = 1/2 of 90 deg: 10 mm · 2 / (π/2) · 10 π 1/s = 400 mm/s.
+    const json& mark = curve(data, "velocity").at("marks").at(0);
+    expect_close(mark.at("at"), 45.0);
+    expect_close(mark.at("value"), 400.0);
+    EXPECT_EQ(mark.at("words"), "400 mm/s");
+    EXPECT_FALSE(mark.at("given"));
+}
+
+TEST(PageData, ExactPointsAreMarkedAsGiven) {
+    Solution solution = test::sample_solution();
+    solution.scene.motion.via = {{0.5, 0.5, 2.0, {}}};
+    const json data = data_of(solution);
+    const json& given = curve(data, "displacement").at("marks").at(0);
+    EXPECT_TRUE(given.at("given"));
+    expect_close(given.at("at"), 45.0);
+    expect_close(given.at("value"), 5.0);
+    EXPECT_TRUE(curve(data, "velocity").at("marks").at(1).at("given"));
+    EXPECT_EQ(curve(data, "acceleration").at("marks").size(), 1U);
+}
+
+TEST(PageData, MarksOfTheCamAreTheSummary) {
+    const Solution solution = test::cam_solution();
+    const json data = data_of(solution);
+    const CamSummary& summary = solution.cam->summary;
+    const double degrees = shown_units(solution.scene).degrees_per_x;
+    const json& pressure = curve(data, "pressure_angle").at("marks").at(0);
+    expect_close(pressure.at("at"), degrees * summary.pressure_angle.at);
+    EXPECT_NEAR(std::abs(pressure.at("value").get<double>()), summary.pressure_angle.value / units::degree,
+                1e-6);
+    const json& hertz = curve(data, "hertz_pressure").at("marks").at(0);
+    expect_close(hertz.at("at"), degrees * summary.forces->hertz_pressure->at);
+    expect_close(hertz.at("value"), summary.forces->hertz_pressure->value / 1e6);
+    const json& torque = curve(data, "torque").at("marks").at(0);
+    EXPECT_NEAR(std::abs(torque.at("value").get<double>()), summary.forces->torque.value,
+                1e-6 * summary.forces->torque.value);
+}
+
+/// The drawn points pass the extremes nowhere, and come close to them: curve and mark are one figure.
+TEST(PageData, CurvesOfTheCamReachTheirExtremesAndPassThemNowhere) {
+    const Solution solution = test::cam_solution();
+    const json data = data_of(solution);
+    for (const char* const key : {"pressure_angle", "torque", "normal_force", "hertz_pressure", "force"}) {
+        double most = 0.0;
+        const json& one = curve(data, key);
+        for (const json& value : one.at("values"))
+            if (value.is_number()) most = std::max(most, std::abs(value.get<double>()));
+        double marked = 0.0;
+        for (const json& mark : one.at("marks"))
+            marked = std::max(marked, std::abs(mark.at("value").get<double>()));
+        EXPECT_LE(most, marked * (1.0 + 1e-6)) << key;
+        EXPECT_GE(most, 0.995 * marked) << key;
+    }
+}
+
+TEST(PageData, LimitsAreShadedOnTheSideThatIsForbidden) {
+    const json data = data_of(test::cam_solution());
+    const json& limits = curve(data, "pressure_angle").at("limits");
+    ASSERT_GE(limits.size(), 2U);
+    for (const json& limit : limits) {
+        EXPECT_NEAR(std::abs(limit.at("at").get<double>()), 30.0, 1e-6);
+        EXPECT_EQ(limit.at("outside").get<int>(), limit.at("at").get<double>() > 0.0 ? 1 : -1);
+    }
+}
+
+/// By row the roller's centre stands where the cam frame, turned, has the pitch point.
+TEST(PageData, TheFollowerStandsOnTheTurnedCam) {
+    const Solution solution = test::cam_solution();
+    const json data = data_of(solution);
+    const json& drawing = data.at("drawing");
+    const MotionChain motion = cam_motion(solution);
+    const MotionScale scale = motion_scale(solution.scene);
+    const json* roller = nullptr;
+    for (const json& part : drawing.at("parts"))
+        if (part.at("name") == "roller") roller = &part;
+    ASSERT_NE(roller, nullptr);
+    EXPECT_EQ(roller->at("kind"), "circle");
+    expect_close(roller->at("radius"), 10.0);
+    const json& angles = data.at("angle").at("values");
+    ASSERT_EQ(roller->at("points").size(), 2 * angles.size());
+    for (std::size_t i = 0; i < angles.size(); i += 17) {
+        const double theta = angles[i].get<double>() * units::degree;
+        const double x = std::min(theta / scale.unit_angle, motion.end());
+        const MechanismPoint point = mechanism_point(
+            solution.cam->cam, motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+        const double turned = drawing.at("turned")[i].get<double>() * units::degree;
+        EXPECT_NEAR(turned, theta, 1e-7);
+        const double c = std::cos(turned), s = std::sin(turned);
+        EXPECT_NEAR(roller->at("points")[2 * i].get<double>(),
+                    1e3 * (c * point.pitch.x() - s * point.pitch.y()), 1e-3);
+        EXPECT_NEAR(roller->at("points")[2 * i + 1].get<double>(),
+                    1e3 * (s * point.pitch.x() + c * point.pitch.y()), 1e-3);
+        const double dx =
+            roller->at("points")[2 * i].get<double>() - drawing.at("contact")[2 * i].get<double>();
+        const double dy =
+            roller->at("points")[2 * i + 1].get<double>() - drawing.at("contact")[2 * i + 1].get<double>();
+        EXPECT_NEAR(std::hypot(dx, dy), 10.0, 1e-3);
+    }
+}
+
+TEST(PageData, WithoutAMotionItSaysWhatWouldHaveToChange) {
+    const json data = data_of(test::infeasible_cam_solution());
+    EXPECT_EQ(data.at("verdict").at("tone"), "bad");
+    EXPECT_TRUE(data.at("angle").is_null());
+    EXPECT_TRUE(data.at("curves").empty());
+    EXPECT_EQ(data.at("tables").at(0).at("key"), "changes");
+    EXPECT_GT(data.at("verdict").at("sentences").size(), 1U);
+}
+
+TEST(PageData, AProgramHasItsSegments) {
+    const json data = data_of(test::program_solution());
+    ASSERT_EQ(data.at("segments").size(), 4U);
+    EXPECT_EQ(data.at("segments").at(3).at("title"), "modified sine");
+    expect_close(data.at("segments").at(1).at("from"), 60.0);
+    EXPECT_TRUE(data.at("drawing").is_null());
+}
+
+TEST(PageData, AnUndercutCamHasNoLoadsToSpeakOf) {
+    const json data = data_of(test::undercut_solution());
+    for (const json& one : data.at("curves")) {
+        EXPECT_NE(one.at("key"), "hertz_pressure");
+        EXPECT_NE(one.at("key"), "normal_force");
+    }
+}
+
+}  // namespace
+}  // namespace camopt

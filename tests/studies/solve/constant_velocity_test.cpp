@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The law of constant velocity between splines, which take its velocity.
+#include "core/errors.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+/// Up to 20 % of the lift, at constant velocity to 80 % in 60 deg, and on to the top.
+Scene cutter_scene() {
+    Scene scene = paper_objective(MotionType::program, 3, 12);
+    scene.motion.lift = 50e-3;
+    scene.motion.segments = {{SegmentKind::dwell, 60 * degree, "", {}},
+                             {SegmentKind::spline, 50 * degree, "", 0.2},
+                             {SegmentKind::law, 60 * degree, "constant_velocity", 0.8},
+                             {SegmentKind::spline, 50 * degree, "", 1.0},
+                             {SegmentKind::spline, 140 * degree, "", 0.0}};
+    return scene;
+}
+
+std::string refusal(const Scene& scene) {
+    try {
+        (void)solve(scene);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(ConstantVelocity, IsAStraightLineWhoseEndsMove) {
+    const auto law = make_law("constant_velocity");
+    EXPECT_FALSE(law->info().rests);
+    EXPECT_EQ(law->info().continuity, 0);
+    for (const double x : {0.0, 0.3, 0.5, 0.9, 1.0})
+        EXPECT_EQ(law->derivatives(x), (LawDerivatives{x, 1.0, 0.0, 0.0, 0.0})) << x;
+    EXPECT_EQ(law->peaks().velocity.value, 1.0);
+    EXPECT_EQ(law->peaks().acceleration.value, 0.0);
+    for (const LawInfo& other : law_catalogue())
+        if (other.key != "constant_velocity") EXPECT_TRUE(other.rests) << other.key;
+}
+
+TEST(ConstantVelocity, NeighboursJoinWithItsVelocity) {
+    for (const int spline_degree : {3, 5}) {
+        Scene scene = cutter_scene();
+        scene.spline.degree = spline_degree;
+        const Solution solution = solve(scene);
+        ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
+        const Motion& motion = *solution.motion;
+        const double velocity = 0.6 / (60.0 / 50.0);  // lifts per 50 deg
+        for (const double x : {110.0 / 50.0, 170.0 / 50.0}) {
+            for (const Side side : {Side::left, Side::right}) {
+                EXPECT_NEAR(motion.at(x, side).derivative[1], velocity, 1e-10) << x;
+                EXPECT_NEAR(motion.at(x, side).derivative[2], 0.0, 1e-9) << x;
+            }
+        }
+        EXPECT_TRUE(std::isfinite(solution.motion_peaks.acceleration.value));
+        EXPECT_GE(solution.segments[2].continuity, 2);
+    }
+}
+
+TEST(ConstantVelocity, StandsOnlyBetweenSplines) {
+    Scene scene = cutter_scene();
+    scene.motion.segments[3] = {SegmentKind::law, 50 * degree, "cycloidal", 1.0};
+    EXPECT_NE(refusal(scene).find(
+                  "motion.segments[2].law: found \"constant_velocity\", a law whose ends move, beside "
+                  "motion.segments[3] of kind \"law\""),
+              std::string::npos)
+        << refusal(scene);
+    scene = cutter_scene();
+    scene.motion.segments[1].kind = SegmentKind::dwell;
+    scene.motion.segments[1].to.reset();
+    EXPECT_NE(refusal(scene).find("of kind \"dwell\""), std::string::npos) << refusal(scene);
+    scene = cutter_scene();
+    scene.motion.closed = false;
+    scene.motion.segments = {scene.motion.segments[2], scene.motion.segments[3]};
+    EXPECT_NE(refusal(scene).find("the open end of the program"), std::string::npos) << refusal(scene);
+}
+
+TEST(ConstantVelocity, IsNoReference) {
+    Scene scene = cutter_scene();
+    scene.objective.reference = {};
+    scene.objective.reference.law = "constant_velocity";
+    scene.objective.acceleration = scene.objective.jerk = 0.0;
+    EXPECT_EQ(refusal(scene),
+              "objective.reference: found \"constant_velocity\", a law whose ends move; allowed: a law that "
+              "rests at "
+              "its ends, or numbers");
+}
+
+TEST(ConstantVelocity, NoRestingLawStandsBesideIt) {
+    const Comparison comparison = compare(cutter_scene());
+    ASSERT_EQ(comparison.optimum.certificate.verdict, Verdict::optimal);
+    for (const ComparisonRow& row : comparison.rows) {
+        EXPECT_NE(row.key, "constant_velocity");
+        if (!row.is_optimum())
+            EXPECT_EQ(row.misfit, "rests at its ends, where segment 2 moves on") << row.key;
+    }
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Measured motions: fitted by least squares in the scene's own space, with a true error.
+#include "core/errors.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/scene_model.hpp"
+#include "studies/measured/measured_fit.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/studies/cam_scenes.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace camopt {
+namespace {
+
+using namespace testing_support;
+
+constexpr double lift = 12e-3, rise = 2.0;
+
+Scene measured_scene(int rows, const std::function<double(double)>& y, int segments = 16) {
+    Scene scene = paper_objective(MotionType::drd, 3, segments);
+    scene.motion.lift = lift;
+    scene.motion.rise = rise;
+    scene.measured.emplace();
+    scene.measured->name = "measured.csv";
+    for (int k = 0; k <= rows; ++k) {
+        const double x = static_cast<double>(k) / rows;
+        scene.measured->angle.push_back(rise * x);
+        scene.measured->displacement.push_back(lift * y(x));
+    }
+    return scene;
+}
+
+double cycloid(double x) {
+    return make_law("cycloidal")->at(x).derivative[0];
+}
+
+double mean_square(const Scene& scene, const Motion& motion) {
+    double sum = 0.0;
+    const MeasuredMotion& table = *scene.measured;
+    for (std::size_t k = 0; k < table.angle.size(); ++k) {
+        const double error =
+            motion.at(std::min(table.angle[k] / rise, 1.0)).derivative[0] - table.displacement[k] / lift;
+        sum += error * error;
+    }
+    return sum / static_cast<double>(table.angle.size());
+}
+
+TEST(Measured, AMotionOfTheSpaceComesBackAsItIs) {
+    Scene plain = paper_objective(MotionType::drd, 3, 12);
+    const Solution optimum = solve(plain);
+    const Scene scene = measured_scene(
+        300, [&](double x) { return optimum.motion->at(x).derivative[0]; }, 12);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.measured);
+    EXPECT_EQ(solution.measured->rows, 301);
+    EXPECT_LT(solution.measured->largest_error, 1e-9);
+    ASSERT_TRUE(solution.measured->objective);
+    EXPECT_NEAR(*solution.measured->objective, optimum.certificate.objective, 1e-5);
+    EXPECT_NEAR(solution.measured->peaks.velocity.value, optimum.peaks.velocity.value, 1e-6);
+}
+
+TEST(Measured, TheFitKeepsTheEndsAndItsErrorIsThatOfTheTable) {
+    const Scene scene = measured_scene(180, cycloid);
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.measured);
+    const MeasuredReport& report = *solution.measured;
+    for (int order = 0; order < 3; ++order) {
+        EXPECT_NEAR(report.motion->at(0.0).derivative[order], 0.0, 1e-9);
+        EXPECT_NEAR(report.motion->at(1.0, Side::left).derivative[order], order == 0 ? 1.0 : 0.0, 1e-9);
+    }
+    double largest = 0.0;
+    for (int k = 0; k <= 180; ++k)
+        largest =
+            std::max(largest, std::abs(report.motion->at(k / 180.0).derivative[0] - cycloid(k / 180.0)));
+    EXPECT_NEAR(report.largest_error, largest, 1e-15);
+    EXPECT_GT(report.largest_error, 1e-8);
+    EXPECT_LT(report.largest_error, 1e-4);
+    EXPECT_NEAR(report.rms_error, std::sqrt(mean_square(scene, *report.motion)), 1e-14);
+    // The cycloid by the references 1.76, 5.53, 69; the fit comes close to it.
+    EXPECT_NEAR(*report.objective, 0.4 * 2 / 1.76 + 0.4 * 2 * M_PI / 5.53 + 0.2 * 4 * M_PI * M_PI / 69, 0.03);
+    EXPECT_LT(solution.certificate.objective, *report.objective);
+}
+
+/// No other motion of the space has a smaller mean square: every admissible change makes it larger.
+TEST(Measured, NoOtherMotionOfTheSpaceIsNearer) {
+    const Scene scene =
+        measured_scene(90, [](double x) { return cycloid(x) + 2e-3 * std::sin(91.0 * x) * x * (1 - x); });
+    const MotionFamily family = scene_family(scene, DesignKind::coefficients);
+    const Eigen::VectorXd best = nearest_design(family, scene.motion, *scene.measured);
+    const double least = mean_square(scene, family.motion(best));
+    ASSERT_TRUE(family.equalities().empty());  // ends are built in: every entry is free
+    for (int j = 0; j < family.size(); ++j)
+        for (const double step : {1e-5, -1e-5}) {
+            Eigen::VectorXd moved = best;
+            moved[j] += step;
+            EXPECT_GT(mean_square(scene, family.motion(moved)), least) << j;
+        }
+}
+
+TEST(Measured, TooFewRowsForTheSplineAreRefused) {
+    const Scene scene = measured_scene(9, cycloid, 64);
+    try {
+        (void)solve(scene);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "measured: found 10 rows for a spline with 61 free numbers; allowed: as many rows at least, or "
+            "fewer spline.segments");
+    }
+}
+
+TEST(Measured, FaultsNameTheRow) {
+    const auto fault_of = [](const std::function<void(MeasuredMotion&)>& change) {
+        Scene scene = measured_scene(20, cycloid);
+        change(*scene.measured);
+        const auto fault = find_fault(scene);
+        return fault ? fault->member + ": found " + fault->found + "; allowed: " + fault->allowed : "none";
+    };
+    EXPECT_EQ(fault_of([](MeasuredMotion&) {}), "none");
+    EXPECT_EQ(fault_of([](MeasuredMotion& m) { m.angle[7] = m.angle[6]; }).substr(0, 18),
+              "measured.theta[7]:");
+    EXPECT_EQ(fault_of([](MeasuredMotion& m) { m.displacement[3] = std::nan(""); }),
+              "measured.s[3]: found nan; allowed: a finite number");
+    EXPECT_EQ(
+        fault_of([](MeasuredMotion& m) {
+            for (double& s : m.displacement) s *= 0.5;
+        }),
+        "measured.s[20]: found 6 mm at 114.592 deg; allowed: 12 mm, to 0.6 mm: what the scene asks for at "
+        "114.592 deg");
+    EXPECT_EQ(fault_of([](MeasuredMotion& m) {
+                  m.angle.resize(5);
+                  m.displacement.resize(5);
+              }),
+              "measured.theta: found 5 rows; allowed: 8 to 1000000 rows");
+    EXPECT_EQ(fault_of([](MeasuredMotion& m) {
+                  for (double& angle : m.angle) angle *= 0.9;
+              }).substr(0, 19),
+              "measured.theta[20]:");
+}
+
+/// A pressure angle that is not convex over base radius and motion together: searched from starts.
+TEST(Measured, AStartIsTheFirstOfASearch) {
+    Scene scene = measured_scene(180, cycloid, 8);
+    scene.measured->start = true;
+    scene.objective.torque = 0.5;
+    scene.objective.reference.torque = 5.46;
+    scene.solver.starts = 1;
+    const Solution searched = solve(scene);
+    ASSERT_TRUE(searched.motion) << searched.certificate.reason;
+    ASSERT_TRUE(searched.measured);
+    EXPECT_TRUE(searched.measured->started);
+    EXPECT_EQ(searched.solver.starts, 1);
+    scene.measured->start = false;
+    const Solution compared = solve(scene);
+    EXPECT_FALSE(compared.measured->started);
+    EXPECT_NEAR(searched.certificate.objective, compared.certificate.objective, 1e-5);
+}
+
+}  // namespace
+}  // namespace camopt
