@@ -41,7 +41,7 @@ double SheetDimension::measured() const {
 
 std::string SheetDimension::words() const {
     if (kind == Kind::angle) return trimmed(measured() / degree, 2) + "°";
-    const bool diameter = kind == Kind::diameter || across;
+    const bool diameter = kind == Kind::diameter || (across && kind == Kind::linear);
     return (diameter ? "⌀" : kind == Kind::radius ? "R" : "") + drawn_length(measured());
 }
 

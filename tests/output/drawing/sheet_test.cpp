@@ -96,10 +96,10 @@ TEST(Sheet, WordsThatDoNotFitAreCut) {
 TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     Sheet sheet;
     sheet.title = "a <b>";
-    sheet.view = {{0.1, 0.1}, 0.5};
+    sheet.view = {{0.125, 0.125}, 0.5};
     sheet.line("CAM", SheetPen::thick, {0.0, 0.0}, {0.02, 0.0});
     sheet.arc("CAM", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, 0.02}, 0.0, 1.5 * pi);
-    sheet.texts.push_back({"NOTES", {0.15, 0.1}, 2e-3, "⌀ 5 °", TextAnchor::end});
+    sheet.texts.push_back({"NOTES", {0.25, 0.125}, 2e-3, "⌀ 5 °", TextAnchor::end});
     SheetDimension dimension;
     dimension.kind = SheetDimension::Kind::diameter;
     dimension.second = {0.02, 0.0};
@@ -108,7 +108,7 @@ TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     const std::string svg = sheet_svg(sheet);
     EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""), std::string::npos);
     EXPECT_NE(svg.find("a &lt;b&gt;"), std::string::npos);
-    EXPECT_NE(svg.find("M100 110L110 110"), std::string::npos);  // half size, y downwards
+    EXPECT_NE(svg.find("M125 85L135 85"), std::string::npos);  // half size, y downwards
     EXPECT_NE(svg.find("A10 10 0 0 0 "), std::string::npos);     // two arcs of 135°
     EXPECT_NE(svg.find(">⌀40<"), std::string::npos);
     const std::string dxf = sheet_dxf(sheet);
@@ -116,7 +116,7 @@ TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
         EXPECT_NE(dxf.find(words), std::string::npos) << words;
     EXPECT_NE(dxf.find("\n 42\n40.0\n"), std::string::npos);
     EXPECT_NE(dxf.find("\n 11\n20.0\n 21\n0.0\n"), std::string::npos);   // true size
-    EXPECT_NE(dxf.find("\n 11\n100.0\n 21\n0.0\n"), std::string::npos);  // words: paper / scale
+    EXPECT_NE(dxf.find("\n 11\n250.0\n 21\n0.0\n"), std::string::npos);  // words: paper / scale
     EXPECT_EQ(dxf_text("ü\n€𝄞"), "\\U+00FC \\U+20AC?");
 }
 
