@@ -23,11 +23,11 @@ struct IndexingBody {
 };
 
 struct IndexingBodyOptions {
-    int angles = 160;  ///< sections over one turn; >= 16
-    int heights = 5;   ///< along the roller; >= 2
+    int angles = 160;     ///< sections over one turn; >= 16
+    int heights = 5;      ///< along the roller; >= 2
+    double reach = 0.45;  ///< part of a pitch that the thread goes beyond the dwell's rollers, 0 … 0.9
     /// The thread's foot lies within the hub, so that both are one solid; a picture wants it on its surface.
     bool foot_on_hub = false;
-    double reach = 0.45;  ///< part of a pitch that the thread goes beyond the dwell's rollers, 0 … 0.9
 
     void validate() const;  ///< throws InputError
 };

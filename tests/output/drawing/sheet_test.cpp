@@ -109,7 +109,7 @@ TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     EXPECT_NE(svg.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""), std::string::npos);
     EXPECT_NE(svg.find("a &lt;b&gt;"), std::string::npos);
     EXPECT_NE(svg.find("M125 85L135 85"), std::string::npos);  // half size, y downwards
-    EXPECT_NE(svg.find("A10 10 0 0 0 "), std::string::npos);     // two arcs of 135°
+    EXPECT_NE(svg.find("A10 10 0 0 0 "), std::string::npos);   // two arcs of 135°
     EXPECT_NE(svg.find(">⌀40<"), std::string::npos);
     const std::string dxf = sheet_dxf(sheet);
     for (const char* words : {"AcDbDiametricDimension", "\n*D1\n", "\nCAMOPT\n", "\\U+2300 5 \\U+00B0"})
