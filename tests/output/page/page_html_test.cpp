@@ -49,9 +49,10 @@ TEST(PageHtml, BytesThatAreNoTextAreReplaced) {
 TEST(PageHtml, LoadsNothing) {
     PageHtml page{"solid", page_data(test::cam_solution()), true};
     const std::string html = page_html(page);
-    for (const char* const outside :
-         {"<link", "<img", "<iframe", "src=\"", "href=\"http", "@import", "url(http"})
+    for (const char* const outside : {"<img", "<iframe", "src=\"", "href=\"http", "@import", "url(http"})
         EXPECT_EQ(count_of(html, outside), 0) << outside;
+    EXPECT_EQ(count_of(html, "<link"),
+              count_of(html, "<link rel=\"icon\" href=\"data:"));  // no icon is asked for
     EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
     EXPECT_NE(html.find("connect-src 'none'"), std::string::npos);
 }
