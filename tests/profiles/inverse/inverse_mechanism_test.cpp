@@ -72,6 +72,12 @@ TEST(InverseMechanism, PointsAreThoseOfTheGuideOfArcs) {
             EXPECT_NEAR(point.pitch_curvature, side * expected.curvature, 1e-8);
             EXPECT_NEAR(point.regularity, 1.0 - 0.5 * inch * side * expected.curvature, 1e-9);
             EXPECT_NEAR((point.contact - point.pitch).norm(), 0.5 * inch, 1e-15);
+            // Seen outwards along the guide the first flank lies on its left.
+            const Eigen::Vector2d outwards =
+                guide.at(distance * (1.0 + 1e-7)).position - guide.at(distance * (1.0 - 1e-7)).position;
+            const Eigen::Vector2d left = Eigen::Vector2d(-outwards.y(), outwards.x()).normalized();
+            EXPECT_NEAR((point.contact - point.pitch).head<2>().dot(left), side * 0.5 * inch, 1e-8);
+            EXPECT_NEAR((point.pitch - point.contact - 0.5 * inch * point.normal).norm(), 0.0, 1e-15);
             const auto value = [&](MechanismQuantity which) {
                 return mechanism().quantity(which, state, station, {}).value;
             };
