@@ -7,16 +7,14 @@
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/json/result_json.hpp"
-#include "output/page/page_html.hpp"
+#include "output/page/result_extras.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/spatial/drum_pictures.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -66,25 +64,13 @@ Solution solve_with_progress(const Scene& scene) {
     return solution;
 }
 
-/// Of a drum, the pictures that no plane cam has.
-std::vector<FolderFile> drum_files(const Solution& solution) {
-    if (!solution.cam || !has_spatial_cam(solution)) return {};
-    const SpatialCam cam = solved_spatial_cam(solution);
-    const MotionChain turn = whole_turn(solution);
-    const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
-    const Drum drum{solution, cam, motion};
-    return {{drum_picture, drum_svg(drum)}, {developed_picture, developed_svg(drum)}};
-}
-
 std::vector<std::filesystem::path> write_results(const SolveRequest& request, const RunOrigin& origin,
                                                  Solution& solution) {
     if (request.out.empty()) return {};
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) add_forward_check(solution);
-    WriteOptions options{request.points, request.dxf, {}};
-    options.also.push_back({"report.html", report_html(solution, origin)});
-    for (FolderFile& file : drum_files(solution)) options.also.push_back(std::move(file));
-    return write_result_folder(request.out, solution, origin, options);
+    return write_result_folder(request.out, solution, origin,
+                               {request.points, request.dxf, result_extras(solution, origin)});
 }
 
 }  // namespace

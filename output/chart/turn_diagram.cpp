@@ -19,11 +19,11 @@ namespace {
 // Layout, px.
 constexpr double page_width = 1000, left = 84, right = 970, first_top = 84, panel_height = 240,
                  panel_distance = 310, below_panels = 4;
-constexpr double headroom = 0.16;  // of the range, above and below: for the labels
-constexpr double limit_in_sight =
+constexpr double diagram_headroom = 0.16;  // of the range, above and below: for the labels
+constexpr double diagram_limit_in_sight =
     2.5;  // a limit beyond this many times the largest value is left out of sight
 constexpr double peak_font = 12, limit_font = 11.5;  // px
-constexpr int angle_digits = 5;                      // as in the report
+constexpr int mark_digits = 5;                       // as in the report
 
 const char* turn_style =
     ".caption{font-size:13px;font-weight:600}"
@@ -57,11 +57,12 @@ PlotAxis value_axis(const TurnPanel& panel, const Extremes& extremes, double top
     }
     const double size = std::max(upper, -lower);
     for (const TurnLimit& limit : panel.limits)
-        if (std::abs(limit.value) < limit_in_sight * size) {
+        if (std::abs(limit.value) < diagram_limit_in_sight * size) {
             lower = std::min(lower, limit.value);
             upper = std::max(upper, limit.value);
         }
-    const double room = std::max(headroom * (upper - lower), 0.5 * (panel.least_range - upper + lower));
+    const double room =
+        std::max(diagram_headroom * (upper - lower), 0.5 * (panel.least_range - upper + lower));
     return {lower - room, upper + room, top + panel_height, top};
 }
 
@@ -127,7 +128,7 @@ void draw_extreme(SvgCanvas& canvas, const PlotFrame& frame, const TurnPanel& pa
         }
     places.push_back({x + 9, y + 4, TextSide::start});
     places.push_back({x - 9, y + 4, TextSide::end});
-    labels.draw(canvas, fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, angle_digits)),
+    labels.draw(canvas, fmt::format("{} at {}°", panel.words(mark.value), short_text(mark.at, mark_digits)),
                 places, "peak-label", peak_font, true);
 }
 

@@ -72,7 +72,8 @@ struct DerivativeUnit {
     bool swings;
 };
 
-constexpr std::array<const char*, 4> derivative_names = {"displacement", "velocity", "acceleration", "jerk"};
+constexpr std::array<const char*, 4> uniform_derivatives = {"displacement", "velocity", "acceleration",
+                                                            "jerk"};
 
 /// "", "2", "3": the exponent of what a derivative is taken by.
 std::string exponent_of(std::size_t order) {
@@ -81,7 +82,7 @@ std::string exponent_of(std::size_t order) {
 
 void add_derivatives(std::vector<ColumnRow>& rows, const DerivativeUnit& unit) {
     const auto add = [&](std::string key, std::size_t order, TablePer per, const std::string& words) {
-        rows.push_back({{std::move(key), fmt::format("{} in {}", derivative_names[order], words),
+        rows.push_back({{std::move(key), fmt::format("{} in {}", uniform_derivatives[order], words),
                          need_of(unit.swings, per)},
                         nullptr,
                         order,
@@ -106,7 +107,7 @@ void add_normalised(std::vector<ColumnRow>& rows) {
     constexpr std::array<const char*, 4> keys = {"y", "dy", "ddy", "dddy"};
     for (std::size_t order = 0; order < keys.size(); ++order)
         rows.push_back(
-            {{keys[order], fmt::format("{}, normalised", derivative_names[order]), ColumnNeed::nothing},
+            {{keys[order], fmt::format("{}, normalised", uniform_derivatives[order]), ColumnNeed::nothing},
              nullptr,
              order,
              1.0,
@@ -318,7 +319,7 @@ std::string cell_text(double value, const std::optional<int>& digits) {
     return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, *digits);
 }
 
-void check_digits(const std::optional<int>& digits) {
+void refuse_digits(const std::optional<int>& digits) {
     constexpr int most = std::numeric_limits<double>::max_digits10;
     if (digits && (*digits < 1 || *digits > most))
         throw InputError(fmt::format("--digits: found {}; allowed: 1 to {}", *digits, most));
@@ -374,7 +375,7 @@ std::string UniformTable::words() const {
 }
 
 UniformTable uniform_table(const Solution& solution, const UniformTableOptions& options) {
-    check_digits(options.digits);
+    refuse_digits(options.digits);
     const MotionChain motion = cam_motion(solution);
     const std::vector<const ColumnRow*> columns = chosen_columns(solution, options.columns);
     const MotionSpec& spec = solution.scene.motion;

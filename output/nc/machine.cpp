@@ -94,7 +94,7 @@ class RotaryTable final : public Machine {
     std::vector<MachineAxis> axes_{x_axis, y_axis, z_axis, {"rotary", AxisKind::rotary}};
 };
 
-class PlaneMilling final : public Machine {
+class PlaneMachine final : public Machine {
  public:
     std::string name() const override { return "three axes"; }
     const std::vector<MachineAxis>& axes() const override { return axes_; }
@@ -134,7 +134,7 @@ std::unique_ptr<Machine> rotary_table_machine() {
 }
 
 std::unique_ptr<Machine> plane_milling_machine() {
-    return std::make_unique<PlaneMilling>();
+    return std::make_unique<PlaneMachine>();
 }
 
 }  // namespace camopt

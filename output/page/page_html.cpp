@@ -19,11 +19,12 @@ constexpr std::array page_scripts = {"assets/base.js",  "assets/charts.js", "ass
                                      "assets/solid.js", "assets/tables.js", "assets/study.js",
                                      "assets/page.js"};
 
-/// "<" begins nothing then: no end of the script, no comment.
+/// "<" begins nothing then: no end of the script, no comment. What a terminal would obey is escaped as JSON
+/// does it.
 std::string script_json(std::string_view text) {
     std::string safe;
     safe.reserve(text.size());
-    for (const char c : text) {
+    for (const char c : printable_lines(text)) {
         if (c == '<')
             safe += "\\u003c";
         else

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 // m on the paper.
-constexpr double cell_label = 1.8e-3, cell_text = 2.5e-3, part_text = 3.5e-3, cell_padding = 1.5e-3;
+constexpr double cell_label = 1.8e-3, title_text = 2.5e-3, part_text = 3.5e-3, cell_padding = 1.5e-3;
 constexpr double table_text = 2.0e-3, row_height = 3.9e-3, angle_column = 11e-3, radius_column = 19e-3,
                  block_gap = 2e-3;
 constexpr double note_text = 1.8e-3, note_line = 3.3e-3;
@@ -22,7 +22,7 @@ struct TitleCell {
     double left, bottom, right, top;  ///< from the block's lower left corner
     const char* label;
     std::string words;
-    double height = cell_text;
+    double height = title_text;
 };
 
 void add_cell(Sheet& sheet, const Vector2d& corner, const TitleCell& cell) {

@@ -8,8 +8,6 @@ namespace camopt {
 
 namespace {
 
-// A grid that has grown by more than this over the plain one costs more than the rounds it saves.
-constexpr double most_growth = 3.0;
 // A scene is solved with its rules and up to two relaxations of them.
 constexpr std::size_t most_grids = 4;
 
@@ -55,7 +53,7 @@ void GridMemory::keep(const CamProblem& problem) {
     Grid& grid = grid_of(problem.model());
     grid.joints = joints(problem.model());
     grid.samples = problem.samples();
-    if (static_cast<double>(grid.samples.size()) > most_growth * static_cast<double>(grid.plain))
+    if (static_cast<double>(grid.samples.size()) > most_growth_ * static_cast<double>(grid.plain))
         grid.samples.clear();
 }
 

@@ -14,6 +14,10 @@ namespace camopt {
 
 class GridMemory {
  public:
+    /// A grid that has grown by more than `most_growth` over the plain one is not kept: it costs more than
+    /// the rounds it saves, unless the neighbour is very near (a slider that is drawn).
+    explicit GridMemory(double most_growth = 1.5) : most_growth_(most_growth) {}
+
     /// The problem of `model`, on the grid kept from its neighbour. Plain where there is none: nothing kept
     /// yet of these rules, or another spline.
     [[nodiscard]] CamProblem problem(CamModel model);
@@ -36,6 +40,7 @@ class GridMemory {
     };
     [[nodiscard]] Grid& grid_of(const CamModel& model);
 
+    double most_growth_;
     std::vector<Grid> grids_;  ///< the one asked for last in front
 };
 

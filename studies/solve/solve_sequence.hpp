@@ -10,10 +10,15 @@
 #include "studies/delivered/solution.hpp"
 #include "studies/solve/grid_memory.hpp"
 
+#include <utility>
+
 namespace camopt {
 
 class SolveSequence {
  public:
+    SolveSequence() = default;
+    explicit SolveSequence(GridMemory memory) : memory_(std::move(memory)) {}
+
     /// As solve() (studies/solve/solve.hpp), but infeasible scenes are not explained: no relaxation is
     /// sought.
     [[nodiscard]] Solution solve(const Scene& scene, const SolveControl& control);

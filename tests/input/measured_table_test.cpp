@@ -62,7 +62,10 @@ TEST(MeasuredTable, SaysWhatIsWrongAndWhere) {
 class MeasuredScene : public ::testing::Test {
  protected:
     void SetUp() override {
-        folder_ = std::filesystem::path(::testing::TempDir()) / "camopt_measured_scene";
+        // Tests run beside one another.
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string("camopt_measured_") +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
         std::filesystem::create_directories(folder_);
         write("m.csv", table);
     }

@@ -32,15 +32,15 @@ class Shape final : public Motion {
 };
 
 StretchRequest dwell(double begin, double end) {
-    return {Kind::dwell, begin, end, nullptr, {}, {}};
+    return {Kind::dwell, begin, end, nullptr, {}, {}, {}};
 }
 StretchRequest shape(double begin, double end, std::optional<double> to) {
-    return {Kind::shape, begin, end, std::make_shared<Shape>(), {}, to};
+    return {Kind::shape, begin, end, std::make_shared<Shape>(), {}, to, {}};
 }
 StretchRequest spline(double begin, double end, int segments, std::optional<double> to) {
     std::vector<double> points;
     for (int i = 0; i <= segments; ++i) points.push_back(begin + (end - begin) * i / segments);
-    return {Kind::spline, begin, end, nullptr, points, to};
+    return {Kind::spline, begin, end, nullptr, points, to, {}};
 }
 
 /// Entries that meet every equality, else random.

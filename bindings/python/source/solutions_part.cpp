@@ -4,6 +4,7 @@
 #include "bindings/python/source/motion_values.hpp"
 #include "bindings/python/source/parts.hpp"
 #include "bindings/python/source/solved_scene.hpp"
+#include "output/page/result_extras.hpp"
 #include "output/report/report.hpp"
 #include "output/words/display_scale.hpp"
 
@@ -129,7 +130,8 @@ std::string html(const SolvedScene& solved) {
 std::vector<std::string> write(const SolvedScene& solved, const std::string& folder,
                                std::optional<int> points, bool with_dxf) {
     std::vector<std::string> written;
-    for (const auto& path : write_result_folder(folder, of(solved), solved.origin, {points, with_dxf}))
+    const WriteOptions options{points, with_dxf, result_extras(of(solved), solved.origin)};
+    for (const auto& path : write_result_folder(folder, of(solved), solved.origin, options))
         written.push_back(path.string());
     return written;
 }

@@ -15,11 +15,11 @@ namespace camopt {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double same_place = 1e-9;             // m: the groove closes
-constexpr double small_angle = 1e-5;            // rad: for the direction of travel
-constexpr double ramp_step = 0.5 * pi / 180.0;  // of the ramp's blocks, rad: 1 µm where 0.8° leave that
-constexpr double ramp_diameters = 5.0;          // of one way to or fro
+constexpr double same_place = 1e-9;   // m: the groove closes
+constexpr double small_angle = 1e-5;  // rad: for the direction of travel
+constexpr double ramp_step =
+    0.5 * std::numbers::pi / 180.0;     // of the ramp's blocks, rad: 1 µm where 0.8° leave that
+constexpr double ramp_diameters = 5.0;  // of one way to or fro
 constexpr int most_ramp_ways = 40, lead_blocks = 24, height_samples = 360;
 constexpr double most_lead_share = 0.1;  // of the groove
 constexpr double over_cut_layer = 2e-4;  // m: the ramp begins so far above the layer cut before
@@ -31,7 +31,7 @@ class Groove {
         : milling_(milling), flank_(flank), sense_(forward ? 1.0 : -1.0) {
         const double begin = milling.knots.front(), end = milling.knots.back();
         const RollerPose first = milling.roller(begin, 0.0), last = milling.roller(end, 0.0);
-        closed_ = std::abs(end - begin - 2.0 * pi) < same_place &&
+        closed_ = std::abs(end - begin - 2.0 * std::numbers::pi) < same_place &&
                   (first.center - last.center).norm() < same_place &&
                   (first.axis - last.axis).norm() < same_place;
         for (const double theta : milling.knots) knots_.push_back(sense_ * theta);
@@ -44,7 +44,10 @@ class Groove {
         location.stock = stock;
         double theta = sense_ * u;
         const double begin = milling_.knots.front(), end = milling_.knots.back();
-        if (closed_) theta = theta < begin ? theta + 2.0 * pi : theta > end ? theta - 2.0 * pi : theta;
+        if (closed_)
+            theta = theta < begin ? theta + 2.0 * std::numbers::pi
+                    : theta > end ? theta - 2.0 * std::numbers::pi
+                                  : theta;
         ToolPose pose = cutter_pose(milling_.roller(theta, location.station), location);
         pose.tip -= lift * pose.axis;
         return pose;
