@@ -365,13 +365,13 @@ const std::vector<TableColumn>& table_columns() {
 }
 
 std::string UniformTable::words() const {
-    std::string text =
+    std::string said =
         fmt::format("{} rows over the {}, 0 to {} deg", rows,
                     whole_turn ? "whole turn" : "motion, which is not a whole turn", short_text(end_deg, 9));
     if (last_step_deg > 0.0)
-        text += fmt::format("; the last step is {} deg: the step does not divide the angle",
+        said += fmt::format("; the last step is {} deg: the step does not divide the angle",
                             short_text(last_step_deg, 6));
-    return text;
+    return said;
 }
 
 UniformTable uniform_table(const Solution& solution, const UniformTableOptions& options) {

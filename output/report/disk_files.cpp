@@ -52,7 +52,8 @@ std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& m
         profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
-    ProfileColumns columns{.swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower)};
+    ProfileColumns columns{
+        .swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower), .loads = {}};
     columns.loads = loads_of(solution, cam, motion, profile);
     columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
     return profile_csv(profile, columns);
