@@ -3,6 +3,7 @@
 
 #include "benchmarks/stability/cam_audit.hpp"
 #include "benchmarks/stability/local_polynomial.hpp"
+#include "benchmarks/stability/train_audit.hpp"
 #include "core/errors.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 
@@ -58,6 +59,7 @@ class Audit {
             check_program();
         }
         check_caps();
+        if (solution_.train) check_train();
         if (solution_.scene.cam) {
             for (const BrokenLimit& limit : broken_limits(solution_)) note(limit.amount, limit.name);
         }
@@ -193,6 +195,14 @@ class Audit {
         check_cap(scene_.limits.jerk, 3, "jerk cap");
     }
 
+    void check_train() {
+        train_ = train_audit(solution_);
+        if (const auto& limit = scene_.limits.residual)
+            note(train_.residual * scene_.motion.lift / limit->value - 1, "residual");
+        if (const auto& limit = scene_.limits.dynamic_contact_force_min)
+            note((limit->value - train_.least_force) / scene_.dynamics->preload, "dynamic contact force");
+    }
+
     /// √(∫ (y^{(r)})² dx / length): Gauss with four points is exact to degree 7.
     [[nodiscard]] long double root_mean_square(int order) const {
         constexpr std::array<long double, 2> node = {0.861136311594052575224L, 0.339981043584856264803L};
@@ -226,6 +236,8 @@ class Audit {
         if (weights.rms_acceleration > 0.0)
             add(weights.rms_acceleration, root_mean_square(2), reference.rms_acceleration);
         if (weights.rms_jerk > 0.0) add(weights.rms_jerk, root_mean_square(3), reference.rms_jerk);
+        if (weights.residual > 0.0)
+            add(weights.residual, train_.residual, scene_.objective.reference.residual.value());
         const auto disk = solution_.cam ? disk_cam(solution_.cam->cam) : std::nullopt;
         if (!disk) return sum;
         const DiskCam& cam = *disk;
@@ -244,6 +256,7 @@ class Audit {
     const Scene& scene_;
     std::vector<Stretch> stretches_;
     std::array<long double, 4> peaks_{1, 0, 0, 0};
+    TrainAudit train_;
     MotionAudit report_;
 };
 

@@ -24,6 +24,7 @@ namespace camopt::stability {
 [[nodiscard]] std::vector<StabilityCase> degenerate_cases();
 /// What README.md, docs/ and benchmarks/README.md say about accuracy.
 [[nodiscard]] std::vector<StabilityCase> claim_cases();
+[[nodiscard]] std::vector<StabilityCase> train_cases();
 
 [[nodiscard]] std::vector<StabilityCase> all_cases();
 

@@ -52,14 +52,14 @@ void judge_motion(StabilityRow& row, const Solution& solution) {
     row.jerk_jump = static_cast<double>(report.jerk_jump);
     if (!is_finite(*row.found)) return fail(row, "the objective is not finite");
     const double difference = std::abs(certificate.objective - *row.found);
-    if (!(difference <= same_number * std::abs(*row.found)))
+    if (!(difference <= same_number * std::abs(*row.found) + row.expected.rounding))
         fail(row, fmt::format("reported objective {} is not that of the motion", certificate.objective));
     if (!(*row.violation <= row.expected.violation))
         fail(row, fmt::format("violated by {:.2g}: {}", *row.violation, report.worst));
     if (!(*row.jerk_jump <= largest_joint_jump))
         fail(row, fmt::format("y''' jumps by {:.2g}", *row.jerk_jump));
     if (certificate.gap && certificate.verdict == Verdict::optimal &&
-        !(*certificate.gap <= solution.scene.solver.gap))
+        !(*certificate.gap <= solution.scene.solver.wanted_gap(solution.solver.convex)))
         fail(row, "called optimal with a larger gap than asked for");
 }
 
@@ -154,7 +154,7 @@ StabilityRow solved_row(const Scene& scene, const Expectation& expected) {
         judge_verdict(row, solution.certificate);
         // `failed` claims nothing about the motion beside it.
         if (solution.motion && solution.certificate.verdict != Verdict::failed) judge_motion(row, solution);
-        judge_objective(row, scene.solver.gap);
+        judge_objective(row, scene.solver.wanted_gap());
         judge_proof(row, solution.certificate);
     } catch (const std::exception& error) {
         row.seconds = seconds_since(begin);

@@ -25,6 +25,8 @@ struct Expectation {
     bool may_give_up =
         false;  ///< beyond double precision, or beyond what the backend promises: `unsolved` is no news
     double violation = 1e-9;  ///< of the delivered motion, found independently
+    double rounding =
+        0.0;  ///< beside its own, what the recomputed objective may differ by from the reported one
     std::string source;
 };
 

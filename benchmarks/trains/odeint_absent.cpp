@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/trains/integrators.hpp"
+
+namespace trains {
+
+std::vector<Integrator> odeint_integrators() {
+    return {};
+}
+
+}  // namespace trains

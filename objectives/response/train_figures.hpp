@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What an elastic follower train makes of a motion: from rest over each event (motion_events.hpp), at one
+// speed or at the worst of a range.
+#pragma once
+
+#include "core/extremum.hpp"
+#include "core/infinity.hpp"
+#include "objectives/response/motion_events.hpp"
+#include "scene/scene.hpp"
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace camopt {
+
+/// A motion cut into the pieces of one event.
+struct EventPieces {
+    std::vector<SlopePiece> moving, dwell;
+};
+[[nodiscard]] EventPieces pieces_of_event(const std::vector<SlopePiece>& all, const MotionEvent& event);
+
+/// One event at one speed, from rest.
+class EventResponse {
+ public:
+    EventResponse(const TrainAtSpeed& train, const EventPieces& pieces);
+
+    /// The amplitude after the event, in lifts: Σ over modes.
+    [[nodiscard]] double residual() const;
+    /// Mode by mode with its phase.
+    [[nodiscard]] Eigen::VectorXcd residual_modes() const;
+    /// Local maxima of sign · reading above `floor`; with_dwell: while it rings as well.
+    [[nodiscard]] std::vector<Extremum> maxima(const TrainAtSpeed::Reading& reading, double sign,
+                                               double floor, bool with_dwell) const;
+    /// The largest of them, whatever it is.
+    [[nodiscard]] Extremum largest(const TrainAtSpeed::Reading& reading, double sign, bool with_dwell) const;
+    /// Of |reading|.
+    [[nodiscard]] Extremum largest_magnitude(const TrainAtSpeed::Reading& reading, bool with_dwell) const;
+
+ private:
+    const TrainAtSpeed& train_;
+    const EventPieces& pieces_;
+    std::vector<Eigen::VectorXd> states_;  ///< at the begin of each piece, moving ones first
+    Eigen::VectorXd end_;                  ///< after the event, with y at rest
+};
+
+/// The scene's train at one speed.
+[[nodiscard]] std::unique_ptr<const TrainAtSpeed> train_at(const Scene& scene, double speed);
+/// From the first to the last speed of the range, rad/s; twice the same where there is none.
+[[nodiscard]] std::array<double, 2> response_speeds(const Scene& scene);
+
+/// Places of a function of the speed that are looked at: the local maxima over the range, the largest first.
+/// Sampled so closely that the phase at the end of `length` of x changes by less than a sixteenth of a turn
+/// of the slowest mode between two, then narrowed; only those count that come near the largest.
+struct SpeedMaximum {
+    double speed = 0.0, value = 0.0;
+};
+[[nodiscard]] std::vector<SpeedMaximum> maxima_over_speeds(const Scene& scene, double length,
+                                                           const std::function<double(double)>& function);
+
+}  // namespace camopt
