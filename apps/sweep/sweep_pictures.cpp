@@ -29,9 +29,10 @@ std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
 
 }  // namespace
 
-void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table) {
+void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units) {
     const SweepIdentity& identity = folder.identity();
-    const Scene scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
+    Scene scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
+    show_in(scene, units);
     std::optional<LawLosses> losses;
     if (is_weight_sweep(table)) {
         const InterruptWatch watch;

@@ -4,10 +4,12 @@
 
 #include "output/report/sweep_folder.hpp"
 
+#include <string_view>
+
 namespace camopt::apps {
 
 /// A sweep of the weights of V, A, J gets the losses of the classical laws too, which takes some solves;
-/// where they are interrupted the pictures are drawn without the rest.
-void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table);
+/// where they are interrupted the pictures are drawn without the rest. `units` as of finish_sweep.
+void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units = {});
 
 }  // namespace camopt::apps

@@ -20,23 +20,27 @@ void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chun
 
 }  // namespace
 
-PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
-                                 const std::function<void()>& begin_worker) {
-    const Chunking& chunking = folder.identity().chunking;
-    SweepProgress progress(chunking, folder.chunks(), folder.missing_chunks());
-    const auto line = terminal_progress();
+PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes) {
     PoolTask task;
-    task.units = folder.missing_chunks();
-    task.workers = workers;
-    task.begin_worker = begin_worker;
     task.work = [&](int chunk, const std::function<void(int)>& tell) {
-        folder.write_chunk(chunk, solve_chunk(scenes, chunking.range(chunk), {},
+        folder.write_chunk(chunk, solve_chunk(scenes, folder.identity().chunking.range(chunk), {},
                                               [&](const SweepRow& row) { tell(row.number); }));
     };
-    task.told = [&](int row) { progress.add(row); };
     task.lost = [&](int chunk, const std::string& reason) {
         write_lost_chunk(folder, scenes.plan(), chunk, reason);
     };
+    return task;
+}
+
+PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
+                                 const std::function<void()>& begin_worker) {
+    SweepProgress progress(folder.identity().chunking, folder.chunks(), folder.missing_chunks());
+    const auto line = terminal_progress();
+    PoolTask task = chunk_task(folder, scenes);
+    task.units = folder.missing_chunks();
+    task.workers = workers;
+    task.begin_worker = begin_worker;
+    task.told = [&](int row) { progress.add(row); };
     if (line) task.tick = [&] { line(progress.text()); };
     task.stop_requested = InterruptWatch::interrupted;
     const PoolOutcome outcome = run_workers(task);

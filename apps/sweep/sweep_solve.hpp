@@ -10,9 +10,12 @@
 
 namespace camopt::apps {
 
+/// A task whose units are chunks, with what a worker does with one and what is left of one that two workers
+/// died of: its rows are failed, with the cause of death as the reason. Both write to the folder.
+[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes);
+
 /// Solves the chunks that are missing in the folder; each is written there by its worker as soon as it is
-/// finished. Rows of a chunk that two workers died of are failed, with the cause of death as the reason.
-/// Progress goes to the terminal, if there is one.
+/// finished. Progress goes to the terminal, if there is one.
 [[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
                                                const std::function<void()>& begin_worker);
 

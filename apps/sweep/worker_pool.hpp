@@ -8,14 +8,23 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt::apps {
 
+/// Units that come while the pool runs, from whoever hands them out to several pools.
+struct UnitSource {
+    int line = -1;                               ///< a file descriptor, readable where an answer has come
+    std::function<void()> ask;                   ///< one more unit is wanted
+    std::function<std::optional<int>()> answer;  ///< to one `ask`: a unit; none: there are no more
+};
+
 struct PoolTask {
-    std::vector<int> units;  ///< handed out in this order, each to whoever is free
-    int workers = 1;         ///< >= 1; never more than there are units
+    std::vector<int> units;            ///< handed out in this order, each to whoever is free
+    std::optional<UnitSource> source;  ///< of further ones
+    int workers = 1;                   ///< >= 1; never more than there are units
 
     /// In the worker: does one unit. tell(number) reaches `told` in the parent.
     std::function<void(int unit, const std::function<void(int)>& tell)> work;
@@ -24,6 +33,7 @@ struct PoolTask {
 
     // In the parent.
     std::function<void(int number)> told;
+    std::function<void(int unit)> done;  ///< may be empty
     /// Two workers died of this unit. reason: "worker died: signal 11".
     std::function<void(int unit, const std::string& reason)> lost;
     std::function<void()> tick;            ///< several times a second, for a progress line

@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <string_view>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -49,35 +48,29 @@ std::size_t receive_packet(int line, void* data, std::size_t size) {
     return received > 0 ? static_cast<std::size_t>(received) : 0;
 }
 
-void send_message(int line, WorkerMessage::Kind kind, int number, std::string_view text = "") {
-    const Head head{static_cast<int>(kind), number};
-    std::array<char, longest_message> packet{};
-    const std::size_t length = std::min(text.size(), packet.size() - sizeof head);
-    std::memcpy(packet.data(), &head, sizeof head);
-    std::copy_n(text.begin(), length, packet.begin() + sizeof head);
-    if (!send_packet(line, packet.data(), sizeof head + length)) ::_exit(0);  // the parent has gone
-}
-
 /// The whole life of a worker. _exit, not exit: what the parent has in its buffers is the parent's to write.
 [[noreturn]] void live(const WorkerDuty& duty, int line) {
     using Kind = WorkerMessage::Kind;
     try {
+        if (duty.life) {
+            duty.life(line);
+            ::_exit(0);
+        }
         if (duty.begin) duty.begin();
-        int unit = 0;
-        while (receive_packet(line, &unit, sizeof unit) == sizeof unit) {
-            duty.work(unit, [line](int number) { send_message(line, Kind::told, number); });
-            send_message(line, Kind::done, unit);
+        while (const std::optional<int> unit = receive_number(line)) {
+            duty.work(*unit, [line](int number) { send_message(line, {Kind::told, number, {}}); });
+            send_message(line, {Kind::done, *unit, {}});
         }
     } catch (const InputError& error) {
-        send_message(line, Kind::wrong_input, 0, error.what());
+        send_message(line, {Kind::wrong_input, 0, error.what()});
     } catch (const std::exception& error) {
-        send_message(line, Kind::error, 0, error.what());
+        send_message(line, {Kind::error, 0, error.what()});
     }
     ::_exit(0);
 }
 
 void become_worker(pid_t parent) {
-    std::signal(SIGINT, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
     // Between fork and this call the parent may have died: then nobody would tell.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(0);
 }
@@ -87,6 +80,21 @@ void become_worker(pid_t parent) {
 }
 
 }  // namespace
+
+std::optional<int> receive_number(int line) {
+    int number = 0;
+    if (receive_packet(line, &number, sizeof number) != sizeof number) return std::nullopt;
+    return number;
+}
+
+void send_message(int line, const WorkerMessage& message) {
+    const Head head{static_cast<int>(message.kind), message.number};
+    std::array<char, longest_message> packet{};
+    const std::size_t length = std::min(message.text.size(), packet.size() - sizeof head);
+    std::memcpy(packet.data(), &head, sizeof head);
+    std::copy_n(message.text.begin(), length, packet.begin() + sizeof head);
+    if (!send_packet(line, packet.data(), sizeof head + length)) ::_exit(0);  // the parent has gone
+}
 
 WorkerProcess::WorkerProcess(const WorkerDuty& duty, const std::vector<int>& not_mine) {
     std::array<int, 2> ends{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One worker process and the line to it. Used by worker_pool.cpp alone.
+// One worker process and the line to it. Used by worker_pool.cpp, and by ranks/ for what runs such a pool.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace camopt::apps {
 
 /// What a worker says.
 struct WorkerMessage {
-    enum class Kind { told, done, wrong_input, error };
+    enum class Kind { told, done, asks, wrong_input, error };
     Kind kind = Kind::told;
     int number = 0;    ///< told, done
     std::string text;  ///< wrong_input, error
@@ -22,7 +22,14 @@ struct WorkerMessage {
 struct WorkerDuty {
     std::function<void()> begin;
     std::function<void(int unit, const std::function<void(int)>& tell)> work;
+    /// Instead of both: has the line to itself, and ends with it. May throw as `work` may.
+    std::function<void(int line)> life;
 };
+
+/// In the worker: the next number that it was given; none: nobody is there any more.
+[[nodiscard]] std::optional<int> receive_number(int line);
+/// In the worker. Ends it where nobody is there any more.
+void send_message(int line, const WorkerMessage& message);
 
 class WorkerProcess {
  public:

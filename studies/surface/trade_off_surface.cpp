@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "studies/surface/trade_off_surface.hpp"
+
+#include "core/errors.hpp"
+#include "objectives/scene_model.hpp"
+#include "scene/cost_table.hpp"
+#include "studies/compare/matrix_game.hpp"
+#include "studies/pareto/front_goal.hpp"
+#include "studies/solve/solve_sequence.hpp"
+#include "studies/sweep/sweep_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr std::array<FrontFigure, 3> surface_terms = {FrontFigure::velocity, FrontFigure::acceleration,
+                                                      FrontFigure::jerk};
+// Sums of three products of numbers near 1.
+constexpr double gap_rounding = 1e-12;
+// A gap that a solve in its own place closes by less than this part stays open.
+constexpr double worth_a_solve = 1e-3;
+
+bool is_surface_term(FrontFigure figure) {
+    return std::ranges::find(surface_terms, figure) != surface_terms.end();
+}
+
+PeakTriple triple_of(const Eigen::Vector3d& value) {
+    return {value[0], value[1], value[2]};
+}
+Eigen::Vector3d vector_of(const PeakTriple& value) {
+    return {value[0], value[1], value[2]};
+}
+
+Scene weighted(const Scene& scene, const Eigen::Vector3d& weights) {
+    Scene one = scene;
+    for (std::size_t k = 0; k < surface_terms.size(); ++k)
+        set_weight(one, surface_terms[k], weights[static_cast<Eigen::Index>(k)]);
+    return one;
+}
+
+void refuse_other_terms(const Scene& scene) {
+    const auto refuse = [](const std::string& name) {
+        throw InputError(
+            fmt::format("--surface: found objective.{} > 0; allowed: velocity, acceleration and jerk, whose "
+                        "weights it goes through, and no other term",
+                        name));
+    };
+    for (const CostTerm& term : cost_terms())
+        if (!is_surface_term(term.figure) && term.weight_in(scene.objective) > 0.0) refuse(term.name());
+    for (const ResponseTerm& term : response_terms())
+        if (term.weight_in(scene.objective) > 0.0) refuse(term.name);
+    for (int d = 0; d < dimension_count; ++d) {
+        const auto dimension = static_cast<DimensionIndex>(d);
+        if (weight_of(scene, dimension) > 0.0) refuse(name_of(dimension));
+    }
+    if (!scene.own_terms.empty())
+        throw InputError("--surface: found a cost term of one's own; allowed: velocity, acceleration, jerk");
+}
+
+/// Bounds from above and below, fed solve by solve.
+class SurfaceSearch {
+ public:
+    SurfaceSearch(const Scene& scene, const SurfaceRequest& request, const SolveControl& control,
+                  std::vector<SweepRow> known, const std::function<void(const TradeOffSurface&)>& finished)
+        : scene_(scene),
+          request_(request),
+          control_(control),
+          known_(std::move(known)),
+          finished_(finished) {}
+
+    [[nodiscard]] TradeOffSurface run();
+
+ private:
+    /// The next row: one that is known, or a solve. False: the search ends with it.
+    bool take(const Eigen::Vector3d& weights);
+    [[nodiscard]] SweepRow solve(const Eigen::Vector3d& weights);
+    [[nodiscard]] bool has_motion_and_bound(const SweepRow& row);
+    bool begin();
+    void measure(HullTriangle& triangle) const;
+    [[nodiscard]] HullTriangle* widest();
+    void describe();
+
+    const Scene& scene_;
+    const SurfaceRequest& request_;
+    const SolveControl& control_;
+    std::vector<SweepRow> known_;
+    const std::function<void(const TradeOffSurface&)>& finished_;
+    SolveSequence sequence_;
+    TradeOffSurface surface_;
+    std::vector<Eigen::Vector3d> points_;  ///< p of each row
+};
+
+SweepRow SurfaceSearch::solve(const Eigen::Vector3d& weights) {
+    const int number = static_cast<int>(surface_.table.rows.size());
+    const Scene scene = weighted(scene_, weights);
+    return sweep_row(number, triple_of(weights), sequence_.solve(scene, control_));
+}
+
+bool SurfaceSearch::has_motion_and_bound(const SweepRow& row) {
+    const PeakTriple point = row.is_feasible() ? surface_.point(row) : PeakTriple{infinity, 0.0, 0.0};
+    return row.lower_bound && std::ranges::all_of(point, [](double peak) { return std::isfinite(peak); });
+}
+
+bool SurfaceSearch::take(const Eigen::Vector3d& weights) {
+    std::vector<SweepRow>& rows = surface_.table.rows;
+    const auto next = rows.size();
+    const std::vector<double> settings{weights[0], weights[1], weights[2]};
+    if (next < known_.size() && known_[next].settings == settings) {
+        rows.push_back(known_[next]);
+    } else {
+        known_.resize(std::min(known_.size(), next));
+        if (control_.stopped()) {
+            surface_.end = SurfaceEnd::interrupted;
+            return false;
+        }
+        SweepRow row = solve(weights);
+        if (control_.stopped()) {  // what it came to then is an accident
+            surface_.end = SurfaceEnd::interrupted;
+            return false;
+        }
+        rows.push_back(std::move(row));
+    }
+    if (!has_motion_and_bound(rows.back())) {
+        surface_.end = SurfaceEnd::no_motion;
+        return false;
+    }
+    points_.push_back(vector_of(surface_.point(rows.back())));
+    return true;
+}
+
+/// The three corners.
+bool SurfaceSearch::begin() {
+    std::array<double, 3> heights{};
+    for (int k = 0; k < 3; ++k) {
+        if (!take(Eigen::Vector3d::Unit(k))) return false;
+        heights[static_cast<std::size_t>(k)] = *surface_.table.rows.back().lower_bound;
+    }
+    surface_.hull.emplace(heights);
+    return true;
+}
+
+/// How far the least of w · p lies above the triangle at most, and where.
+void SurfaceSearch::measure(HullTriangle& triangle) const {
+    Eigen::Matrix3d corners;
+    for (std::size_t k = 0; k < 3; ++k)
+        corners.row(static_cast<Eigen::Index>(k)) = surface_.hull->weights(triangle.corners[k]);
+    std::vector<PeakTriple> rows;
+    rows.reserve(points_.size());
+    for (const Eigen::Vector3d& point : points_) {
+        const Eigen::Vector3d values = corners * (point - triangle.plane);
+        rows.push_back(triple_of(values));
+    }
+    const GameValue game = solve_game_by_cuts(rows);
+    triangle.widest = corners.transpose() * vector_of(game.mix);
+    double upper = infinity;
+    for (const Eigen::Vector3d& point : points_) upper = std::min(upper, triangle.widest.dot(point));
+    triangle.gap = game.bound / std::max(1.0, std::abs(upper));
+}
+
+/// The triangle of the widest gap that another solve may close; null: none is above the error asked for. Gaps
+/// only shrink as points are added, so that an old one that is small enough need not be measured again.
+HullTriangle* SurfaceSearch::widest() {
+    std::vector<HullTriangle>& triangles = surface_.hull->triangles();
+    for (HullTriangle& triangle : triangles)
+        if (triangle.gap > 0.9 * request_.error) measure(triangle);
+    HullTriangle* most = nullptr;
+    for (HullTriangle& triangle : triangles)
+        if (!triangle.settled && triangle.gap + gap_rounding > request_.error &&
+            (most == nullptr || triangle.gap > most->gap))
+            most = &triangle;
+    return most;
+}
+
+void SurfaceSearch::describe() {
+    if (!surface_.hull) return;
+    surface_.error = 0.0;
+    surface_.triangles.clear();
+    for (HullTriangle& triangle : surface_.hull->triangles()) {
+        if (!std::isfinite(triangle.gap)) measure(triangle);
+        surface_.error = std::max(surface_.error, triangle.gap + gap_rounding);
+        surface_.triangles.push_back(triangle.corners);
+    }
+}
+
+TradeOffSurface SurfaceSearch::run() {
+    for (const FrontFigure term : surface_terms)
+        surface_.table.columns.keys.push_back(fmt::format("objective.{}", name_of(FrontGoal(term))));
+    surface_.table.columns.criteria = {"velocity", "acceleration", "jerk"};
+    surface_.table.columns.length_unit = scene_.length_unit;
+    for (std::size_t k = 0; k < 3; ++k) surface_.reference[k] = reference_of(scene_, surface_terms[k]);
+    if (!begin()) return std::move(surface_);
+    while (true) {
+        HullTriangle* const triangle = widest();
+        if (finished_) {
+            describe();
+            finished_(surface_);
+        }
+        if (triangle == nullptr) {
+            describe();
+            surface_.end = surface_.error <= request_.error ? SurfaceEnd::reached : SurfaceEnd::own_gaps;
+            return std::move(surface_);
+        }
+        if (static_cast<int>(surface_.table.rows.size()) >= request_.most_solves) {
+            surface_.end = SurfaceEnd::solves;
+            break;
+        }
+        const Eigen::Vector3d weights = triangle->widest;
+        const double gap = triangle->gap;
+        const std::array<int, 3> corners = triangle->corners;
+        if (!take(weights)) break;
+        surface_.hull->add(weights, *surface_.table.rows.back().lower_bound);
+        // The same triangle with the same gap: the solve's own gap is as wide.
+        for (HullTriangle& same : surface_.hull->triangles()) {
+            if (same.corners != corners) continue;
+            measure(same);
+            same.settled = same.gap > (1.0 - worth_a_solve) * gap;
+        }
+    }
+    describe();
+    return std::move(surface_);
+}
+
+}  // namespace
+
+void SurfaceRequest::validate(const Scene& scene) const {
+    if (!(error > 0.0 && error < 1.0))
+        throw InputError(
+            fmt::format("--surface {:g}: allowed: an error between 0 and 1, for example 1e-4", error));
+    if (most_solves < 3) throw InputError(fmt::format("--most {}: allowed: 3 solves or more", most_solves));
+    refuse_other_terms(scene);
+    for (const FrontFigure term : surface_terms) {
+        const double reference = reference_of(scene, term);
+        if (!std::isfinite(reference) || reference <= 0.0)
+            throw InputError(fmt::format(
+                "--surface: the reference of {} is {:g}; allowed: finite references > 0 of velocity, "
+                "acceleration and jerk, as those of \"modified_sine\" are",
+                name_of(FrontGoal(term)), reference));
+    }
+}
+
+const char* name_of(SurfaceEnd value) {
+    switch (value) {
+        case SurfaceEnd::reached:
+            return "reached";
+        case SurfaceEnd::solves:
+            return "solves";
+        case SurfaceEnd::own_gaps:
+            return "own_gaps";
+        case SurfaceEnd::no_motion:
+            return "no_motion";
+        case SurfaceEnd::interrupted:
+            break;
+    }
+    return "interrupted";
+}
+
+PeakTriple TradeOffSurface::point(const SweepRow& row) const {
+    PeakTriple point{};
+    for (std::size_t k = 0; k < 3; ++k)
+        point[k] = row.figure(surface_terms[k]).value_or(infinity) / reference[k];
+    return point;
+}
+
+SurfaceValue TradeOffSurface::at(const PeakTriple& weights) const {
+    const double sum = weights[0] + weights[1] + weights[2];
+    if (!(std::isfinite(sum) && sum > 0.0 && std::ranges::min(weights) >= 0.0))
+        throw InputError(fmt::format("weights {:g}, {:g}, {:g}; allowed: numbers >= 0 with a positive sum",
+                                     weights[0], weights[1], weights[2]));
+    if (!hull) throw InputError("there is no surface: fewer than three motions were found");
+    const Eigen::Vector3d share = vector_of(weights) / sum;
+    SurfaceValue value;
+    value.lower = hull->at(share);
+    value.upper = infinity;
+    for (const SweepRow& row : table.rows) {
+        if (!row.is_feasible()) continue;
+        const double here = share.dot(vector_of(point(row)));
+        if (here >= value.upper) continue;
+        value.upper = here;
+        value.nearest = row.number;
+    }
+    return value;
+}
+
+TradeOffSurface trade_off_surface(const Scene& scene, const SurfaceRequest& request,
+                                  const SolveControl& control, std::vector<SweepRow> known,
+                                  const std::function<void(const TradeOffSurface&)>& finished) {
+    request.validate(scene);
+    return SurfaceSearch(scene, request, control, std::move(known), finished).run();
+}
+
+}  // namespace camopt

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The least weighted sum of the peaks V, A, J for every weight, to a stated error, by few solves.
+//
+// f(w) = min over all motions of w · p with p = (V, A, J) over the scene's references is concave in w,
+// whatever the motions are. Each solve at a weight w_k gives a motion, hence f(w) <= w · p_k everywhere, and
+// a proved bound b_k <= f(w_k). So for every w
+//
+//     hull of (w_k, b_k) at w  <=  f(w)  <=  min over k of w · p_k,
+//
+// and where the two lie farthest apart is where the next solve belongs (sandwich algorithm; A. Siem, D. den
+// Hertog, A. Hoffmann, INFORMS J. Comput. 23 (2011)). On each triangle of the hull the farthest place is a
+// matrix game of three columns. Where the scene is convex the points p_k span the surface of all trade-offs:
+// some motion lies at or below every point of a triangle between three of them.
+#pragma once
+
+#include "solvers/solver.hpp"
+#include "studies/compare/law_losses.hpp"
+#include "studies/surface/weight_hull.hpp"
+#include "studies/sweep/sweep_row.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+struct SurfaceRequest {
+    double error = 1e-4;     ///< of the objective, relative to the larger of 1 and itself; in (0, 1)
+    int most_solves = 5000;  ///< >= 3
+
+    /// Throws InputError for numbers out of range, and for a scene whose objective has other terms than V, A
+    /// and J or no finite references of these.
+    void validate(const Scene& scene) const;
+};
+
+enum class SurfaceEnd {
+    reached,      ///< the error asked for
+    solves,       ///< most_solves
+    own_gaps,     ///< what single solves leave unproved is more than the error asked for
+    no_motion,    ///< a solve found none, or none with a bound: its row says why
+    interrupted,  ///< by the control
+};
+[[nodiscard]] const char* name_of(SurfaceEnd value);
+
+/// f lies between the two.
+struct SurfaceValue {
+    double lower = 0.0, upper = 0.0;
+    int nearest = 0;  ///< the row whose motion has `upper`
+};
+
+struct TradeOffSurface {
+    SweepTable table;        ///< one row a solve, keys objective.velocity, .acceleration, .jerk
+    PeakTriple reference{};  ///< of V, A, J
+    std::vector<std::array<int, 3>> triangles;  ///< of rows: neighbours on the surface
+    std::optional<WeightHull> hull;             ///< of the proved bounds; none with fewer than three motions
+    double error = infinity;  ///< proved, for every weight; infinity where there are fewer than three motions
+    SurfaceEnd end = SurfaceEnd::no_motion;
+
+    /// weights >= 0 with a positive sum; throws InputError else, and where there is no surface. For their
+    /// share of the sum.
+    [[nodiscard]] SurfaceValue at(const PeakTriple& weights) const;
+    /// p of a row.
+    [[nodiscard]] PeakTriple point(const SweepRow& row) const;
+};
+
+/// known: rows of an earlier run of the same scene, which are not solved again. `finished` sees the surface
+/// after every solve. Throws as solve() does.
+[[nodiscard]] TradeOffSurface trade_off_surface(
+    const Scene& scene, const SurfaceRequest& request, const SolveControl& control = {},
+    std::vector<SweepRow> known = {}, const std::function<void(const TradeOffSurface&)>& finished = {});
+
+}  // namespace camopt
