@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "linear/sparse_symmetric.hpp"
 
-#include "core/errors.hpp"
 #include "linear/chain_factor.hpp"
+#include "linear/shifted_factor.hpp"
 #include "linear/suitesparse_factors.hpp"
 
 #include <Eigen/Dense>
@@ -19,53 +19,32 @@ using Matrix = SymmetricFactor::Matrix;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-class SimplicialFactor final : public SymmetricFactor {
+class SimplicialFactor final : public ShiftedFactor {
  public:
-    void analyse(const Matrix& lower, std::vector<int> signs) override {
-        if (lower.rows() != lower.cols() || static_cast<Index>(signs.size()) != lower.rows())
-            throw ModelError("SymmetricFactor: a square matrix and one sign a row are needed");
-        signs_ = std::move(signs);
-        shifted_ = lower;
-        shifted_.makeCompressed();
-        diagonal_.assign(signs_.size(), -1);
-        for (Index j = 0; j < shifted_.cols(); ++j)
-            for (Index p = shifted_.outerIndexPtr()[j]; p < shifted_.outerIndexPtr()[j + 1]; ++p)
-                if (shifted_.innerIndexPtr()[p] == j) diagonal_[static_cast<std::size_t>(j)] = p;
-        if (std::find(diagonal_.begin(), diagonal_.end(), Index{-1}) != diagonal_.end())
-            throw ModelError("SymmetricFactor: every diagonal entry must be stored");
-        if (shifted_.rows() > 0) factor_.analyzePattern(shifted_);
-    }
-
-    FactorOutcome factorize(const Matrix& lower, const VectorXd& shift) override {
-        if (lower.nonZeros() != shifted_.nonZeros() || shift.size() != shifted_.rows())
-            throw ModelError("SymmetricFactor: not the analysed pattern");
-        if (shifted_.rows() == 0) return FactorOutcome::ok;
-        std::copy_n(lower.valuePtr(), lower.nonZeros(), shifted_.valuePtr());
-        for (std::size_t i = 0; i < signs_.size(); ++i)
-            shifted_.valuePtr()[diagonal_[i]] += signs_[i] * shift[static_cast<Index>(i)];
-        factor_.factorize(shifted_);
-        if (factor_.info() != Eigen::Success) return FactorOutcome::zero_pivot;
-        const VectorXd pivots = factor_.vectorD();
-        if (!pivots.allFinite()) return FactorOutcome::not_finite;
-        const auto& order = factor_.permutationPinv().indices();
-        for (Index k = 0; k < pivots.size(); ++k) {
-            const Index row = order.size() == 0 ? k : order[k];
-            if (pivots[k] * signs_[static_cast<std::size_t>(row)] <= 0.0) return FactorOutcome::wrong_sign;
-        }
-        return FactorOutcome::ok;
-    }
-
     void solve_in_place(VectorXd& right_side) const override {
         if (right_side.size() > 0) right_side = factor_.solve(right_side).eval();
     }
 
     std::string_view name() const override { return "simplicial"; }
 
+ protected:
+    void analyse_pattern(const Matrix& lower) override { factor_.analyzePattern(lower); }
+
+    FactorOutcome factorize_values(const Matrix& lower) override {
+        factor_.factorize(lower);
+        if (factor_.info() != Eigen::Success) return FactorOutcome::zero_pivot;
+        const VectorXd pivots = factor_.vectorD();
+        if (!pivots.allFinite()) return FactorOutcome::not_finite;
+        const auto& order = factor_.permutationPinv().indices();
+        for (Index k = 0; k < pivots.size(); ++k) {
+            const Index row = order.size() == 0 ? k : order[k];
+            if (pivots[k] * signs()[static_cast<std::size_t>(row)] <= 0.0) return FactorOutcome::wrong_sign;
+        }
+        return FactorOutcome::ok;
+    }
+
  private:
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
-    Matrix shifted_;
-    std::vector<int> signs_;
-    std::vector<Index> diagonal_;
 };
 
 VectorXd residual_of(const Matrix& lower, const VectorXd& x, const VectorXd& right_side) {

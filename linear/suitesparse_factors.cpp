@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "linear/suitesparse_factors.hpp"
 
-#include "core/errors.hpp"
+#include "linear/shifted_factor.hpp"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/KLUSupport>
 
-#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -15,39 +14,6 @@ namespace {
 using Matrix = SymmetricFactor::Matrix;
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// What both share: the shifted lower triangle, of a fixed pattern.
-class ShiftedFactor : public SymmetricFactor {
- public:
-    void analyse(const Matrix& lower, std::vector<int> signs) final {
-        if (lower.rows() != lower.cols() || static_cast<Index>(signs.size()) != lower.rows())
-            throw ModelError("SymmetricFactor: a square matrix and one sign a row are needed");
-        signs_ = std::move(signs);
-        shifted_ = lower;
-        shifted_.makeCompressed();
-        if (shifted_.rows() > 0) analyse_pattern(shifted_);
-    }
-
-    FactorOutcome factorize(const Matrix& lower, const VectorXd& shift) final {
-        if (lower.nonZeros() != shifted_.nonZeros() || shift.size() != shifted_.rows())
-            throw ModelError("SymmetricFactor: not the analysed pattern");
-        if (shifted_.rows() == 0) return FactorOutcome::ok;
-        std::copy_n(lower.valuePtr(), lower.nonZeros(), shifted_.valuePtr());
-        // Of a lower triangle with sorted columns the diagonal comes first.
-        for (Index j = 0; j < shifted_.cols(); ++j)
-            shifted_.valuePtr()[shifted_.outerIndexPtr()[j]] +=
-                signs_[static_cast<std::size_t>(j)] * shift[j];
-        return factorize_values(shifted_) ? FactorOutcome::ok : FactorOutcome::zero_pivot;
-    }
-
- protected:
-    virtual void analyse_pattern(const Matrix& lower) = 0;
-    virtual bool factorize_values(const Matrix& lower) = 0;
-
- private:
-    Matrix shifted_;
-    std::vector<int> signs_;
-};
 
 class CholmodFactor final : public ShiftedFactor {
  public:
@@ -61,9 +27,9 @@ class CholmodFactor final : public ShiftedFactor {
         factor_.cholmod().print = 0;  // a library prints nothing
         factor_.analyzePattern(lower);
     }
-    bool factorize_values(const Matrix& lower) override {
+    FactorOutcome factorize_values(const Matrix& lower) override {
         factor_.factorize(lower);
-        return factor_.info() == Eigen::Success;
+        return factor_.info() == Eigen::Success ? FactorOutcome::ok : FactorOutcome::zero_pivot;
     }
 
  private:
@@ -88,10 +54,10 @@ class KluFactor final : public ShiftedFactor {
         source_.assign(whole.valuePtr(), whole.valuePtr() + whole.nonZeros());
         factor_.analyzePattern(full_);
     }
-    bool factorize_values(const Matrix& lower) override {
+    FactorOutcome factorize_values(const Matrix& lower) override {
         for (std::size_t k = 0; k < source_.size(); ++k) full_.valuePtr()[k] = lower.valuePtr()[source_[k]];
         factor_.factorize(full_);
-        return factor_.info() == Eigen::Success;
+        return factor_.info() == Eigen::Success ? FactorOutcome::ok : FactorOutcome::zero_pivot;
     }
 
  private:

@@ -75,6 +75,8 @@ struct CaseProof {
 /// the problem that the bound is of, by using the tolerance of its limits.
 [[nodiscard]] bool bound_passes(double objective, double bound, double tolerance);
 
+struct BoxProof;  // solvers/certificate/box_proof.hpp
+
 struct Certificate {
     Verdict verdict = Verdict::failed;
     Reason reason = Reason::none;       ///< why it is not better
@@ -86,6 +88,8 @@ struct Certificate {
     ProofKind proof_kind = ProofKind::none;
     std::optional<DualityProof> proof;
     std::vector<CaseProof> cases;  ///< ProofKind::boxes: lower_bound is the least of their bounds
+    /// ProofKind::boxes without cases: the planes and boxes that the bound follows from.
+    std::shared_ptr<const BoxProof> box_proof;
 };
 
 }  // namespace camopt

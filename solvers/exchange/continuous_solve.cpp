@@ -2,6 +2,7 @@
 #include "solvers/exchange/continuous_solve.hpp"
 
 #include "solvers/certificate/duality.hpp"
+#include "solvers/certificate/forget_proof.hpp"
 #include "solvers/exchange/elastic.hpp"
 #include "solvers/exchange/relaxed_limits.hpp"
 #include "solvers/structured/structured_solver.hpp"
@@ -99,10 +100,7 @@ void settle_passed_bound(ContinuousResult& result, const ContinuousProblem& prob
         return bound_passes(certificate.objective, bound, judge.tolerance);
     };
     if (!certificate.lower_bound || !passes(*certificate.lower_bound)) return;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
+    forget_proof(certificate);
     result.proof_source.clear();
     if (!(certificate.worst_violation <= judge.tolerance)) return;  // nothing is delivered
     BackendOptions options;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A bound over boxes as a list of inequalities, each of which follows from earlier ones: what
+// Certificate::box_proof holds, and all that a checker needs.
+//
+// x are the problem's variables, within `box`. Every step is an inequality  weights · x <= side:
+//   linear   a row of the scene: a linear rule at a cam angle, a condition, a row on parameters
+//   cost     cost · x + constant is at most that of the motion at hand: only better motions are looked for
+//   plane    of a rule that is not linear, at a cam angle: slope · z + constant <= rule (times something
+//            positive) wherever z = (y, y', y'', y''', parameters of the rule) lies in the step's box, so
+//            that the rule, where it is kept, gives slope · z + constant <= 0. `ends` names the steps that
+//            the ends of that box are; −1: what `box` says by itself.
+//   derived  with the multipliers λ >= 0 of earlier steps, and x within `box` and what `bounds` (steps that
+//            bound one variable) leave of it:  weights · x <= Σ λ_i side_i + Σ_j max(r_j x_j),
+//            r = weights − Σ λ_i weights_i; the greatest over x_j between its bounds
+//   split    an assumption of one part; the other part has its opposite
+// A part ends with the bound that its multipliers give for −cost · x in the same way, or in a contradiction
+// (infeasible). The parts are the leaves of a binary tree of splits, so that together they hold everything.
+#pragma once
+
+#include "core/numbers/interval.hpp"
+#include "core/row_origin.hpp"
+#include "solvers/certificate/certificate.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+struct BoxStep {
+    enum class Kind { linear, cost, plane, derived, split };
+    Kind kind = Kind::linear;
+    Eigen::VectorXd weights;
+    double side = 0.0;
+    RowOrigin origin;                                 ///< linear, plane
+    std::vector<std::pair<int, double>> multipliers;  ///< derived: of steps
+    std::vector<int> bounds;                          ///< derived: steps that bound one variable
+    // Of a plane.
+    std::vector<Interval> box;             ///< of z
+    std::vector<std::array<int, 2>> ends;  ///< of each interval: the steps of its lower and its upper end
+    Eigen::VectorXd slope;
+    double constant = 0.0;
+};
+[[nodiscard]] const char* name_of(BoxStep::Kind value);
+
+struct BoxPart {
+    std::vector<int> splits;  ///< steps of kind split that it assumes, from the whole inwards
+    std::vector<std::pair<int, double>> multipliers;
+    std::vector<int> bounds;
+    double bound = 0.0;  ///< of cost · x + constant; infeasible: +infinity
+    bool infeasible = false;
+};
+
+struct BoxProof {
+    std::vector<std::string> variables;
+    Eigen::VectorXd cost;
+    double constant = 0.0;
+    Box box;
+    std::vector<BoxStep> steps;
+    std::vector<BoxPart> parts;
+    double bound = 0.0;  ///< the least of the parts' bounds and of the cost of the motion at hand
+};
+
+/// Without the steps that no part rests on.
+[[nodiscard]] BoxProof pruned(const BoxProof& proof);
+
+/// The least of the parts' bounds, each step and part added up again in long double and rounded outward.
+/// +infinity: every part ends in a contradiction. Throws ModelError where a step claims more than it follows
+/// from. That planes lie under their rules and linear rows are those of the scene is not looked at.
+[[nodiscard]] double recomputed_bound(const BoxProof& proof);
+
+}  // namespace camopt

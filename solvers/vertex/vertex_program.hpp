@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// One linear program and many costs: what bounding over boxes asks for thousands of times.
+//
+//     min c·x   subject to   a_i·x <= b_i,   l <= x <= u,   l and u finite
+//
+// A simplex method on dense rows that goes from corner to corner of what is left: another cost starts at the
+// corner of the last one (primal steps), new rows are met from the last optimum (dual steps). Right sides are
+// moved out by a hair while it runs, so that no two corners coincide; the bound knows nothing of that.
+//
+// The bound is proved whatever the steps did: for any multipliers λ >= 0 of the rows,
+//     c·x >= −Σ λ_i b_i + Σ_j min(r_j l_j, r_j u_j),   r = c + Σ λ_i a_i,
+// added up in long double and rounded outward.
+#pragma once
+
+#include "core/infinity.hpp"
+#include "solvers/solver.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace camopt {
+
+struct VertexBound {
+    enum class Status {
+        optimal,
+        infeasible,  ///< proved: the multipliers give 0 > 0
+        stopped      ///< by the clock or by rounding: the bound holds all the same
+    };
+    Status status = Status::stopped;
+    double bound = -infinity;  ///< c·x of every point is at least this; infeasible: +infinity
+    Eigen::VectorXd x;         ///< the corner; empty where there is none
+    std::vector<std::pair<int, double>> multipliers;  ///< row, λ > 0
+};
+
+class VertexProgram {
+ public:
+    /// Throws ModelError where a bound is infinite.
+    VertexProgram(Eigen::VectorXd lower, Eigen::VectorXd upper);
+
+    [[nodiscard]] int variables() const { return static_cast<int>(lower_.size()); }
+    [[nodiscard]] int rows() const { return static_cast<int>(side_.size()); }
+    /// a·x <= b; its number is rows() before.
+    void add_row(const Eigen::VectorXd& a, double b);
+    /// Lets rows go whose place in `kept` is 0, all but those the corner at hand lies on. Returns what stays,
+    /// by old numbers, ascending.
+    std::vector<int> drop_rows(std::vector<char> kept);
+    /// l <= x_j <= u, inside what it was.
+    void set_bounds(int j, double lower, double upper);
+    [[nodiscard]] double lower(int j) const { return lower_[j]; }
+    [[nodiscard]] double upper(int j) const { return upper_[j]; }
+    /// b_i − a_i·x >= 0 where the row is kept.
+    [[nodiscard]] double slack(int row, const Eigen::VectorXd& x) const;
+
+    [[nodiscard]] VertexBound minimize(const Eigen::VectorXd& cost, const SolveControl& control);
+    /// The proved bound that these multipliers give.
+    [[nodiscard]] double bound_of(const Eigen::VectorXd& cost,
+                                  const std::vector<std::pair<int, double>>& multipliers) const;
+    [[nodiscard]] long steps() const { return steps_; }
+
+ private:
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    enum class Outcome { done, infeasible, stuck, ended };
+
+    /// What a corner lies on: a row (>= 0), the lower bound of variable j (−1 − 2j), the upper one (−2 − 2j).
+    using Face = int;
+    [[nodiscard]] static Face lower_face(Eigen::Index j) { return -1 - 2 * static_cast<int>(j); }
+    [[nodiscard]] static Face upper_face(Eigen::Index j) { return -2 - 2 * static_cast<int>(j); }
+    [[nodiscard]] Eigen::VectorXd normal(Face face) const;
+    [[nodiscard]] double side(Face face) const;
+    void start_at_bounds(const Eigen::VectorXd& cost);
+    [[nodiscard]] bool refactor();
+    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering);
+    [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
+    [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
+    [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const;
+    [[nodiscard]] VertexBound bound_at_corner(const Eigen::VectorXd& cost) const;
+    [[nodiscard]] VertexBound infeasible_bound() const;
+    [[nodiscard]] bool on_face(Face face) const;
+    void mark(Face face, char on);
+
+    Eigen::VectorXd lower_, upper_;
+    Rows normals_;                ///< its first rows() rows are in use; each scaled by a power of two
+    std::vector<double> factor_;  ///< that power
+    std::vector<double> side_;    ///< b, scaled alike
+    std::vector<double> moved_;   ///< b moved out by a hair
+    std::vector<Face> corner_;    ///< empty: none yet
+    std::vector<char> row_on_, lower_on_, upper_on_;
+    Eigen::MatrixXd inverse_;  ///< of the matrix whose rows are the normals of the corner's faces
+    Eigen::VectorXd x_, activity_;
+    Eigen::VectorXd last_cost_;  ///< the corner is optimal for it, rows added since apart
+    Eigen::VectorXd ray_;        ///< multipliers of the faces that show there is nothing
+    Face ray_face_ = 0;
+    int since_refactor_ = 0;
+    long steps_ = 0;
+    unsigned long long noise_ = 88172645463325252ULL;
+};
+
+}  // namespace camopt

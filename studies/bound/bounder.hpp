@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Private to studies/bound/: what bounds over boxes. Its parts by subject: bounder_places.cpp the cam angles,
+// bounder_rows.cpp rows, planes and the steps of the proof, bounder_boxes.cpp the boxes, box_bound.cpp the
+// order of all of it.
+#pragma once
+
+#include "studies/bound/box_bound.hpp"
+#include "studies/bound/box_node.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace camopt::box_bound {
+
+/// Not linear, of one place, and with an enclosure over boxes.
+[[nodiscard]] bool can_be_bounded(const PointRule& rule);
+
+class Bounder {
+ public:
+    Bounder(const CamModel& model, double incumbent, const BoxBoundOptions& options,
+            const SolveControl& control);
+
+    std::optional<BoxBound> run();
+
+ private:
+    [[nodiscard]] int design_size() const { return whole_.model().design.size(); }
+    [[nodiscard]] double goal() const {
+        return incumbent_ - options_.gap * std::max(1.0, std::abs(incumbent_));
+    }
+    [[nodiscard]] bool bounded() const { return std::isfinite(incumbent_); }
+    [[nodiscard]] bool is_done(const Node& node) const {
+        return node.empty || (bounded() && node.bound >= goal());
+    }
+
+    void add_places();
+    void add_place(double at, Side side);
+    void sync_linear(Node& node);
+    void sync_places(Node& node);
+    int log(BoxStep step);
+    void add_row(Node& node, int step, bool may_go = false);
+    /// Multipliers of rows as those of steps.
+    [[nodiscard]] std::vector<std::pair<int, double>> named(const Node& node, const VertexBound& found) const;
+    [[nodiscard]] std::vector<int> bounds_of(const Node& node) const;
+    void keep_bound(Node& node, const VertexBound& found);
+    void end_part(const Node& node);
+    int add_box_rows_at(Node& node, std::size_t place, const Eigen::VectorXd& state);
+    VertexBound solve(Node& node, const Eigen::VectorXd& cost);
+    /// Cuts until the bound no longer moves. False: nothing is in the node.
+    bool settle(Node& node);
+    int add_planes_at(Node& node, const Eigen::VectorXd& x);
+    bool add_plane(Node& node, std::size_t place, const Bent& bent, const Eigen::VectorXd& at, bool always);
+    [[nodiscard]] std::vector<Interval> rule_box(const Node& node, std::size_t place, int rule) const;
+    void rebuild(Node& node, std::size_t place);
+    void rebuild_all(Node& node);
+    /// One pass over the boxes. False: the node is empty.
+    bool tighten(Node& node);
+    bool tighten_end(Node& node, const StateRow& number, Interval& box, std::array<int, 2>& ends, bool upper);
+    [[nodiscard]] bool is_read(const PlaceBox& box, int order) const;
+    int linear_step(int row, int side, const BoxStep& step);
+    bool tighten_variable(Node& node, int variable);
+    bool exchange_places(Node& node);
+    void close(Node& node);
+    [[nodiscard]] std::vector<Node> halves(const Node& node);
+
+    CamProblem whole_, linear_;
+    double incumbent_;
+    BoxBoundOptions options_;
+    SolveControl control_;
+    std::vector<Place> places_;
+    std::vector<char> moves_rule_;  ///< variables that are parameters of rules that are not linear
+    Eigen::VectorXd cost_;
+    double constant_ = 0.0;
+    BoxBound result_;
+    BoxProof proof_;
+    std::map<std::pair<int, int>, int> linear_steps_;
+};
+
+}  // namespace camopt::box_bound
