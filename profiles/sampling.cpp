@@ -2,6 +2,7 @@
 #include "profiles/sampling.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -37,12 +38,13 @@ double distance_to_chord(const Eigen::Vector2d& point, const Eigen::Vector2d& fr
 
 class Sampler {
  public:
-    Sampler(const DiskCam& cam, const Motion& motion, const MotionScale& scale)
-        : cam_(cam), motion_(motion), scale_(scale) {}
+    Sampler(const DiskCam& cam, const Motion& motion, const MotionScale& scale, int side_of_cam)
+        : cam_(cam), motion_(motion), scale_(scale), side_of_cam_(side_of_cam) {}
 
     [[nodiscard]] ProfilePoint at(double x) const {
         const Side side = x < motion_.end() ? Side::right : Side::left;
-        return profile_point(cam_, scale_.unit_angle * x, state_of(motion_.at(x, side), scale_));
+        return profile_point(cam_, scale_.unit_angle * x, state_of(motion_.at(x, side), scale_),
+                             side_of_cam_);
     }
 
     /// Appends the points after `from` up to and with `to`, so dense that the chords keep the tolerance.
@@ -86,6 +88,7 @@ class Sampler {
     const DiskCam& cam_;
     const Motion& motion_;
     MotionScale scale_;
+    int side_of_cam_;
 };
 
 }  // namespace
@@ -111,11 +114,11 @@ std::vector<double> even_places(const std::vector<double>& breakpoints, int coun
 }
 
 std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
-                                          const ProfileSampling& sampling) {
+                                          const ProfileSampling& sampling, int side_of_cam) {
     if (!sampling.count && !(sampling.chord_tolerance > 0.0))
         throw InputError(
             fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
-    const Sampler sampler(cam, motion, scale);
+    const Sampler sampler(cam, motion, scale, side_of_cam);
     const std::vector<double> breakpoints = motion.breakpoints();
     std::vector<ProfilePoint> points;
     if (sampling.count) {

@@ -30,8 +30,9 @@ struct ProfileSampling {
 
 /// In order of the cam angle, from the motion's begin to its end, both included. `side` at a breakpoint:
 /// right (left at the end).
+/// side_of_cam: disk_sides.hpp.
 [[nodiscard]] std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion,
                                                         const MotionScale& scale,
-                                                        const ProfileSampling& sampling);
+                                                        const ProfileSampling& sampling, int side_of_cam = 0);
 
 }  // namespace camopt

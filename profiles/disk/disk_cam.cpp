@@ -2,6 +2,7 @@
 #include "profiles/disk/disk_cam.hpp"
 
 #include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <cmath>
 
@@ -41,7 +42,7 @@ void set_translating_roller(const DiskCam& cam, const FollowerState& state, Prof
     const auto pitch = roller.pitch();
     point.center = {cam[offset], roller.position};
     point.normal = Vector2d(-sense * pitch.across, pitch.along) / pitch.speed();
-    set_roller_values(roller, radius, point);
+    set_roller_values(roller, surface_offset(cam, 0), point);
 }
 
 void set_translating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
@@ -63,7 +64,7 @@ void set_oscillating_roller(const DiskCam& cam, const FollowerState& state, Prof
     const Vector2d arm(-c, s), swing(s, c);
     point.center = Vector2d(cam[center_distance], 0.0) + cam[arm_length] * arm;
     point.normal = (pitch.across * arm + pitch.along * swing) / pitch.speed();
-    set_roller_values(roller, cam[roller_radius], point);
+    set_roller_values(roller, surface_offset(cam, 0), point);
 }
 
 void set_oscillating_flat(const DiskCam& cam, const FollowerState& state, ProfilePoint& point) {
@@ -98,7 +99,7 @@ void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfileP
 }  // namespace
 
 DiskCam middle_cam(const CamSpec& spec) {
-    DiskCam cam{spec.follower, spec.rotation, {}};
+    DiskCam cam{spec.follower, spec.rotation, {}, spec.form};
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
     return cam;
 }
@@ -111,7 +112,7 @@ ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState
     point.pitch = turned_back(point.center, turn);
     point.normal = turned_back(point.normal, turn);
     point.contact = point.pitch;
-    if (has_roller(cam.follower)) point.contact -= cam[roller_radius] * point.normal;
+    if (has_roller(cam.follower)) point.contact -= surface_offset(cam, 0) * point.normal;
     return point;
 }
 

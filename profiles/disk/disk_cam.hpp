@@ -40,6 +40,7 @@ struct DiskCam {
     FollowerType follower = FollowerType::translating_roller;
     Rotation rotation = Rotation::counterclockwise;
     std::array<double, dimension_count> dimensions{};  ///< by DimensionIndex
+    FormSpec form = {};                                ///< both sides of it: profiles/disk/disk_sides.hpp
 
     [[nodiscard]] double operator[](DimensionIndex index) const {
         return dimensions[static_cast<std::size_t>(index)];

@@ -2,6 +2,7 @@
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 
 #include <array>
@@ -26,7 +27,7 @@ QuantityValue linear(double value, const std::array<Term, count>& terms) {
     return result;
 }
 
-/// 1 - roller radius times curvature.
+/// 1 - R times curvature, R the distance of the surface from the roller's centre.
 QuantityValue roller_regularity(const QuantityValue& pitch_curvature, double radius) {
     const QuantityValue roller = variable_quantity(radius, column_of(roller_radius));
     return shifted(scaled(product(roller, pitch_curvature), -1.0), 1.0);
@@ -50,7 +51,7 @@ QuantityValue roller_quantity(const DiskCam& cam, Quantity which, const auto& ex
             return expand(curvature);
         case Quantity::regularity:
             if (cam.follower == FollowerType::translating_knife) return constant_quantity(1.0);
-            return roller_regularity(expand(curvature), cam[roller_radius]);
+            return roller_regularity(expand(curvature), surface_offset(cam, 0));
         case Quantity::normal_lever:
             return expand([](const auto& roller) { return roller.normal_lever(); });
         case Quantity::cam_radius:

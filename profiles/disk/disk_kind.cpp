@@ -26,6 +26,14 @@ CamVariant variant(const Follower& follower) {
         all.numbers.push_back(std::move(number));
     }
     all.numbers.push_back({"cam", "face_half_width", follower.has_face_width});
+    const bool roller = follower.contact == ContactKind::roller;
+    for (const char* key : {"groove_clearance", "groove_wall", "second_roller_radius"})
+        all.numbers.push_back({"cam", key, roller});
+    for (const char* key : {"roller_distance", "second_offset"})
+        all.numbers.push_back({"cam", key, roller && !follower.oscillates});
+    for (const char* key : {"arm_angle", "second_arm_length"})
+        all.numbers.push_back({"cam", key, roller && follower.oscillates});
+    all.choices.push_back({"cam", "form", roller});
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "profiles/disk/disk_kind.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace camopt {
 namespace {
@@ -33,11 +35,12 @@ Quantity quantity_of(MechanismQuantity which) {
 
 class DiskMechanism final : public CamMechanism {
  public:
-    DiskMechanism(FollowerType follower, Rotation rotation)
-        : follower_(follower), rotation_(rotation), which_(dimensions_of(follower)) {}
+    DiskMechanism(FollowerType follower, Rotation rotation, FormSpec form)
+        : follower_(follower), rotation_(rotation), form_(std::move(form)), which_(dimensions_of(follower)) {}
 
+    /// What follows the follower's own dimensions are the form's numbers, which it has already.
     [[nodiscard]] DiskCam cam(std::span<const double> dimensions) const {
-        DiskCam own{follower_, rotation_, {}};
+        DiskCam own{follower_, rotation_, {}, form_};
         for (std::size_t i = 0; i < which_.size(); ++i)
             own.dimensions[static_cast<std::size_t>(which_[i])] = dimensions[i];
         return own;
@@ -46,8 +49,11 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] std::string type() const override { return disk_type; }
     [[nodiscard]] bool swings() const override { return is_oscillating(follower_); }
     [[nodiscard]] Rotation rotation() const override { return rotation_; }
-    [[nodiscard]] int stations() const override { return 1; }
-    [[nodiscard]] std::string station_name(int) const override { return {}; }
+    [[nodiscard]] int stations() const override { return side_count(form_); }
+    [[nodiscard]] std::string station_name(int station) const override { return side_name(form_, station); }
+    [[nodiscard]] double surface_offset(std::span<const double> dimensions, int station) const override {
+        return camopt::surface_offset(cam(dimensions), station);
+    }
     [[nodiscard]] int roller_radius() const override {
         return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
     }
@@ -67,12 +73,16 @@ class DiskMechanism final : public CamMechanism {
     }
     [[nodiscard]] std::string undercut_words() const override;
     [[nodiscard]] std::string check_words(int points) const override {
+        if (form_.is_grooved())
+            return fmt::format("a roller run along both flanks, over {} points of each", points);
+        if (form_.is_conjugate()) return fmt::format("each roller run over {} points of its disk", points);
         return fmt::format("a follower run over {} points of the cam", points);
     }
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override;
-    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int) const override {
-        return mechanism_point(profile_point(cam(state.dimensions), theta, state.output));
+    [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
+                                       int station) const override {
+        return mechanism_point(profile_point(cam(state.dimensions), theta, state.output, station));
     }
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
     [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
@@ -80,12 +90,15 @@ class DiskMechanism final : public CamMechanism {
     }
 
  private:
+    void add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
+                           const FollowerState& output, const Eigen::Vector2d& first) const;
     [[nodiscard]] int place_of(DimensionIndex dimension) const {
         return static_cast<int>(std::ranges::find(which_, dimension) - which_.begin());
     }
 
     FollowerType follower_;
     Rotation rotation_;
+    FormSpec form_;
     std::vector<DimensionIndex> which_;
 };
 
@@ -97,6 +110,20 @@ std::string DiskMechanism::undercut_words() const {
         "base radius{} {}",
         has_roller(follower_) ? " or a smaller roller" : "",
         is_oscillating(follower_) ? "may help" : "helps");
+}
+
+/// On the slide, or on an arm of its own.
+void DiskMechanism::add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
+                                      const FollowerState& output, const Eigen::Vector2d& first) const {
+    using Kind = MechanismShape::Kind;
+    const Eigen::Vector2d center = profile_point(own, 0.0, output, 1).center;
+    if (is_oscillating(follower_)) {
+        const Eigen::Vector2d pivot(own[DimensionIndex::center_distance], 0.0);
+        shapes.push_back({Kind::link, "second_arm", {center, pivot}});
+    } else {
+        shapes.push_back({Kind::link, "yoke", {first, center}});
+    }
+    shapes.push_back({Kind::circle, "second_roller", {center}, roller_radius_of(own, 1)});
 }
 
 /// A pushed follower hangs on a stem that is guided above the cam, a swinging one on an arm.
@@ -128,17 +155,19 @@ std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) c
         shapes.push_back({Kind::guide, "guide", {Vector2d(tip.x(), rest + up.y()), tip + up}});
     }
     if (has_roller(follower_)) shapes.push_back({Kind::circle, "roller", {tip}, roller});
+    if (form_.is_conjugate()) add_second_roller(shapes, own, state.output, tip);
     return shapes;
 }
 
-MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int,
+MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int station,
                                        std::span<const int> active) const {
     const auto size = static_cast<Eigen::Index>(3 + active.size());
     if (which == MechanismQuantity::pitch_curvature && !has_pitch_curve()) {
         const double none = std::numeric_limits<double>::quiet_NaN();
         return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
     }
-    const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, quantity_of(which));
+    const QuantityValue all =
+        camopt::quantity(cam(state.dimensions), state.output, quantity_of(which), station);
     std::vector<int> columns = {0, 1, 2};
     for (const int dimension : active)
         columns.push_back(column_of(which_[static_cast<std::size_t>(dimension)]));
@@ -152,6 +181,33 @@ std::vector<DimensionIndex> dimensions_of(FollowerType follower) {
     for (int d = 0; d < dimension_count; ++d)
         if (has_dimension(follower, static_cast<DimensionIndex>(d)))
             all.push_back(static_cast<DimensionIndex>(d));
+    return all;
+}
+
+std::vector<MechanismDimension> form_dimensions(FollowerType follower, const FormSpec& form) {
+    std::vector<MechanismDimension> all;
+    const auto add = [&](const char* name, double value, bool is_angle) {
+        MechanismDimension dimension{name, Dimension(value), is_angle};
+        dimension.value.key = fmt::format("cam.{}_{}", name, is_angle ? "deg" : "mm");
+        dimension.value.unit = is_angle ? units::degree : units::millimetre;
+        all.push_back(std::move(dimension));
+    };
+    const auto add_given = [&](const char* name, const std::optional<double>& value) {
+        if (value) add(name, *value, false);
+    };
+    if (form.is_grooved()) {
+        add("groove_clearance", form.groove_clearance, false);
+        add_given("groove_wall", form.groove_wall);
+    }
+    if (!form.is_conjugate()) return all;
+    if (is_oscillating(follower)) {
+        add("arm_angle", form.arm_angle, true);
+        add_given("second_arm_length", form.second_arm_length);
+    } else {
+        add("roller_distance", form.roller_distance, false);
+        add_given("second_offset", form.second_offset);
+    }
+    add_given("second_roller_radius", form.second_roller_radius);
     return all;
 }
 
@@ -174,6 +230,7 @@ MechanismSpec disk_spec(const CamSpec& cam) {
     spec.type = disk_type;
     spec.rotation = cam.rotation;
     spec.choices["follower"] = name_of(cam.follower);
+    spec.choices["form"] = name_of(cam.form.type);
     for (const DimensionIndex which : dimensions_of(cam.follower)) {
         MechanismDimension dimension{name_of(which), cam[which], false};
         if (dimension.value.key.empty()) {
@@ -182,13 +239,17 @@ MechanismSpec disk_spec(const CamSpec& cam) {
         }
         spec.dimensions.push_back(std::move(dimension));
     }
-    spec.formulas = std::make_shared<DiskMechanism>(cam.follower, cam.rotation);
+    for (MechanismDimension& dimension : form_dimensions(cam.follower, cam.form))
+        spec.dimensions.push_back(std::move(dimension));
+    spec.formulas = std::make_shared<DiskMechanism>(cam.follower, cam.rotation, cam.form);
     return spec;
 }
 
 DrivenMechanism disk_mechanism(const DiskCam& cam) {
-    DrivenMechanism mechanism{std::make_shared<DiskMechanism>(cam.follower, cam.rotation), {}};
+    DrivenMechanism mechanism{std::make_shared<DiskMechanism>(cam.follower, cam.rotation, cam.form), {}};
     for (const DimensionIndex which : dimensions_of(cam.follower)) mechanism.dimensions.push_back(cam[which]);
+    for (const MechanismDimension& dimension : form_dimensions(cam.follower, cam.form))
+        mechanism.dimensions.push_back(dimension.value.low);
     return mechanism;
 }
 

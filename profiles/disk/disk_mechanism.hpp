@@ -2,7 +2,8 @@
 // The disk cam with any of its followers as a CamMechanism: what reports, checks and files see of it, as they
 // see every other cam. The optimizer takes the formulas of disk_cam.hpp themselves.
 //
-// Its dimensions are those the follower has, in the order of DimensionIndex; one station. m, rad.
+// Its dimensions are those the follower has, in the order of DimensionIndex, then the numbers of its form; a
+// station is a side (disk_sides.hpp). m, rad.
 #pragma once
 
 #include "profiles/disk/disk_cam.hpp"
@@ -16,6 +17,9 @@ namespace camopt {
 
 /// The dimensions a follower has, in the order in which they stand here.
 [[nodiscard]] std::vector<DimensionIndex> dimensions_of(FollowerType follower);
+
+/// The numbers of the form that are given, as fixed dimensions with their keys.
+[[nodiscard]] std::vector<MechanismDimension> form_dimensions(FollowerType follower, const FormSpec& form);
 
 /// The cam of a scene: type "disk", its follower as the choice "follower", a key for every dimension, and the
 /// formulas.

@@ -3,6 +3,7 @@
 // with s as long as the conditions before it hold, so the two extremes of s decide.
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +90,9 @@ std::string oscillating_flat_fault(const DiskCam& cam, double least, double most
 
 }  // namespace
 
-std::string geometry_fault(const DiskCam& cam, double least, double most) {
+namespace {
+
+std::string one_disk_fault(const DiskCam& cam, double least, double most) {
     if (std::string fault = dimension_fault(cam); !fault.empty()) return fault;
     switch (cam.follower) {
         case FollowerType::translating_roller:
@@ -103,6 +106,33 @@ std::string geometry_fault(const DiskCam& cam, double least, double most) {
             break;
     }
     return oscillating_flat_fault(cam, least, most);
+}
+
+/// Inside the groove, and on the cam's other side.
+std::string form_fault(const DiskCam& cam, double least, double most) {
+    if (cam.form.is_grooved()) {
+        const double inner = cam[base_radius] - 0.5 * cam.form.groove_clearance;
+        if (inner > 0.0) return {};
+        return fmt::format("the groove's clearance leaves the inner flank a base circle of {}",
+                           length_text(inner));
+    }
+    if (!cam.form.is_conjugate()) return {};
+    const double rest = second_rest_position(cam);
+    const bool swings = is_oscillating(cam.follower);
+    if (!(rest - most > 0.0) || (swings && !(rest - least < std::numbers::pi)))
+        return fmt::format(
+            "the second roller would pass the {}: {} is left where the follower stands highest",
+            swings ? "line of centres" : "cam centre",
+            swings ? angle_text(rest - most) : length_text(rest - most));
+    const std::string fault = one_disk_fault(second_disk(cam), -most, -least);
+    return fault.empty() ? fault : "second disk: " + fault;
+}
+
+}  // namespace
+
+std::string geometry_fault(const DiskCam& cam, double least, double most) {
+    std::string fault = one_disk_fault(cam, least, most);
+    return fault.empty() ? form_fault(cam, least, most) : fault;
 }
 
 }  // namespace camopt

@@ -2,6 +2,7 @@
 #include "profiles/disk/quantity_along.hpp"
 
 #include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 namespace camopt {
 namespace {
@@ -20,7 +21,7 @@ RangeAlong roller_quantity(const DiskCam& cam, const Roller& roller, Quantity wh
             return roller.pitch().curvature();
         case Quantity::regularity:
             if (!has_roller(cam.follower)) return {1.0};
-            return RangeAlong(1.0) - cam[roller_radius] * roller.pitch().curvature();
+            return RangeAlong(1.0) - surface_offset(cam, 0) * roller.pitch().curvature();
         case Quantity::normal_lever:
             return roller.normal_lever();
         case Quantity::cam_radius:

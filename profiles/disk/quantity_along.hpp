@@ -6,7 +6,7 @@
 // text of a formula of (cam, state) gives its partials (FollowerState) and its enclosure (StateAlong).
 #pragma once
 
-#include "core/range_along.hpp"
+#include "core/numbers/range_along.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 

@@ -105,23 +105,20 @@ GuidePoint point_at(const GuidePolarSpline& spline, double distance) {
     return point;
 }
 
-Vector2d begin_of(const GuideLine& line) {
-    return line.begin;
+/// Where a piece begins and ends.
+struct PieceEnds {
+    Vector2d begin, end;
+};
+
+PieceEnds ends_of(const GuideLine& line) {
+    return {line.begin, line.end};
 }
-Vector2d begin_of(const GuideArc& arc) {
-    return arc.begin;
+PieceEnds ends_of(const GuideArc& arc) {
+    return {arc.begin, arc.end};
 }
-Vector2d begin_of(const GuidePolarSpline& spline) {
-    return spline.nodes.front().distance * at_angle(spline.nodes.front().angle);
-}
-Vector2d end_of(const GuideLine& line) {
-    return line.end;
-}
-Vector2d end_of(const GuideArc& arc) {
-    return arc.end;
-}
-Vector2d end_of(const GuidePolarSpline& spline) {
-    return spline.nodes.back().distance * at_angle(spline.nodes.back().angle);
+PieceEnds ends_of(const GuidePolarSpline& spline) {
+    const auto place = [](const PolarNode& node) -> Vector2d { return node.distance * at_angle(node.angle); };
+    return {place(spline.nodes.front()), place(spline.nodes.back())};
 }
 
 std::string fault_of(const GuideLine& line) {
@@ -185,13 +182,15 @@ std::string growth_fault(const GuidePiece& piece, double begin, double end) {
                        growth.begin > least_growth ? end : begin);
 }
 
+PieceEnds ends_of_piece(const GuidePiece& piece) {
+    return std::visit([](const auto& one) { return ends_of(one); }, piece);
+}
+
 std::string fault_of_piece(const GuidePiece& piece) {
     const std::string own = std::visit([](const auto& one) { return fault_of(one); }, piece);
     if (!own.empty()) return own;
-    const auto norm_of = [](const Vector2d& point) { return point.norm(); };
-    const double begin = std::visit([&](const auto& one) { return norm_of(begin_of(one)); }, piece);
-    const double end = std::visit([&](const auto& one) { return norm_of(end_of(one)); }, piece);
-    return growth_fault(piece, begin, end);
+    const PieceEnds ends = ends_of_piece(piece);
+    return growth_fault(piece, ends.begin.norm(), ends.end.norm());
 }
 
 }  // namespace
@@ -201,10 +200,9 @@ Guide::Guide(std::vector<GuidePiece> pieces) : pieces_(std::move(pieces)) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const std::string fault = fault_of_piece(pieces_[i]);
         if (!fault.empty()) throw InputError(fmt::format("piece {} of the guide: {}", i + 1, fault));
-        const Vector2d begin = std::visit([](const auto& one) { return begin_of(one); }, pieces_[i]);
-        const Vector2d end = std::visit([](const auto& one) { return end_of(one); }, pieces_[i]);
+        const auto [begin, end] = ends_of_piece(pieces_[i]);
         if (i > 0) {
-            const Vector2d before = std::visit([](const auto& one) { return end_of(one); }, pieces_[i - 1]);
+            const Vector2d before = ends_of_piece(pieces_[i - 1]).end;
             const double gap = (begin - before).norm();
             if (!(gap <= meeting_tolerance * end.norm()))
                 throw InputError(fmt::format("pieces {} and {} of the guide are {} m apart; they must meet",

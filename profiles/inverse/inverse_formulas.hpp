@@ -5,6 +5,8 @@
 // roller's and the feeder's motion are by: time, or the cam angle.
 #pragma once
 
+#include "core/numbers/range_over.hpp"
+#include "core/numbers/squared.hpp"
 #include "profiles/inverse/feeder_linkage.hpp"
 
 #include <cmath>
@@ -45,22 +47,31 @@ struct Backwards {
     T discriminant;            ///< < 0: the rocker misses the pin
 };
 
+/// Over a box nothing is decided: a root of what may be negative is everything.
+template <class T>
+[[nodiscard]] bool misses(const T& discriminant) {
+    return !(discriminant > 0.0);
+}
+[[nodiscard]] inline bool misses(const RangeOver&) {
+    return false;
+}
+
 template <class T>
 [[nodiscard]] Backwards<T> backwards(const LinkageNumbers<T>& linkage, const Branch& branch,
                                      const Feeder<T>& feeder) {
     using std::sqrt;
     const T tangent = T(feeder.position - linkage.pivot_y) / linkage.offset;
-    const T squared = T(1.0) / T(T(1.0) + tangent * tangent);  // cos² phi
-    const T turning = T(feeder.velocity * squared) / linkage.offset;
+    const T cosine_squared = T(1.0) / T(T(1.0) + squared(tangent));  // cos² phi
+    const T turning = T(feeder.velocity * cosine_squared) / linkage.offset;
     const T turning_rate =
-        T(T(feeder.acceleration * squared) / linkage.offset) - T(2.0 * T(turning * turning) * tangent);
-    const T ex = T(branch.side * branch.offset_sign) * T(sqrt(squared)), ey = ex * tangent;
+        T(T(feeder.acceleration * cosine_squared) / linkage.offset) - T(2.0 * T(turning * turning) * tangent);
+    const T ex = T(branch.side * branch.offset_sign) * T(sqrt(cosine_squared)), ey = ex * tangent;
     Backwards<T> result;
     const T projection = T(linkage.pivot_x * ex) + T(linkage.pivot_y * ey);
     const T pivot_squared = T(linkage.pivot_x * linkage.pivot_x) + T(linkage.pivot_y * linkage.pivot_y);
     result.discriminant =
         T(projection * projection) + T(T(linkage.pin_distance * linkage.pin_distance) - pivot_squared);
-    if (!(result.discriminant > 0.0)) return result;
+    if (misses(result.discriminant)) return result;
     result.reach = T(-projection) - T(branch.nearer * T(sqrt(result.discriminant)));
     result.pin_x = linkage.pivot_x + T(result.reach * ex);
     result.pin_y = linkage.pivot_y + T(result.reach * ey);
@@ -79,18 +90,27 @@ struct Roller {
     T distance, velocity, acceleration;
 };
 
-/// Curvature of the guide: (L psi'' + psi' (2 + L² psi'²)) / (1 + L² psi'²)^(3/2), here ' by L.
+/// The guide's slope, its tangent L ψ', and what its curvature is over (1 + L² ψ'²)^(3/2).
 template <class T>
-[[nodiscard]] T guide_curvature(const Roller<T>& roller, const Backwards<T>& body) {
-    using std::sqrt;
+struct GuideBend {
+    T tangent, top;
+};
+template <class T>
+[[nodiscard]] GuideBend<T> guide_bend(const Roller<T>& roller, const Backwards<T>& body) {
     const T slope = T(-body.velocity) / roller.velocity;
     const T bend =
         -T(body.acceleration + T(slope * roller.acceleration)) / T(roller.velocity * roller.velocity);
     const T tangent = roller.distance * slope;
-    const T squared = tangent * tangent;
-    const T secant = squared + T(1.0);
-    const T top = T(roller.distance * bend) + T(slope * T(squared + T(2.0)));
-    return top / T(secant * T(sqrt(secant)));
+    return {tangent, T(T(roller.distance * bend) + T(slope * T(squared(tangent) + T(2.0))))};
+}
+
+/// Curvature of the guide: (L psi'' + psi' (2 + L² psi'²)) / (1 + L² psi'²)^(3/2), here ' by L.
+template <class T>
+[[nodiscard]] T guide_curvature(const Roller<T>& roller, const Backwards<T>& body) {
+    using std::sqrt;
+    const GuideBend<T> guide = guide_bend(roller, body);
+    const T secant = squared(guide.tangent) + T(1.0);
+    return guide.top / T(secant * T(sqrt(secant)));
 }
 
 }  // namespace camopt::inverse

@@ -111,6 +111,11 @@ class InverseMechanism final : public CamMechanism {
         return active.empty() ? expanded<4>(which, state, station, active)
                               : expanded<4 + inverse_number_count>(which, state, station, active);
     }
+    [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state,
+                                                         int station) const override;
+    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     /// The body turns as its guide tells it to.
     [[nodiscard]] double turned(const MechanismState& state) const override {
@@ -127,6 +132,56 @@ class InverseMechanism final : public CamMechanism {
     static MechanismValue expanded(MechanismQuantity which, const MechanismState& state, int station,
                                    std::span<const int> active);
 };
+
+/// A mechanism over a box: its roller, its linkage, its feeder without the derivatives of its motion.
+struct InverseOver {
+    std::array<RangeOver, inverse_number_count> numbers;
+    inverse::Roller<RangeOver> roller;
+    inverse::LinkageNumbers<RangeOver> linkage;
+    inverse::Branch branch;
+    RangeOver position;
+
+    explicit InverseOver(const MechanismStateOver& state) {
+        std::vector<double> middle;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            numbers[i] = state.dimensions[i];
+            middle.push_back(0.5 * (numbers[i].value.lower + numbers[i].value.upper));
+        }
+        const auto of = [&](InverseNumber which) { return numbers[static_cast<std::size_t>(which)]; };
+        roller = roller_at<RangeOver>(numbers, RangeOver(state.theta));
+        linkage = {of(pin_distance), of(rocker_pivot_x), of(rocker_pivot_y), of(feeder_offset)};
+        branch = inverse::branch_of(linkage_of(middle));
+        position = state.s + of(feeder_start);
+    }
+    [[nodiscard]] inverse::Backwards<RangeOver> body(const RangeOver& velocity,
+                                                     const RangeOver& acceleration) const {
+        return inverse::backwards<RangeOver>(linkage, branch, {position, velocity, acceleration});
+    }
+    /// dθ/ds of the body, which is also the coefficient of s'' in θ''.
+    [[nodiscard]] RangeOver ratio() const { return body(1.0, 0.0).velocity; }
+};
+
+/// Over cos φ · L |dθ/ds|: ∓ s' and a function of s.
+std::optional<RangeOver> InverseMechanism::pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state, int) const {
+    const InverseOver own(state);
+    const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
+    const RangeOver cosine = cos(Interval(limit)), sine = sin(Interval(limit));
+    return -sign * (turned * state.velocity) - (sine * own.roller.velocity) / (cosine * (turned * lever));
+}
+
+/// margin − 1 ± r κ times (1 + L² ψ'²)^(3/2) L'²/(r L |dθ/ds|): linear in s''.
+std::optional<RangeOver> InverseMechanism::regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const {
+    const InverseOver own(state);
+    const auto still = inverse::guide_bend<RangeOver>(own.roller, own.body(state.velocity, 0.0));
+    const RangeOver cubed = cube_of_root(squared(still.tangent) + RangeOver(1.0));
+    const RangeOver radius = own.numbers[static_cast<std::size_t>(InverseNumber::roller_radius)];
+    const RangeOver lever = own.roller.distance * own.ratio(), turned = sign_of(lever);
+    const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
+    return room * squared(own.roller.velocity) / (turned * lever) -
+           side_of(station) * (turned * state.acceleration);
+}
 
 template <int n>
 MechanismValue InverseMechanism::expanded(MechanismQuantity which, const MechanismState& state, int station,

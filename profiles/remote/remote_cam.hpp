@@ -45,6 +45,13 @@ class RemoteCam final : public CamMechanism {
                                     double most) const override;
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override;
+    [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state,
+                                                         int station) const override;
+    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const override;
+    [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
+                                                       int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
 

@@ -169,6 +169,7 @@ template <class T>
 struct RollerState {
     T along, across, arm, velocity, acceleration;
     double sense = 1.0;
+    T ratio;  ///< of the arm's angle to the output: ψ_s
 
     [[nodiscard]] T normal_along() const { return T(along - T(arm * velocity) * sense); }
     [[nodiscard]] const T& normal_across() const { return across; }
@@ -177,15 +178,17 @@ struct RollerState {
         const T a = normal_along();
         return T(sqrt(T(a * a + across * across)));
     }
-    /// κ = −σ V × V'/|V|³, V' in the cam frame.
-    [[nodiscard]] T curvature() const {
+    /// κ |V|³ = −σ V × V', V' in the cam frame.
+    [[nodiscard]] T turning() const {
         const T v_along = across * sense, v_across = T(-normal_along()) * sense;
         const T swing = arm * velocity;
         const T a_along = T(swing * (2.0 * sense)) - T(swing * velocity) - along;
         const T a_across = T(arm * acceleration) - across;
+        return T(T(T(v_along * a_across) - T(v_across * a_along)) * (-sense));
+    }
+    [[nodiscard]] T curvature() const {
         const T w = speed();
-        const T turning = T(v_along * a_across) - T(v_across * a_along);
-        return T(turning * (-sense)) / T(T(w * w) * w);
+        return turning() / T(T(w * w) * w);
     }
 };
 
@@ -203,7 +206,8 @@ RollerState<T> roller_state(const Linkage<T>& linkage, const std::array<T, 3>& o
             length,
             velocity,
             acceleration,
-            sense};
+            sense,
+            arm.first};
 }
 
 }  // namespace camopt::remote

@@ -2,7 +2,7 @@
 #include "profiles/spatial/interference.hpp"
 
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "profiles/spatial/largest_along.hpp"
 
 #include <Eigen/Geometry>

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/extremum.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 
 #include <algorithm>

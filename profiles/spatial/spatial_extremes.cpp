@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_extremes.hpp"
 
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "profiles/spatial/largest_along.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 

@@ -5,6 +5,7 @@
 // C_θθ = C'' − 2σ z × C' + z × (z × C), e_θ = e' − σ z × e.
 #pragma once
 
+#include "core/numbers/squared.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include <cmath>
@@ -28,11 +29,12 @@ template <class T>
 struct AxisMotion {
     T across_travel, along_b, along_axis;  ///< V·u, V·b, V·e
     T turn_u, turn_b;                      ///< A·u, A·b
+    T lever;                               ///< ∂(A·u)/∂q''
     T tilt_u, tilt_b;                      ///< e_θ·u, e_θ·b
 };
 
-template <class T>
-[[nodiscard]] AxisMotion<T> barrel_motion(const Variables<T>& v, double sense, double height) {
+template <class T, class Height>
+[[nodiscard]] AxisMotion<T> barrel_motion(const Variables<T>& v, double sense, const Height& height) {
     using std::cos, std::sin;
     const T sine = sin(v.position), cosine = cos(v.position);
     const T rho = v.center_distance - height;
@@ -42,14 +44,15 @@ template <class T>
     m.along_b = -sense * rho * cosine;
     m.along_axis = sense * lateral;
     m.turn_u = v.arm_length * v.acceleration + lateral * sine;
-    m.turn_b = v.arm_length * v.velocity * v.velocity + lateral * cosine;
+    m.turn_b = v.arm_length * squared(v.velocity) + lateral * cosine;
+    m.lever = v.arm_length;
     m.tilt_u = sense * sine;
     m.tilt_b = sense * cosine;
     return m;
 }
 
-template <class T>
-[[nodiscard]] AxisMotion<T> rotating_motion(const Variables<T>& v, double sense, double height) {
+template <class T, class Height>
+[[nodiscard]] AxisMotion<T> rotating_motion(const Variables<T>& v, double sense, const Height& height) {
     using std::cos, std::sin;
     const T sine = sin(v.position), cosine = cos(v.position);
     const T rho = v.arm_length + height;
@@ -60,13 +63,14 @@ template <class T>
     m.along_axis = sense * v.lateral_offset * cosine;
     m.turn_u = rho * v.acceleration - radial * sine;
     m.turn_b = 2.0 * sense * rho * v.velocity * sine - v.lateral_offset;
+    m.lever = rho;
     m.tilt_u = v.velocity;
     m.tilt_b = -sense * cosine;
     return m;
 }
 
-template <class T>
-[[nodiscard]] AxisMotion<T> translating_motion(const Variables<T>& v, double sense, double height) {
+template <class T, class Height>
+[[nodiscard]] AxisMotion<T> translating_motion(const Variables<T>& v, double sense, const Height& height) {
     AxisMotion<T> m;
     m.across_travel = v.velocity;
     m.along_b = sense * T(v.center_distance - height);
@@ -76,11 +80,13 @@ template <class T>
     // A zero that has the derivatives of a zero.
     m.tilt_u = 0.0 * v.velocity;
     m.tilt_b = m.tilt_u - sense;
+    m.lever = m.tilt_u + 1.0;
     return m;
 }
 
-template <class T>
-[[nodiscard]] AxisMotion<T> axis_motion(const SpatialCam& cam, const Variables<T>& variables, double height) {
+template <class T, class Height>
+[[nodiscard]] AxisMotion<T> axis_motion(const SpatialCam& cam, const Variables<T>& variables,
+                                        const Height& height) {
     const double sense = sense_of(cam.rotation);
     switch (cam.follower) {
         case SpatialFollower::barrel:
@@ -109,11 +115,11 @@ struct UndercutTerms {
 template <class T>
 [[nodiscard]] UndercutTerms<T> undercut_terms(const AxisMotion<T>& m) {
     using std::sqrt;
-    const T squared = m.across_travel * m.across_travel + m.along_b * m.along_b;
-    const T inverse = T(1.0) / squared;
+    const T speed_squared = squared(m.across_travel) + squared(m.along_b);
+    const T inverse = T(1.0) / speed_squared;
     const T turn = m.turn_b * m.across_travel - m.turn_u * m.along_b;
     const T tilt = m.tilt_b * m.across_travel - m.tilt_u * m.along_b;
-    return {T(turn - 2.0 * m.along_axis * tilt) * inverse / T(sqrt(squared)), tilt * inverse};
+    return {T(turn - 2.0 * m.along_axis * tilt) * inverse / T(sqrt(speed_squared)), tilt * inverse};
 }
 
 template <class T>

@@ -23,7 +23,7 @@ std::vector<KeyRow> spatial_rows() {
          "`cylindrical` with a `translating` follower only."},
         {"cam", "roller_length", number_or_range, length, positive, {}, "required for barrel, cylindrical",
          "Length of the roller; every limit holds from its near to its far end."},
-        {"cam", "lateral_offset", number_or_range, length, any, {}, "required for barrel, else 0",
+        {"cam", "lateral_offset", number_or_range, length, any, {}, "0",
          "From the cam's axis across it: to the pivot of a rotating or the axis of a translating follower (+x); "
          "of a barrel cam's index axis (−x)."},
         {"cam", "axial_offset", number, length, any, {}, "0",
@@ -47,9 +47,8 @@ std::string key_of(SpatialFollower follower, SpatialNumber number) {
 CamNumber number_of(SpatialFollower follower, int index) {
     const auto number = static_cast<SpatialNumber>(index);
     CamNumber one{"cam", key_of(follower, number), true, {}, 0.0, index};
-    const bool aside = number == SpatialNumber::lateral_offset && follower != barrel;
-    if (number == SpatialNumber::axial_offset || number == SpatialNumber::start || aside || one.key.empty())
-        one.value = 0.0;
+    const bool is_offset = number == SpatialNumber::lateral_offset || number == SpatialNumber::axial_offset;
+    if (is_offset || number == SpatialNumber::start || one.key.empty()) one.value = 0.0;
     if (number == SpatialNumber::start && swings(follower)) one.per_lift = -0.5;
     return one;
 }

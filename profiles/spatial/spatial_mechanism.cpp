@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_mechanism.hpp"
 
+#include "profiles/spatial/spatial_over.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 
 #include <fmt/format.h>
@@ -106,6 +107,13 @@ class SpatialMechanism final : public CamMechanism {
     [[nodiscard]] MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
                                                  int station, std::span<const int> active) const override;
     [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const override;
+    [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state,
+                                                         int station) const override;
+    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const override {
+        return spatial_formulas::undercut_over(sort(), state, place_on_roller(station), margin);
+    }
 
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
@@ -127,6 +135,16 @@ class SpatialMechanism final : public CamMechanism {
     }
 
  private:
+    static spatial_formulas::PlaceOnRoller place_on_roller(int station) {
+        return {static_cast<double>(station / 2) / (mechanism_heights - 1), station % 2 == 0 ? 1 : -1};
+    }
+    /// What it is without its numbers.
+    [[nodiscard]] SpatialCam sort() const {
+        SpatialCam cam;
+        cam.follower = follower_;
+        cam.rotation = rotation_;
+        return cam;
+    }
     static SpatialQuantity quantity_of(MechanismQuantity which) {
         if (which == MechanismQuantity::pressure_numerator) return SpatialQuantity::pressure_numerator;
         if (which == MechanismQuantity::pressure_denominator) return SpatialQuantity::pressure_denominator;
@@ -153,6 +171,15 @@ Curvature SpatialMechanism::pressure_shape(std::span<const int> active) const {
                which != SpatialNumber::axial_offset;
     });
     return fixed ? Curvature::convex : Curvature::general;
+}
+
+std::optional<RangeOver> SpatialMechanism::pressure_over(double limit, int sign,
+                                                         const MechanismStateOver& state, int station) const {
+    std::vector<int> active;
+    for (std::size_t k = 0; k < state.dimensions.size(); ++k)
+        if (state.dimensions[k].size() > 0) active.push_back(static_cast<int>(k));
+    return spatial_formulas::pressure_over(sort(), state, place_on_roller(station),
+                                           {limit, sign, pressure_shape(active) == Curvature::convex});
 }
 
 /// Barrel cams: beyond 0 <= u <= π continued by the tangents of −ρ sin u, so that it is convex everywhere.

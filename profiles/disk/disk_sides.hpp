@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The sides of a disk cam: the surfaces that its follower touches. An open cam has one; a groove has two
+// flanks, a conjugate cam a disk on either side of the follower.
+//
+// Side 0 is what an open cam of the same dimensions has: the inner flank, the first disk. A force F > 0 along
+// the lift presses on it, F < 0 on side 1: the cam drives both ways, and a least force is not needed.
+//
+// Groove. Both flanks are offsets of the pitch curve by R = roller radius + clearance/2. The outer flank is
+// the surface of material outside: with the pitch curve's curvature κ it has the pitch curvature −κ, so
+//   outward normal −n (towards the roller),  radius −1/κ − R (concave where the pitch curve is convex),
+//   regularity 1 + R κ,  and the roller of radius r lies on either flank with the combined radius
+//   R_eff = r (1 − R κ_side)/(1 − (R − r) κ_side).
+//
+// Conjugate. The second roller is carried by the same follower. Translating: its centre at
+// (e2, s0 + s − D), D between the rollers' axes; oscillating: its arm below the line of centres by ψ2 = γ −
+// ψ, γ between the arms. Seen in the mirror of the x axis that is an open cam of its own whose follower moves
+// by −s: second_disk(). Its points here are mirrored back. The disks are fixed to one shaft.
+#pragma once
+
+#include "core/numbers/range_along.hpp"
+#include "profiles/disk/disk_cam.hpp"
+
+#include <string>
+
+namespace camopt {
+
+[[nodiscard]] int side_count(const DiskCam& cam);
+[[nodiscard]] int side_count(const FormSpec& form);
+/// "inner flank", "second disk"; empty: there is but one.
+[[nodiscard]] std::string side_name(const FormSpec& form, int side);
+/// +1 where a force F > 0 presses on it, −1 where F < 0 does.
+[[nodiscard]] constexpr double pressing_sense(int side) {
+    return side == 0 ? 1.0 : -1.0;
+}
+/// Of the roller on this side, m; 0 without a roller.
+[[nodiscard]] double roller_radius_of(const DiskCam& cam, int side);
+/// From the roller's centre to the surface: R above; m.
+[[nodiscard]] double surface_offset(const DiskCam& cam, int side);
+
+/// The second disk of a conjugate cam in the mirror of the x axis, as an open cam: run by −s, −s', −s''. A
+/// base radius that is not positive, or NaN: there is none.
+[[nodiscard]] DiskCam second_disk(const DiskCam& cam);
+[[nodiscard]] FollowerState second_state(const FollowerState& state);
+/// What the second roller's distance (m) or angle (rad) along the follower's way is at s = 0: D − s0, γ − ψ0.
+[[nodiscard]] double second_rest_position(const DiskCam& cam);
+
+[[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state,
+                                         int side);
+
+/// As quantity() of disk_cam.hpp and quantity_along.hpp, of one side; partials by the variables of the whole
+/// cam. Of the second disk the pressure angle is signed as in its mirror.
+[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which,
+                                     int side);
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which, int side);
+
+/// roller_radius_of with its partials, and with its enclosure.
+[[nodiscard]] QuantityValue roller_on(const DiskCam& cam, const FollowerState& state, int side);
+[[nodiscard]] RangeAlong roller_on(const DiskCam& cam, const StateAlong& state, int side);
+
+}  // namespace camopt
