@@ -22,6 +22,8 @@ struct Violation {
     Extremum where;       ///< the rule's own value there
     double amount = 0.0;  ///< relative to the rule's scale; > 0 is violated, < 0 is slack
     bool limit = false;   ///< a limit of the user's scene, not a peak variable that lags behind its curve
+    /// Of rules that look at the motion as a whole: what beside the place belongs to the row (a speed, …).
+    std::vector<double> setting = {};
 };
 
 /// A box proved to hold at least one minimizer (or, for an infeasibility proof, every feasible point).

@@ -15,6 +15,9 @@ struct RowOrigin {
     std::optional<double> at;  ///< x; none: it belongs to no place of the motion
     Side side = Side::right;   ///< of x, where something may jump
     bool limit = false;        ///< a hard limit of the user's scene
+    std::optional<int> order =
+        {};        ///< the highest derivative that the rule reads; none: no rule of the motion
+    int sign = 0;  ///< ±1 where a rule has two sides, one for each sign; else 0
 
     /// "limits.velocity_mm_s (face turns back) at x = 0.25-"; the minus: the side below x.
     [[nodiscard]] std::string text() const;

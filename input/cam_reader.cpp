@@ -29,6 +29,17 @@ namespace {
     source.fail(source.table("cam")->place, joined_key("cam", name_of(index)), "missing");
 }
 
+void read_form(const SceneSource& source, FormSpec& form) {
+    source.read_choice("cam", "form", {CamForm::open, CamForm::grooved, CamForm::conjugate}, form.type);
+    source.read_number("cam", "groove_clearance", form.groove_clearance);
+    form.groove_wall = source.number("cam", "groove_wall");
+    source.read_number("cam", "roller_distance", form.roller_distance);
+    source.read_number("cam", "arm_angle", form.arm_angle);
+    form.second_roller_radius = source.number("cam", "second_roller_radius");
+    form.second_offset = source.number("cam", "second_offset");
+    form.second_arm_length = source.number("cam", "second_arm_length");
+}
+
 /// Forces have units of N where the follower translates and of N m where it swings.
 void check_force_unit(const SceneSource& source, std::string_view table, std::string_view quantity,
                       bool oscillating) {
@@ -96,6 +107,7 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
             refuse_dimension(source, *width, cam, followers_with_face_width());
         cam.face_half_width = width->number();
     }
+    read_form(source, cam.form);
     return cam;
 }
 

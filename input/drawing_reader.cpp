@@ -22,6 +22,7 @@ std::optional<DrawingSpec> read_drawing(const SceneSource& source) {
     drawing.bore = source.number("drawing", "bore");
     drawing.keyway = read_keyway(source);
     drawing.thickness = source.number("drawing", "thickness");
+    drawing.groove_depth = source.number("drawing", "groove_depth");
     source.read_number("drawing", "datum", drawing.datum);
     const auto words = [&](std::string_view name, std::string& target) {
         if (const auto given = source.find("drawing.title_block", name)) target = given->value().text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/motion_reader.hpp"
 
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "input/keys/key_check.hpp"
 #include "input/set_point_reader.hpp"

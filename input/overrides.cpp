@@ -2,6 +2,7 @@
 #include "input/overrides.hpp"
 
 #include "core/text/printable.hpp"
+#include "core/text/split_text.hpp"
 #include "input/scene_source.hpp"
 
 #include <fmt/format.h>
@@ -17,12 +18,6 @@ constexpr std::string_view example = "KEY=VALUE, for example motion.rise_deg=90 
 
 [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) {
     throw PlacedError(place, error_prefix("", place, key) + std::string(what));
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// "segments[1]": an entry of an array.

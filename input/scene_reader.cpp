@@ -8,6 +8,7 @@
 #include "input/document_reader.hpp"
 #include "input/document_text.hpp"
 #include "input/drawing_reader.hpp"
+#include "input/dynamics_reader.hpp"
 #include "input/keys/key_check.hpp"
 #include "input/measured/measured_reader.hpp"
 #include "input/mechanism_reader.hpp"
@@ -47,6 +48,7 @@ class SceneReader {
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);
         scene.drawing = read_drawing(source_);
+        scene.dynamics = read_dynamics(source_, scene.motion);
         scene.solver = read_solver();
         const std::optional<MeasuredInput> measured = read_measured(source_, scene.motion, known_);
         if (measured) scene.measured = measured->motion;
@@ -104,6 +106,8 @@ class SceneReader {
         ObjectiveSpec objective;
         for (const CostTerm& term : cost_terms())
             source_.read_number("objective", term.name(), objective.*term.weight);
+        for (const ResponseTerm& term : response_terms())
+            source_.read_number("objective", term.name, objective.*term.weight);
         for (int i = 0; i < dimension_count; ++i)
             source_.read_number("objective", name_of(static_cast<DimensionIndex>(i)),
                                 objective.dimensions[static_cast<std::size_t>(i)]);
@@ -129,6 +133,8 @@ class SceneReader {
         reference.numeric = true;
         for (const CostTerm& term : cost_terms())
             reference.*term.reference = source_.number(table, term.name());
+        for (const ResponseTerm& term : response_terms())
+            reference.*term.reference = source_.number(table, term.name);
         return reference;
     }
 
@@ -141,7 +147,10 @@ class SceneReader {
             solver.name = given->value().text;
         }
         source_.read_number("solver", "tolerance", solver.tolerance);
-        source_.read_number("solver", "gap", solver.gap);
+        if (source_.find("solver", "gap")) {
+            solver.gap = 0.0;
+            source_.read_number("solver", "gap", *solver.gap);
+        }
         source_.read_number("solver", "max_seconds", solver.max_seconds);
         if (const auto starts = source_.find("solver", "starts"))
             solver.starts = static_cast<int>(starts->value().integer);

@@ -13,6 +13,7 @@
 
 #include "core/curvature.hpp"
 #include "core/follower_state.hpp"
+#include "core/numbers/range_over.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>
@@ -50,6 +51,13 @@ struct MechanismState {
     std::span<const double> dimensions;
     FollowerState output;
     double theta = 0.0;  ///< cam angle, rad: for mechanisms whose input does not turn evenly (inverse)
+};
+
+/// A mechanism over a box: each number a function of what the box is of.
+struct MechanismStateOver {
+    std::vector<RangeOver> dimensions;
+    RangeOver s, velocity, acceleration;
+    Interval theta;
 };
 
 /// One point of the cam at one station. Planar: z = 0.
@@ -104,6 +112,12 @@ class CamMechanism {
     }
     /// Where in the dimensions the roller's radius stands; -1: there is no roller.
     [[nodiscard]] virtual int roller_radius() const = 0;
+    /// From the roller's centre to the cam's surface at a station, m: the roller's radius, but in a groove.
+    [[nodiscard]] virtual double surface_offset(std::span<const double> dimensions, int station) const {
+        static_cast<void>(station);
+        const int roller = roller_radius();
+        return roller < 0 ? 0.0 : dimensions[static_cast<std::size_t>(roller)];
+    }
     /// Planar: the cam is the outline of a disk with a curvature, and can be drawn.
     [[nodiscard]] virtual bool planar() const = 0;
     /// The cam is the guide of a roller in the body that moves (profiles/inverse).
@@ -143,6 +157,36 @@ class CamMechanism {
     [[nodiscard]] virtual Curvature pressure_shape(std::span<const int> active) const {
         static_cast<void>(active);
         return Curvature::general;
+    }
+    /// What encloses the three limits below over a box, or that times something positive: the mechanism's own
+    /// choice, one that leaves little that is curved. Everything where it may be out of reach somewhere in
+    /// the box. Empty: nobody has written that down.
+    /// pressure_excess.
+    [[nodiscard]] virtual std::optional<RangeOver> pressure_over(double limit, int sign,
+                                                                 const MechanismStateOver& state,
+                                                                 int station) const {
+        static_cast<void>(limit);
+        static_cast<void>(sign);
+        static_cast<void>(state);
+        static_cast<void>(station);
+        return {};
+    }
+    /// margin − regularity.
+    [[nodiscard]] virtual std::optional<RangeOver> regularity_over(double margin,
+                                                                   const MechanismStateOver& state,
+                                                                   int station) const {
+        static_cast<void>(margin);
+        static_cast<void>(state);
+        static_cast<void>(station);
+        return {};
+    }
+    /// (roller radius + shift) κ − 1, of planar cams.
+    [[nodiscard]] virtual std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
+                                                               int station) const {
+        static_cast<void>(shift);
+        static_cast<void>(state);
+        static_cast<void>(station);
+        return {};
     }
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;

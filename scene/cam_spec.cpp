@@ -7,4 +7,9 @@ const char* name_of(Rotation value) {
     return value == Rotation::counterclockwise ? "counterclockwise" : "clockwise";
 }
 
+const char* name_of(CamForm value) {
+    if (value == CamForm::open) return "open";
+    return value == CamForm::grooved ? "grooved" : "conjugate";
+}
+
 }  // namespace camopt

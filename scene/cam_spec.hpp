@@ -18,6 +18,31 @@ enum class Rotation { counterclockwise, clockwise };
     return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
 }
 
+/// How the cam holds its follower.
+enum class CamForm {
+    open,      ///< on one side: a force presses the follower on it
+    grooved,   ///< its roller runs in a groove, between two flanks: the cam drives both ways
+    conjugate  ///< two disks on one shaft, each with a roller of the one follower: the cam drives both ways
+};
+
+[[nodiscard]] const char* name_of(CamForm value);
+
+/// The form of a disk cam and the numbers it needs; those that another form needs are left alone. m, rad.
+struct FormSpec {
+    CamForm type = CamForm::open;
+    double groove_clearance = 0.0;      ///< groove: its width less the roller's diameter, half on either side
+    std::optional<double> groove_wall;  ///< groove: of its outer wall where it is thinnest; roller radius
+    double roller_distance = 0.0;       ///< conjugate, translating: between the rollers' axes along the lift
+    double arm_angle = 0.0;             ///< conjugate, oscillating: between the arms, in (0, 2π)
+    /// Of the second roller, conjugate; none: as those of the first.
+    std::optional<double> second_roller_radius, second_offset, second_arm_length;
+
+    [[nodiscard]] bool is_grooved() const { return type == CamForm::grooved; }
+    [[nodiscard]] bool is_conjugate() const { return type == CamForm::conjugate; }
+    /// The cam pulls the follower back too: no force has to press it on.
+    [[nodiscard]] bool drives_both_ways() const { return type != CamForm::open; }
+};
+
 /// A dimension of the cam: a number, or a range in which the optimizer is free. m.
 struct Dimension {
     double low = 0.0, high = 0.0;
@@ -38,6 +63,7 @@ struct CamSpec {
     Rotation rotation = Rotation::counterclockwise;
     std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
     std::optional<double> face_half_width;                ///< translating flat face, m: |s'| <= it
+    FormSpec form = {};                                   ///< rollers only: others are open
 
     [[nodiscard]] Dimension& operator[](DimensionIndex index) {
         return dimensions[static_cast<std::size_t>(index)];

@@ -36,6 +36,16 @@ constexpr std::array<CostTerm, cost_figure_count> rows = {{
      "Weight of the root mean square of the jerk.",
      "Reference of the root mean square of the jerk."},
 }};
+constexpr std::array<ResponseTerm, 2> response_rows = {{
+    {ResponseFigure::residual, "residual", "R",
+     &ObjectiveSpec::residual, &Reference::residual,
+     "Weight of the residual vibration R, the amplitude of the output after each rise and return.",
+     "Reference of the residual vibration, in lifts."},
+    {ResponseFigure::dynamic_acceleration, "dynamic_acceleration", "D",
+     &ObjectiveSpec::dynamic_acceleration, &Reference::dynamic_acceleration,
+     "Weight of D, the largest acceleration of the output on its elastic train.",
+     "Reference of the output's acceleration, normalised as A."},
+}};
 // clang-format on
 
 constexpr bool in_order() {
@@ -53,6 +63,15 @@ std::span<const CostTerm> cost_terms() {
 
 const CostTerm& cost_term(CostFigure figure) {
     return rows.at(static_cast<std::size_t>(figure));
+}
+
+std::span<const ResponseTerm> response_terms() {
+    return response_rows;
+}
+
+bool weighs_response(const ObjectiveSpec& objective) {
+    return std::ranges::any_of(response_rows,
+                               [&](const ResponseTerm& term) { return term.weight_in(objective) > 0.0; });
 }
 
 const char* name_of(CostFigure figure) {

@@ -44,6 +44,25 @@ struct CostTerm {
     [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
 };
 
+/// What the elastic follower train makes of a motion, beside the figures of the motion itself.
+enum class ResponseFigure { residual, dynamic_acceleration };
+
+/// A term over the train's response. Its figure is no member of Peaks: it takes a train and a speed.
+struct ResponseTerm {
+    ResponseFigure figure{};
+    const char* name{};    ///< "residual": the key below [objective] and [objective.reference]
+    const char* symbol{};  ///< in formulas and tables
+    double ObjectiveSpec::*weight{};
+    std::optional<double> Reference::*reference{};
+    const char* weight_meaning{};
+    const char* reference_meaning{};
+
+    [[nodiscard]] double weight_in(const ObjectiveSpec& objective) const { return objective.*weight; }
+};
+[[nodiscard]] std::span<const ResponseTerm> response_terms();
+/// Whether any of them has a weight.
+[[nodiscard]] bool weighs_response(const ObjectiveSpec& objective);
+
 /// Every term, by CostFigure.
 [[nodiscard]] std::span<const CostTerm> cost_terms();
 [[nodiscard]] const CostTerm& cost_term(CostFigure figure);

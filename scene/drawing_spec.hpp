@@ -28,10 +28,11 @@ struct TitleBlock {
 };
 
 struct DrawingSpec {
-    std::optional<double> bore = {};       ///< m, diameter, > 0; none: the cam has no hole
-    std::optional<Keyway> keyway = {};     ///< only in a bore
-    std::optional<double> thickness = {};  ///< m, > 0
-    double datum = 0.0;                    ///< rad: where the cam is marked; tables count from there
+    std::optional<double> bore = {};          ///< m, diameter, > 0; none: the cam has no hole
+    std::optional<Keyway> keyway = {};        ///< only in a bore
+    std::optional<double> thickness = {};     ///< m, > 0
+    std::optional<double> groove_depth = {};  ///< m, > 0: of a grooved cam; none: half the thickness
+    double datum = 0.0;                       ///< rad: where the cam is marked; tables count from there
     TitleBlock title_block = {};
 
     /// m: how far bore and keyway reach from the centre; 0: there is no bore.

@@ -3,7 +3,7 @@
 // input/, those of a kind of cam in its leaf (scene/cam_kind.hpp).
 #pragma once
 
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "scene/spellings.hpp"
 
 #include <span>
@@ -29,8 +29,9 @@ enum class KeyType {
 /// What this version does with a key of the contract.
 enum class Availability {
     now,
-    needs_cam,     ///< only together with a [cam] table
-    needs_forces,  ///< only together with a [forces] table
+    needs_cam,       ///< only together with a [cam] table
+    needs_forces,    ///< only together with a [forces] table
+    needs_dynamics,  ///< only together with a [dynamics] table
 };
 
 struct KeyRow {

@@ -133,6 +133,26 @@ constexpr std::array<LimitRow, limited_figure_count> cam_limit_rows = {{
      .refusal = {ContactKind::edge, "a pressure",
                  "only with rollers and flat faces: under an edge it is infinite"},
      .meaning = "Cap on the Hertz pressure; needs `forces.contact_width`."},
+    {.figure = Figure::residual,
+     .name = "residual",
+     .limit = &LimitSpec::residual,
+     .spellings = spellings::vibration,
+     .sense = Sense::most,
+     .range = positive,
+     .needs_dynamics = true,
+     .meaning = "Cap on the amplitude of the output's free vibration after each rise and return, over "
+                "`dynamics.speed_range`."},
+    {.figure = Figure::dynamic_contact_force,
+     .name = "dynamic_contact_force_min",
+     .limit = &LimitSpec::dynamic_contact_force_min,
+     .spellings = spellings::force_or_moment,
+     .sense = Sense::least,
+     .range = not_negative,
+     .needs_dynamics = true,
+     .size = Size::one,
+     .meaning =
+         "Least force (swinging: moment) of the elastic train on the cam, over `dynamics.speed_range`; "
+         "needs a return spring or a preload."},
 }};
 
 constexpr bool limits_in_order() {
@@ -187,8 +207,9 @@ bool is_least_limit(std::string_view name) {
 }
 
 bool limits_cam(const LimitSpec& limits) {
-    return std::ranges::any_of(cam_limit_rows,
-                               [&](const LimitRow& row) { return row.in(limits).has_value(); });
+    return std::ranges::any_of(cam_limit_rows, [&](const LimitRow& row) {
+        return !row.needs_dynamics && row.in(limits).has_value();
+    });
 }
 
 bool limits_forces(const LimitSpec& limits) {

@@ -7,7 +7,7 @@
 // objectives/rules.
 #pragma once
 
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
 #include "scene/spellings.hpp"
@@ -50,9 +50,11 @@ enum class LimitedFigure {
     regularity,     ///< 1 − roller radius / pitch radius, or cam radius / base radius of a flat face
     contact_force,  ///< F or M of ForceSpec
     torque,         ///< |camshaft torque|
-    hertz_pressure
+    hertz_pressure,
+    residual,              ///< amplitude of the output's free vibration after a rise or a return
+    dynamic_contact_force  ///< of the elastic train on the cam
 };
-inline constexpr int limited_figure_count = 9;
+inline constexpr int limited_figure_count = 11;
 
 struct LimitRow {
     enum class Sense { most, least };
@@ -81,6 +83,7 @@ struct LimitRow {
     Cams cams = Cams::any;
     bool needs_forces = false;  ///< and with them a speed
     bool needs_contact_width = false;
+    bool needs_dynamics = false;   ///< of the elastic follower train: needs no cam
     bool needs_contact = false;    ///< a figure without a value where the follower cannot touch the cam
     bool may_be_infinite = false;  ///< an infinite figure is one
     Size size = Size::itself;
@@ -99,7 +102,7 @@ struct LimitRow {
     [[nodiscard]] std::string first_key() const;
 };
 
-/// Every limit of a cam, by LimitedFigure.
+/// Every limit of a cam or of an elastic follower train, by LimitedFigure.
 [[nodiscard]] std::span<const LimitRow> limit_rows();
 [[nodiscard]] const LimitRow& limit_row(LimitedFigure figure);
 /// The scene's limit on this figure.

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/drawing_spec.hpp"
+#include "scene/dynamics_spec.hpp"
 #include "scene/mechanism_spec.hpp"
 #include "scene/own_rule.hpp"
 
@@ -100,6 +101,7 @@ struct SplineSpec {
 struct Reference {
     std::string law = "modified_sine";  ///< used where a number below is absent
     std::optional<double> velocity, acceleration, jerk, torque, rms_acceleration, rms_jerk;
+    std::optional<double> residual, dynamic_acceleration;  ///< in lifts; in lifts by x²
     bool numeric = false;  ///< true: `law` plays no part, every number needed must be given
 };
 
@@ -107,6 +109,7 @@ struct ObjectiveSpec {
     double velocity = 0.0, acceleration = 0.0, jerk = 0.0;  ///< weights, >= 0
     double torque = 0.0;                                    ///< weight, >= 0, of max |y' y''|
     double rms_acceleration = 0.0, rms_jerk = 0.0;          ///< weights, >= 0
+    double residual = 0.0, dynamic_acceleration = 0.0;      ///< weights, >= 0; need dynamics
     /// Weights, >= 0, of the cam's variable dimensions divided by the lift (of an oscillating follower: by
     /// the lift times the centre distance); the offset counts by its magnitude.
     std::array<double, dimension_count> dimensions{};
@@ -172,16 +175,23 @@ struct LimitSpec {
     std::optional<WrittenLimit> contact_force_min;   ///< of F (N) or M (N m) of ForceSpec
     std::optional<WrittenLimit> torque_max;          ///< |camshaft torque|, N m
     std::optional<WrittenLimit> hertz_pressure_max;  ///< Pa; needs a contact width
+    // These need dynamics, and no cam.
+    std::optional<WrittenLimit> residual;                   ///< amplitude of the output in dwells, m or rad
+    std::optional<WrittenLimit> dynamic_contact_force_min;  ///< on the cam, N or N m
 };
 
 struct SolverSpec {
     std::string name = "auto";
-    double tolerance = 1e-9;    ///< feasibility and optimality of the solve, relative
-    double gap = 1e-7;          ///< proved relative gap below which the verdict is optimal
+    double tolerance = 1e-9;  ///< feasibility and optimality of the solve, relative
+    /// Proved relative gap below which the verdict is optimal; default: wanted_gap().
+    std::optional<double> gap;
     double max_seconds = 60.0;  ///< wall time of the whole solve; then the best feasible point is kept
     std::optional<int> starts;  ///< starting points; default: 1 where convex, 8 otherwise
     unsigned seed = 0;
     std::map<std::string, OptionValue> options;  ///< the backend's own, checked against its registry
+
+    /// The gap, 1e-7 by default; of scenes that are not convex, which are bounded over boxes, 1e-4.
+    [[nodiscard]] double wanted_gap(bool convex = true) const { return gap.value_or(convex ? 1e-7 : 1e-4); }
 };
 
 struct Scene {
@@ -196,6 +206,7 @@ struct Scene {
     std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
     std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
+    std::optional<DynamicsSpec> dynamics;    ///< an elastic follower train; needs a speed
     std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins
     std::optional<DrawingSpec> drawing;  ///< of a disk cam: what drawings and solids need beside the profile
     std::vector<OwnTerm> own_terms;      ///< beside those of `objective`

@@ -29,6 +29,12 @@ inline constexpr Spelling length[] = {
 inline constexpr Spelling angle[] = {{"_deg", "deg", units::degree}, {"_rad", "rad", 1.0}};
 inline constexpr Spelling force[] = {{"_n", "N", 1.0}};
 inline constexpr Spelling moment[] = {{"_nm", "N m", 1.0}};
+inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
+inline constexpr Spelling vibration[] = {{"_um", "um", 1e-6},
+                                         {"_mm", "mm", units::millimetre},
+                                         {"_in", "in", units::inch},
+                                         {"_deg", "deg", units::degree},
+                                         {"_rad", "rad", 1.0}};
 inline constexpr Spelling pressure[] = {{"_mpa", "MPa", 1e6}, {"_gpa", "GPa", 1e9}, {"_pa", "Pa", 1.0}};
 // Without a unit: normalised.
 inline constexpr Spelling velocity_limit[] = {

@@ -10,6 +10,7 @@ using enum KeyType;
 using namespace spellings;
 
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
+const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
 constexpr auto needs_cam = Availability::needs_cam;
 
 /// What cam.follower may say, over all kinds.
@@ -55,6 +56,24 @@ std::vector<KeyRow> cam_rows() {
          "`oscillating_flat` only."},
         {"cam", "face_half_width", number, length, positive, {}, "unlimited",
          "Half the width of the flat face; the contact stays on it. `translating_flat` only."},
+        {"cam", "form", text, plain, any, {"open", "grooved", "conjugate"}, "\"open\"",
+         "How the cam holds a roller. `open`: on one side, a force presses it on; `grooved`: in a groove between two "
+         "flanks; `conjugate`: two disks on one shaft, each with a roller of the one follower. The last two drive both "
+         "ways."},
+        {"cam", "groove_clearance", number, length, not_negative, {}, "0",
+         "Width of the groove less the roller's diameter, half of it on either side; `grooved` only."},
+        {"cam", "groove_wall", number, length, positive, {}, "the roller radius",
+         "Least thickness of the wall around the groove: the rim of the disk in drawings; `grooved` only."},
+        {"cam", "roller_distance", number, length, positive, {}, "required for conjugate, translating",
+         "Between the axes of the two rollers, measured along the lift."},
+        {"cam", "arm_angle", number, angle, arm_angle_range, {}, "required for conjugate, oscillating",
+         "Between the arms of the two rollers."},
+        {"cam", "second_roller_radius", number, length, positive, {}, "that of the first",
+         "Radius of the second roller; `conjugate` only."},
+        {"cam", "second_offset", number, length, any, {}, "that of the first",
+         "x of the second roller's path; `conjugate` and `translating_roller` only."},
+        {"cam", "second_arm_length", number, length, positive, {}, "that of the first",
+         "From the pivot to the second roller's centre; `conjugate` and `oscillating_roller` only."},
         {"cam", "rotation", text, plain, any, {"counterclockwise", "clockwise"}, "\"counterclockwise\"",
          "The sense in which the cam turns."},
     };

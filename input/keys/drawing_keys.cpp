@@ -19,6 +19,8 @@ std::vector<KeyRow> drawing_rows() {
         {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore."},
         {"drawing", "thickness", number, length, positive, {}, "20 mm",
          "Thickness of the cam; `--thickness-mm` replaces it."},
+        {"drawing", "groove_depth", number, length, positive, {}, "half the thickness",
+         "How deep the groove of a `grooved` cam is, below the thickness."},
         {"drawing", "datum", number, angle, any, {}, "0",
          "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
          "drawing's table of radii counts from it, as the cam angle grows."},

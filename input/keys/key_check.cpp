@@ -59,8 +59,21 @@ class KeyCheck {
         // Without a type the missing type is what is wrong.
         if (given.row->table == "cam" && cam_type().empty()) return;
         source_.fail(given.member->place, key,
-                     fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}",
-                                 given.row->cam_types_text('"')));
+                     fmt::format("found a key for cams of type {0}; allowed: only with cam.type = {0}{1}",
+                                 given.row->cam_types_text('"'), chosen_elsewhere(key)));
+    }
+
+    /// Where this type of cam says what another says by `key`: which follower it has. Empty: no such key.
+    [[nodiscard]] std::string chosen_elsewhere(std::string_view key) const {
+        const auto choosing = [](const CamKind& kind) {
+            return joined_key(kind.choosing_table, kind.choosing_key);
+        };
+        const CamKind* const own = cam_kind(cam_type());
+        if (own == nullptr || std::ranges::find(cam_kinds(), key, choosing) == cam_kinds().end()) return {};
+        return own->choosing_key.empty()
+                   ? fmt::format("; cam.type = \"{}\" says what follows already: leave this key out",
+                                 own->type)
+                   : fmt::format("; with cam.type = \"{}\" the key {} chooses it", own->type, choosing(*own));
     }
 
     /// What may stand in a table beside this type of cam; a [cam] without a type is taken for a disk cam.

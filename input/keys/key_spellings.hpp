@@ -9,6 +9,7 @@ namespace camopt::input::spellings {
 
 using camopt::spellings::angle;
 using camopt::spellings::force;
+using camopt::spellings::force_or_moment;
 using camopt::spellings::length;
 using camopt::spellings::moment;
 using camopt::spellings::plain;
@@ -32,7 +33,12 @@ inline constexpr Spelling spring_rate[] = {{"_n_mm", "N/mm", 1.0 / units::millim
                                            {"_n_m", "N/m", 1.0},
                                            {"_nm_rad", "N m/rad", 1.0},
                                            {"_nm_deg", "N m/deg", 1.0 / units::degree}};
-inline constexpr Spelling force_or_moment[] = {{"_n", "N", 1.0}, {"_nm", "N m", 1.0}};
+inline constexpr Spelling train_spring[] = {{"_n_mm", "N/mm", 1.0 / units::millimetre},
+                                            {"_n_m", "N/m", 1.0},
+                                            {"_n_m_rad", "N m/rad", 1.0},
+                                            {"_nm_rad", "N m/rad", 1.0}};
+inline constexpr Spelling frequency[] = {{"_hz", "Hz", units::turn}, {"_rad_s", "rad/s", 1.0}};
+inline constexpr Spelling damper[] = {{"_n_s_m", "N s/m", 1.0}, {"_nm_s_rad", "N m s/rad", 1.0}};
 inline constexpr Spelling modulus[] = {{"_gpa", "GPa", 1e9}, {"_mpa", "MPa", 1e6}, {"_pa", "Pa", 1.0}};
 
 using camopt::spellings::any;
@@ -47,6 +53,7 @@ namespace camopt::input {
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> drawing_rows();
+[[nodiscard]] std::vector<KeyRow> dynamics_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 
 }  // namespace camopt::input

@@ -54,6 +54,8 @@ std::string_view remark(const KeyRow& row) {
             return " *Needs a `[cam]` table.*";
         case Availability::needs_forces:
             return " *Needs a `[forces]` table.*";
+        case Availability::needs_dynamics:
+            return " *Needs a `[dynamics]` table.*";
         case Availability::now:
             break;
     }

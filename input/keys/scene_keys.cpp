@@ -47,6 +47,8 @@ Rows top_level() {
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "measured", table, plain, any, {}, "none",
          "A motion that was measured: compared with the optimum, or where searches begin."},
+        {"", "dynamics", table, plain, any, {}, "a rigid follower",
+         "The elastic follower train between cam and output; needs a speed."},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
         {"", "drawing", table, plain, any, {}, "no bore",
          "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
@@ -170,6 +172,9 @@ Rows objective() {
     Rows rows;
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective", term->name(), number, plain, not_negative, {}, "0", term->weight_meaning});
+    for (const ResponseTerm& term : response_terms())
+        rows.push_back({"objective", term.name, number, plain, not_negative, {}, "0", term.weight_meaning,
+                        Availability::needs_dynamics});
     return rows;
 }
 
@@ -192,6 +197,9 @@ Rows reference() {
     for (const CostTerm* term : listed_terms())
         rows.push_back({"objective.reference", term->name(), number, plain, positive, {}, "none",
                         term->reference_meaning});
+    for (const ResponseTerm& term : response_terms())
+        rows.push_back({"objective.reference", term.name, number, plain, positive, {}, "none",
+                        term.reference_meaning, Availability::needs_dynamics});
     return rows;
 }
 
@@ -200,7 +208,9 @@ Rows limits() {
     for (const PeakLimitRow& row : peak_limit_rows())
         rows.push_back({"limits", row.name(), number, row.spellings, positive, {}, "none", row.meaning});
     for (const LimitRow& row : limit_rows()) {
-        const Availability needs = row.needs_forces ? Availability::needs_forces : Availability::needs_cam;
+        const Availability needs = row.needs_dynamics ? Availability::needs_dynamics
+                                   : row.needs_forces ? Availability::needs_forces
+                                                      : Availability::needs_cam;
         rows.push_back({"limits", row.name, number, row.spellings, range_in(row.range, row.spellings.front()),
                         {}, row.default_text, row.meaning, needs});
         if (const LimitRow::Swinging& swinging = row.swinging; swinging.name != nullptr)
@@ -217,7 +227,7 @@ Rows solver() {
          "`\"auto\"` or a solver of `camopt list solvers`."},
         {"solver", "tolerance", number, plain, Range::between(1e-12, 1e-2), {}, "1e-9",
          "Feasibility and optimality of the solve, relative."},
-        {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7",
+        {"solver", "gap", number, plain, Range::between(1e-12, 1e-2), {}, "1e-7 where convex, 1e-4 otherwise",
          "Proved relative gap below which the verdict is optimal."},
         {"solver", "max_seconds", number, plain, positive, {}, "60",
          "Wall time of search, proof, tie-break and explanation together; then what was found so far is kept."},
@@ -255,7 +265,7 @@ Rows all_rows() {
     for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
                              set_points("motion.segments.via", "segment"), measured(), spline(), objective(),
                              dimension_weight_rows(), reference(), cam_rows(), rows_of_kinds(), force_rows(),
-                             limits(), drawing_rows(), solver()})
+                             dynamics_rows(), limits(), drawing_rows(), solver()})
         all.insert(all.end(), part.begin(), part.end());
     for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
     return all;

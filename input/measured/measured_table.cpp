@@ -5,6 +5,7 @@
 #include "core/text/file_bytes.hpp"
 #include "core/text/number_parsing.hpp"
 #include "core/text/printable.hpp"
+#include "core/text/split_text.hpp"
 #include "input/keys/key_spellings.hpp"
 
 #include <fmt/format.h>
@@ -20,22 +21,8 @@ namespace {
 // A million rows of two numbers are smaller.
 constexpr std::uintmax_t most_table_bytes = std::uintmax_t{1} << 26U;
 
-std::string_view stripped(std::string_view text) {
-    constexpr std::string_view blank = " \t\r\"";
-    const std::size_t begin = text.find_first_not_of(blank);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    while (true) {
-        const std::size_t end = line.find(separator);
-        cells.push_back(stripped(line.substr(0, end)));
-        if (end == std::string_view::npos) return cells;
-        line.remove_prefix(end + 1);
-    }
-}
+// Around a cell: quotes too.
+constexpr std::string_view cell_ends = " \t\r\"";
 
 /// A column's place and unit.
 struct Column {
@@ -60,7 +47,7 @@ class TableReader {
         for (const char other : {';', '\t'})
             if (header->find(',') == std::string_view::npos && header->find(other) != std::string_view::npos)
                 separator_ = other;
-        const std::vector<std::string_view> names = cells_of(*header, separator_);
+        const std::vector<std::string_view> names = split_text(*header, separator_, cell_ends);
         theta_ = column(names, "theta", spellings::angle, "theta_deg or theta_rad");
         s_ = column(names, "s", spellings::lift, "s_mm, s_in, s_m, s_deg or s_rad");
         columns_ = names.size();
@@ -92,7 +79,7 @@ class TableReader {
             const std::string_view line = text_.substr(0, end);
             text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
             ++line_;
-            const std::string_view said = stripped(line);
+            const std::string_view said = trimmed(line, cell_ends);
             if (!said.empty() && !said.starts_with('#')) return line;
         }
         return std::nullopt;
@@ -126,7 +113,7 @@ class TableReader {
     }
 
     void add_row(std::string_view line) {
-        const std::vector<std::string_view> cells = cells_of(line, separator_);
+        const std::vector<std::string_view> cells = split_text(line, separator_, cell_ends);
         if (cells.size() != columns_)
             fail(fmt::format("{} cells", cells.size()),
                  fmt::format("{}, as the first line names columns", columns_));

@@ -63,6 +63,19 @@ std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     check.points = json.at("points").integer();
     check.seconds = json.at("seconds").number();
     check.at_deg = json.at("at_deg").number();
+    if (!json.has("play")) return check;
+    const JsonSource play = json.at("play");
+    const auto extreme = [&](const char* turned, const char* straight) {
+        const JsonSource value = play.at(play.has(turned) ? turned : straight);
+        return value.is_null() ? infinity : value.number();
+    };
+    check.play.emplace();
+    check.play->least = extreme("least_deg", "least_mm");
+    check.play->largest = extreme("largest_deg", "largest_mm");
+    check.play->least_at_deg = play.at("least_at_deg").number();
+    check.play->largest_at_deg = play.at("largest_at_deg").number();
+    if (play.has("least_groove_width_mm"))
+        check.play->least_groove_width_mm = play.at("least_groove_width_mm").number();
     return check;
 }
 

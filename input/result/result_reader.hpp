@@ -34,6 +34,12 @@ struct ForwardCheckRecord {
     double deviation = 0.0;  ///< in deg or mm
     double relative = 0.0, at_deg = 0.0, seconds = 0.0;
     int points = 0;
+    struct Play {
+        double least = 0.0, largest = 0.0;  ///< in deg or mm
+        double least_at_deg = 0.0, largest_at_deg = 0.0;
+        std::optional<double> least_groove_width_mm;
+    };
+    std::optional<Play> play = {};
 };
 
 struct CamRecord {

@@ -2,7 +2,7 @@
 #include "motions/laws/own_law_check.hpp"
 
 #include "core/errors.hpp"
-#include "core/quadrature.hpp"
+#include "core/numbers/quadrature.hpp"
 #include "core/text/plain_name.hpp"
 
 #include <fmt/format.h>

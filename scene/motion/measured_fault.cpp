@@ -2,7 +2,7 @@
 // A measured motion: enough rows, ascending angles over the whole motion, the displacements the scene asks
 // for.
 #include "core/units.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 

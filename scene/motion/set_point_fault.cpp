@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Set points and regions, wherever they stand: places inside their stretch, one at a place, values that make
 // sense together.
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "core/units.hpp"
+#include "scene/faults/scene_faults.hpp"
 #include "scene/motion/set_points.hpp"
-#include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 

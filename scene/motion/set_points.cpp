@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 #include "scene/spellings.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 
 #include <fmt/format.h>
 

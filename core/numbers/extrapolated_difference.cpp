@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/extrapolated_difference.hpp"
+#include "core/numbers/extrapolated_difference.hpp"
 
 #include <array>
 #include <cmath>

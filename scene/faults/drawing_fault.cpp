@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The [drawing] table: numbers, and whether bore and keyway leave anything of the cam. The delivered cam is
 // checked again where it is drawn: dimensions may be ranges here.
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "core/units.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +24,10 @@ Fault drawing_number_fault(const DrawingSpec& drawing) {
         return SceneFault{member, fmt::format("{}", value), range.number_text()};
     };
     const Keyway keyway = drawing.keyway.value_or(Keyway{1.0, 1.0, 0.0});
-    for (const auto& [value, member] : std::array<std::pair<double, const char*>, 4>{
+    for (const auto& [value, member] : std::array<std::pair<double, const char*>, 5>{
              {{drawing.bore.value_or(1.0), "drawing.bore"},
               {drawing.thickness.value_or(1.0), "drawing.thickness"},
+              {drawing.groove_depth.value_or(1.0), "drawing.groove_depth"},
               {keyway.width, "drawing.keyway.width"},
               {keyway.depth, "drawing.keyway.depth"}}})
         if (Fault found = fault(ranges::positive, value, member)) return found;
@@ -46,6 +47,17 @@ Fault keyway_fault(const DrawingSpec& drawing) {
     return std::nullopt;
 }
 
+Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam) {
+    if (!drawing.groove_depth) return std::nullopt;
+    if (!cam.form.is_grooved())
+        return SceneFault{"drawing.groove_depth", "a depth without a groove",
+                          "only with cam.form = \"grooved\""};
+    if (drawing.thickness && !(*drawing.groove_depth < *drawing.thickness))
+        return SceneFault{"drawing.groove_depth", drawn_mm(*drawing.groove_depth),
+                          fmt::format("less than the thickness, {}", drawn_mm(*drawing.thickness))};
+    return std::nullopt;
+}
+
 }  // namespace
 
 Fault drawing_fault(const Scene& scene) {
@@ -55,6 +67,7 @@ Fault drawing_fault(const Scene& scene) {
     const DrawingSpec& drawing = *scene.drawing;
     if (Fault fault = drawing_number_fault(drawing)) return fault;
     if (Fault fault = keyway_fault(drawing)) return fault;
+    if (Fault fault = groove_depth_fault(drawing, *scene.cam)) return fault;
     // The base circle is the cam's at displacement 0, where every motion begins.
     const double largest = (*scene.cam)[DimensionIndex::base_radius].high;
     if (drawing.reach() < largest) return std::nullopt;

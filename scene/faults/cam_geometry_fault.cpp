@@ -2,7 +2,7 @@
 // Whether any cam within the ranges of its dimensions can be built at rest. With p = base + roller radius:
 //   translating roller, knife: |offset| < p            oscillating roller: |a − l| < p < a + l
 //   oscillating flat: |base + face offset| < a         (a centre distance, l arm length)
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Limits that need a speed, a cam or forces, and those that a follower cannot have.
+#include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +23,7 @@ Fault missing_table_fault(const Scene& scene) {
     for (const LimitRow& row : limit_rows()) {
         if (!row.in(scene.limits)) continue;
         const std::string member = fmt::format("limits.{}", row.name);
+        if (row.needs_dynamics) continue;  // dynamics_fault.cpp
         if (!scene.cam && !scene.mechanism)
             return SceneFault{member, "a limit of a cam without a cam", "only together with a [cam] table"};
         if (row.needs_forces && !scene.forces)
@@ -43,6 +44,11 @@ Fault follower_fault(const Scene& scene) {
                 member,
                 fmt::format("{} for the follower \"{}\"", row.refusal.found, name_of(scene.cam->follower)),
                 row.refusal.allowed};
+        if (row.figure == LimitedFigure::contact_force && scene.cam->form.drives_both_ways())
+            return SceneFault{
+                member,
+                fmt::format("a least contact force for a cam of form \"{}\"", name_of(scene.cam->form.type)),
+                "only with cam.form = \"open\": this cam drives both ways"};
         if (row.needs_contact_width && !scene.forces->contact_width)
             return SceneFault{member, "a pressure without a contact width",
                               "only where forces.contact_width is given"};

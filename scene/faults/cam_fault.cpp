@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cam of a scene, what its follower carries, and the limits that need them.
-#include "core/range.hpp"
-#include "scene/scene_faults.hpp"
+#include "core/numbers/range.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,8 @@ Fault cam_fault(const Scene& scene) {
     for (int i = 0; i < dimension_count; ++i)
         if (Fault fault = dimension_fault(cam, static_cast<DimensionIndex>(i))) return fault;
     if (Fault fault = face_fault(cam)) return fault;
-    return cam_geometry_fault(cam);
+    if (Fault fault = cam_geometry_fault(cam)) return fault;
+    return cam_form_fault(scene);
 }
 
 Fault force_fault(const Scene& scene) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Numbers of a scene against their ranges, in the order of the scene's members.
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -60,8 +60,7 @@ const std::array force_numbers = {
 const std::array solver_numbers = {
     NumberRule{"solver.tolerance", [](const Scene& s) { return Number(s.solver.tolerance); },
                Range::between(1e-12, 1e-2)},
-    NumberRule{"solver.gap", [](const Scene& s) { return Number(s.solver.gap); },
-               Range::between(1e-12, 1e-2)},
+    NumberRule{"solver.gap", [](const Scene& s) { return s.solver.gap; }, Range::between(1e-12, 1e-2)},
     NumberRule{"solver.max_seconds", [](const Scene& s) { return Number(s.solver.max_seconds); }, positive},
 };
 
@@ -81,6 +80,12 @@ Fault weight_fault(const ObjectiveSpec& objective) {
         if (Fault fault =
                 out_of(not_negative, objective.*term.weight, fmt::format("objective.{}", term.name())))
             return fault;
+    for (const ResponseTerm& term : response_terms()) {
+        const std::string key = fmt::format("objective.{}", term.name);
+        if (Fault fault = out_of(not_negative, objective.*term.weight, key)) return fault;
+        const std::string reference = fmt::format("objective.reference.{}", term.name);
+        if (Fault fault = out_of(positive, objective.reference.*term.reference, reference)) return fault;
+    }
     for (int i = 0; i < dimension_count; ++i)
         if (Fault fault = out_of(not_negative, objective.dimensions[static_cast<std::size_t>(i)],
                                  fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i)))))

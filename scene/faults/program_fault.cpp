@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The segments of a program: each for itself, then their angles and where they end.
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "core/units.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A cam mechanism of a scene: its numbers, and, where its formulas are there, what they say of its reach.
 #include "scene/cam_mechanism.hpp"
+#include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/scene_faults.hpp"
 
 #include <fmt/format.h>
 

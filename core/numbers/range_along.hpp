@@ -7,7 +7,7 @@
 // is as wide as rounding.
 #pragma once
 
-#include "core/interval.hpp"
+#include "core/numbers/interval.hpp"
 
 namespace camopt {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The checks of a scene: numbers against their ranges (one table), then what must hold between members.
 #include "core/errors.hpp"
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -122,7 +122,8 @@ Fault objective_fault(const Scene& scene) {
     if (Fault fault = dimension_weight_fault(scene, weighs_dimension)) return fault;
     if (!weighs_dimension && scene.own_terms.empty() &&
         std::ranges::none_of(cost_terms(),
-                             [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }))
+                             [&](const CostTerm& term) { return term.weight_in(objective) > 0.0; }) &&
+        !weighs_response(objective))
         return SceneFault{"objective", "no weight > 0",
                           fmt::format("at least one of {} > 0, or of a dimension of the cam that is a range",
                                       fmt::join(cost_term_names(), ", "))};
@@ -150,6 +151,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = force_fault(scene)) return fault;
     if (Fault fault = own_rules_fault(scene)) return fault;
     if (Fault fault = drawing_fault(scene)) return fault;
+    if (Fault fault = dynamics_fault(scene)) return fault;
     return limit_fault(scene);
 }
 

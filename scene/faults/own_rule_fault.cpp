@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/plain_name.hpp"
-#include "scene/scene_faults.hpp"
+#include "scene/faults/scene_faults.hpp"
 
 #include <fmt/format.h>
 

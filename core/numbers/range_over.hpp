@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// A function of several numbers over a box of them: where its values, its first and its second partials lie.
+//
+// Formulas that are generic over the scalar take it as they take numbers and give the enclosure of the whole
+// formula with its partials: from them planes are laid that never lie above the formula
+// (objectives/boxes/rule_over_box.hpp). Over a single point the enclosure is as wide as rounding.
+#pragma once
+
+#include "core/numbers/interval.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace camopt {
+
+class RangeOver {
+ public:
+    /// Variables at most: y to y''' and the dimensions of a cam that may move.
+    static constexpr int most = 10;
+
+    Interval value;
+
+    RangeOver() = default;
+    RangeOver(double constant) : value(constant) {}           // NOLINT(google-explicit-constructor)
+    RangeOver(const Interval& constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+    /// factor times the variable `index`, which lies in `values`.
+    [[nodiscard]] static RangeOver variable(const Interval& values, int index, double factor = 1.0) {
+        RangeOver result;
+        result.value = Interval(factor) * values;
+        result.grow(index + 1);
+        result.first(index) = factor;
+        return result;
+    }
+
+    /// Partials by variables from here on are 0.
+    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] Interval& first(int i) { return first_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Interval& first(int i) const { return first_[static_cast<std::size_t>(i)]; }
+    /// By i and j in either order.
+    [[nodiscard]] Interval& second(int i, int j) { return second_[place(i, j)]; }
+    [[nodiscard]] const Interval& second(int i, int j) const { return second_[place(i, j)]; }
+    /// Partials up to `size`, the new ones 0.
+    void grow(int size) {
+        for (int i = size_; i < size; ++i) {
+            first(i) = 0.0;
+            for (int j = 0; j <= i; ++j) second(i, j) = 0.0;
+        }
+        size_ = std::max(size_, size);
+    }
+
+ private:
+    [[nodiscard]] static std::size_t place(int i, int j) {
+        const int high = std::max(i, j), low = std::min(i, j);
+        return static_cast<std::size_t>(high * (high + 1) / 2 + low);
+    }
+    int size_ = 0;
+    std::array<Interval, most> first_;
+    std::array<Interval, most*(most + 1) / 2> second_;
+};
+
+namespace enclosing {
+
+[[nodiscard]] inline bool is_zero(const Interval& a) {
+    return a.lower == 0.0 && a.upper == 0.0;
+}
+/// Most partials of most formulas are 0, and stay so whatever they meet.
+[[nodiscard]] inline Interval partial_product(const Interval& a, const Interval& b) {
+    return is_zero(a) || is_zero(b) ? Interval(0.0) : a * b;
+}
+[[nodiscard]] inline Interval partial_sum(const Interval& a, const Interval& b) {
+    return is_zero(a) ? b : is_zero(b) ? a : a + b;
+}
+
+}  // namespace enclosing
+
+/// f(u): from the ranges of f, f' and f'' over the values of u.
+[[nodiscard]] inline RangeOver composed(const Interval& f, const Interval& first, const Interval& second,
+                                        const RangeOver& u) {
+    using enclosing::partial_product, enclosing::partial_sum;
+    RangeOver result(f);
+    result.grow(u.size());
+    for (int i = 0; i < u.size(); ++i) {
+        result.first(i) = partial_product(first, u.first(i));
+        for (int j = 0; j <= i; ++j) {
+            const Interval slopes = i == j ? square(u.first(i)) : partial_product(u.first(i), u.first(j));
+            result.second(i, j) =
+                partial_sum(partial_product(second, slopes), partial_product(first, u.second(i, j)));
+        }
+    }
+    return result;
+}
+[[nodiscard]] inline RangeOver operator*(double factor, const RangeOver& a) {
+    const Interval by(factor);
+    return composed(by * a.value, by, 0.0, a);
+}
+[[nodiscard]] inline RangeOver operator*(const RangeOver& a, double factor) {
+    return factor * a;
+}
+[[nodiscard]] inline RangeOver operator-(const RangeOver& a) {
+    return composed(-a.value, -1.0, 0.0, a);
+}
+[[nodiscard]] inline RangeOver operator+(const RangeOver& a, const RangeOver& b) {
+    using enclosing::partial_sum;
+    const bool longer = a.size() >= b.size();
+    RangeOver result = longer ? a : b;
+    const RangeOver& other = longer ? b : a;
+    result.value = a.value + b.value;
+    for (int i = 0; i < other.size(); ++i) {
+        result.first(i) = partial_sum(result.first(i), other.first(i));
+        for (int j = 0; j <= i; ++j)
+            result.second(i, j) = partial_sum(result.second(i, j), other.second(i, j));
+    }
+    return result;
+}
+[[nodiscard]] inline RangeOver operator-(const RangeOver& a, const RangeOver& b) {
+    return a + -b;
+}
+[[nodiscard]] inline RangeOver operator*(const RangeOver& left, const RangeOver& right) {
+    using enclosing::partial_product, enclosing::partial_sum;
+    RangeOver a = left, b = right;
+    a.grow(b.size());
+    b.grow(a.size());
+    RangeOver result(a.value * b.value);
+    result.grow(a.size());
+    for (int i = 0; i < a.size(); ++i) {
+        result.first(i) =
+            partial_sum(partial_product(a.value, b.first(i)), partial_product(a.first(i), b.value));
+        for (int j = 0; j <= i; ++j) {
+            const Interval mixed =
+                partial_sum(partial_product(a.first(i), b.first(j)), partial_product(a.first(j), b.first(i)));
+            const Interval bent = partial_sum(partial_product(a.value, b.second(i, j)),
+                                              partial_product(a.second(i, j), b.value));
+            result.second(i, j) = partial_sum(mixed, bent);
+        }
+    }
+    return result;
+}
+[[nodiscard]] inline RangeOver operator/(const RangeOver& a, const RangeOver& b) {
+    const Interval inverse = Interval(1.0) / b.value, squared = square(inverse);
+    return a * composed(inverse, -squared, Interval(2.0) * (squared * inverse), b);
+}
+[[nodiscard]] inline RangeOver square(const RangeOver& a) {
+    return composed(square(a.value), Interval(2.0) * a.value, Interval(2.0), a);
+}
+[[nodiscard]] inline RangeOver squared(const RangeOver& a) {
+    return square(a);
+}
+[[nodiscard]] inline RangeOver sqrt(const RangeOver& a) {
+    const Interval root = sqrt(a.value), first = Interval(0.5) / root;
+    return composed(root, first, -(Interval(0.5) * first) / a.value, a);
+}
+/// (√a)³; its second derivative is bounded wherever a is away from 0.
+[[nodiscard]] inline RangeOver cube_of_root(const RangeOver& a) {
+    const Interval root = sqrt(a.value);
+    return composed(a.value * root, Interval(1.5) * root, Interval(0.75) / root, a);
+}
+[[nodiscard]] inline RangeOver sin(const RangeOver& a) {
+    const Interval sine = sin(a.value);
+    return composed(sine, cos(a.value), -sine, a);
+}
+[[nodiscard]] inline RangeOver cos(const RangeOver& a) {
+    const Interval cosine = cos(a.value);
+    return composed(cosine, -sin(a.value), -cosine, a);
+}
+/// Everything where a reaches ±1: its slope is infinite there.
+[[nodiscard]] inline RangeOver asin(const RangeOver& a) {
+    if (!(a.value.lower > -1.0 && a.value.upper < 1.0)) {
+        const Interval all = Interval::everything();
+        return composed(all, all, all, a);
+    }
+    const Interval angle = enclosing::widened(std::asin(a.value.lower), std::asin(a.value.upper));
+    const Interval first = Interval(1.0) / sqrt(Interval(1.0) - square(a.value));
+    return composed(angle, first, a.value * (first * (first * first)), a);
+}
+/// +1 or −1 of what has one sign; everything otherwise.
+[[nodiscard]] inline Interval sign_of(const RangeOver& a) {
+    if (a.value.lower > 0.0) return {1.0};
+    if (a.value.upper < 0.0) return {-1.0};
+    return Interval::everything();
+}
+[[nodiscard]] inline RangeOver acos(const RangeOver& a) {
+    // π/2 is not a double: half a unit in its last place more.
+    constexpr double half_pi = 0.5 * std::numbers::pi;
+    return RangeOver(enclosing::widened(half_pi, half_pi)) - asin(a);
+}
+
+}  // namespace camopt

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// The [dynamics] table: its numbers, and what residual vibration and dynamic forces can be asked of.
+#include "core/numbers/range.hpp"
+#include "core/units.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/faults/scene_faults.hpp"
+#include "scene/limit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace camopt {
+namespace {
+
+constexpr std::size_t most_stages = 3;
+constexpr double most_damping_ratio = 2.0;
+
+Fault dynamics_out_of(const Range& range, const std::optional<double>& value, const std::string& member) {
+    if (!value || range.contains(*value)) return std::nullopt;
+    return SceneFault{"dynamics." + member, fmt::format("{}", *value), range.number_text()};
+}
+
+Fault train_number_fault(const DynamicsSpec& spec) {
+    using ranges::not_negative, ranges::positive;
+    const Range ratio = Range::between(0.0, most_damping_ratio);
+    if (Fault fault = dynamics_out_of(positive, spec.mass, "mass")) return fault;
+    if (Fault fault = dynamics_out_of(positive, spec.natural_frequency, "natural_frequency")) return fault;
+    if (Fault fault = dynamics_out_of(positive, spec.stiffness, "stiffness")) return fault;
+    if (Fault fault = dynamics_out_of(ratio, spec.damping_ratio, "damping_ratio")) return fault;
+    if (Fault fault = dynamics_out_of(not_negative, spec.damping, "damping")) return fault;
+    if (Fault fault = dynamics_out_of(not_negative, spec.return_stiffness, "return_spring")) return fault;
+    if (Fault fault = dynamics_out_of(not_negative, spec.preload, "preload")) return fault;
+    for (std::size_t i = 0; i < spec.stages.size(); ++i) {
+        const auto member = [i](const char* name) { return fmt::format("stage[{}].{}", i, name); };
+        if (Fault fault = dynamics_out_of(positive, spec.stages[i].mass, member("mass"))) return fault;
+        if (Fault fault = dynamics_out_of(positive, spec.stages[i].stiffness, member("stiffness")))
+            return fault;
+        if (Fault fault = dynamics_out_of(not_negative, spec.stages[i].damping, member("damping_ratio")))
+            return fault;
+    }
+    return std::nullopt;
+}
+
+Fault train_choice_fault(const DynamicsSpec& spec) {
+    if (spec.natural_frequency.has_value() == spec.stiffness.has_value())
+        return SceneFault{
+            "dynamics.natural_frequency",
+            spec.stiffness ? "a natural frequency beside a stiffness" : "neither it nor a stiffness",
+            "one of natural_frequency and stiffness"};
+    if (spec.damping_ratio && spec.damping)
+        return SceneFault{"dynamics.damping_ratio", "a damping ratio beside a damping", "one of the two"};
+    if (spec.stages.size() > most_stages)
+        return SceneFault{"dynamics.stage", fmt::format("{} stages", spec.stages.size()),
+                          fmt::format("at most {} before the output", most_stages)};
+    if (!(spec.output().stiffness > 0.0))
+        return SceneFault{"dynamics.natural_frequency",
+                          "a frequency that the return spring alone would exceed",
+                          "a natural frequency above that of the mass on its return spring"};
+    return std::nullopt;
+}
+
+Fault speed_range_fault(const Scene& scene) {
+    if (!scene.motion.speed)
+        return SceneFault{"dynamics", "a follower train without a speed", "only where motion.speed is given"};
+    const auto& range = scene.dynamics->speed_range;
+    if (range && !((*range)[0] > 0.0 && (*range)[0] <= (*range)[1]))
+        return SceneFault{"dynamics.speed_range",
+                          fmt::format("{:.6g} to {:.6g} rpm", (*range)[0] / units::revolution_per_minute,
+                                      (*range)[1] / units::revolution_per_minute),
+                          "two speeds > 0 that ascend"};
+    return std::nullopt;
+}
+
+bool asks_response(const Scene& scene) {
+    return weighs_response(scene.objective) || std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
+               return row.needs_dynamics && row.in(scene.limits).has_value();
+           });
+}
+
+/// The first member of the scene that asks for a response.
+std::string asking_member(const Scene& scene) {
+    for (const ResponseTerm& term : response_terms())
+        if (term.weight_in(scene.objective) > 0.0) return fmt::format("objective.{}", term.name);
+    for (const LimitRow& row : limit_rows())
+        if (row.needs_dynamics && row.in(scene.limits)) return fmt::format("limits.{}", row.name);
+    return "dynamics";
+}
+
+Fault motion_for_response_fault(const Scene& scene) {
+    const std::string member = asking_member(scene);
+    if (scene.spline.free_knots)
+        return SceneFault{member, "a response of the train with spline.knots = \"free\"", "fixed knots"};
+    if (scene.motion.type != MotionType::program) return std::nullopt;
+    const auto& segments = scene.motion.segments;
+    if (std::ranges::any_of(segments, [](const ProgramSegment& one) { return one.angle_range.has_value(); }))
+        return SceneFault{member, "a response of the train with angles that are searched", "given angles"};
+    if (std::ranges::none_of(segments,
+                             [](const ProgramSegment& one) { return one.kind == SegmentKind::dwell; }))
+        return SceneFault{member, "a program without a dwell",
+                          "a program with a dwell, where vibration is seen"};
+    return std::nullopt;
+}
+
+/// Residual vibration and forces alone leave the motion free to stray as it likes.
+Fault static_term_fault(const Scene& scene) {
+    if (!weighs_response(scene.objective)) return std::nullopt;
+    const bool weighs = std::ranges::any_of(
+        cost_terms(), [&](const CostTerm& term) { return term.weight_in(scene.objective) > 0.0; });
+    const bool caps = std::ranges::any_of(
+        peak_limit_rows(), [&](const PeakLimitRow& row) { return row.in(scene.limits).has_value(); });
+    if (weighs || caps) return std::nullopt;
+    return SceneFault{asking_member(scene), "no weight or cap on a peak of the motion itself beside it",
+                      "together with a weight or a limit of velocity, acceleration or jerk"};
+}
+
+Fault response_limit_fault(const Scene& scene) {
+    const LimitSpec& limits = scene.limits;
+    if (limits.residual && is_angle_unit(limits.residual->unit) != scene.motion.lift_is_angle &&
+        !limits.residual->unit.empty())
+        return SceneFault{"limits.residual", fmt::format("an amplitude in {}", limits.residual->unit),
+                          scene.motion.lift_is_angle ? "an angle, as the lift" : "a length, as the lift"};
+    if (limits.dynamic_contact_force_min && !scene.dynamics->pressed())
+        return SceneFault{"limits.dynamic_contact_force_min", "a train that nothing presses on the cam",
+                          "together with dynamics.return_spring or dynamics.preload"};
+    if (limits.dynamic_contact_force_min &&
+        (limits.dynamic_contact_force_min->unit == "N m") != scene.motion.lift_is_angle &&
+        !limits.dynamic_contact_force_min->unit.empty())
+        return SceneFault{"limits.dynamic_contact_force_min",
+                          fmt::format("a limit in {}", limits.dynamic_contact_force_min->unit),
+                          scene.motion.lift_is_angle ? "a moment in N m" : "a force in N"};
+    const bool wants_residual = limits.residual || scene.objective.residual > 0.0;
+    if (wants_residual && scene.dynamics->formulas && !scene.dynamics->formulas->vibrates())
+        return SceneFault{limits.residual ? "limits.residual" : "objective.residual",
+                          "a train damped above critical, which does not vibrate", "a damping ratio below 1"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+TrainStage DynamicsSpec::output() const {
+    TrainStage stage;
+    stage.mass = mass;
+    const double total = natural_frequency ? mass * *natural_frequency * *natural_frequency
+                                           : stiffness.value_or(0.0) + return_stiffness;
+    stage.stiffness = natural_frequency ? total - return_stiffness : stiffness.value_or(0.0);
+    stage.damping = damping.value_or(2.0 * damping_ratio.value_or(0.0) * std::sqrt(total * mass));
+    return stage;
+}
+
+Fault dynamics_fault(const Scene& scene) {
+    if (!scene.dynamics) {
+        if (!asks_response(scene)) return std::nullopt;
+        return SceneFault{asking_member(scene), "a response of an elastic train without one",
+                          "only together with a [dynamics] table"};
+    }
+    if (Fault fault = train_number_fault(*scene.dynamics)) return fault;
+    if (Fault fault = train_choice_fault(*scene.dynamics)) return fault;
+    if (Fault fault = speed_range_fault(scene)) return fault;
+    if (!asks_response(scene)) return std::nullopt;
+    if (Fault fault = motion_for_response_fault(scene)) return fault;
+    if (Fault fault = static_term_fault(scene)) return fault;
+    return response_limit_fault(scene);
+}
+
+}  // namespace camopt
