@@ -25,16 +25,17 @@ namespace camopt {
 inline constexpr double least_rms = 1e-4;
 
 /// A variable beside the design vector: a peak, the torque peak max |y' y''|, a root mean square, a dimension
-/// of the cam, the magnitude of another parameter, or the peak of a term that the program brought.
+/// of the cam, the magnitude of another parameter, the peak of a term that the program brought, or what an
+/// elastic follower train makes of the motion.
 struct Parameter {
-    enum class Kind { peak, torque, rms, dimension, magnitude, own };
+    enum class Kind { peak, torque, rms, dimension, magnitude, own, response };
     std::string name;
     Kind kind = Kind::peak;
     int order = 0;           ///< peak, rms: of the derivative it belongs to; magnitude: of which parameter
     double reference = 1.0;  ///< the variable is in units of this
     double weight = 0.0;     ///< in the cost
     double lower = 0.0, upper = infinity;  ///< dimension: its range, in units of the reference
-    /// own: what defines it, also where a relaxation does without the rule.
+    /// own, response: what defines it, also where a relaxation does without the rule.
     std::shared_ptr<const PointRule> defined_by = {};
 };
 

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/program_family.hpp"
+#include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
 #include "objectives/rules/mechanism_rule.hpp"
@@ -364,6 +365,7 @@ CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference
     add_peaks(model, scene, reference);
     add_cam(model, scene);
     add_own_rules(model, scene);
+    add_response_rules(model, scene);
     return model;
 }
 

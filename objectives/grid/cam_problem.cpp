@@ -3,6 +3,7 @@
 
 #include "objectives/exchange_samples.hpp"
 #include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/whole_motion_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,8 @@ CamProblem::CamProblem(CamModel model, const std::vector<RuleSample>& samples)
     : model_(std::make_shared<const CamModel>(std::move(model))), places_(model_->rules.size()) {
     projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
     start_grid();
-    for (const RuleSample& sample : samples) add_sample(sample.rule, sample.at, sample.side);
+    for (const RuleSample& sample : samples)
+        sample.setting.empty() ? add_sample(sample.rule, sample.at, sample.side) : add_whole_sample(sample);
     rebuild();
 }
 
@@ -34,6 +36,11 @@ void CamProblem::start_grid() {
 
 void CamProblem::start_rule(int index) {
     const PlacedRule& rule = model_->rules[index];
+    if (const WholeMotionRule* const whole = rule->whole()) {
+        for (WholeMotionRule::Place& place : whole->first())
+            add_whole_sample({index, place.where.at, place.where.side, std::move(place.setting)});
+        return;
+    }
     const MotionFamily& family = model_->design;
     const int order = rule->highest_order();
     for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
@@ -80,6 +87,28 @@ bool CamProblem::add_sample(int rule, double at, Side side) {
     return true;
 }
 
+bool CamProblem::add_whole_sample(const RuleSample& sample) {
+    constexpr double same = 1e-9;
+    const auto close = [](double a, double b) {
+        return std::abs(a - b) <= same * std::max(1.0, std::abs(a));
+    };
+    for (const RuleSample& known : samples_)
+        if (known.rule == sample.rule && close(known.at, sample.at) &&
+            std::ranges::equal(known.setting, sample.setting, close))
+            return false;
+    samples_.push_back(sample);
+    return true;
+}
+
+/// The row of a rule of the whole motion; the first at a setting brings those that belong beside it.
+void CamProblem::refine_whole(const Violation& violation) {
+    const WholeMotionRule& rule = *model_->rules[violation.rule]->whole();
+    const RuleSample sample{violation.rule, violation.where.at, violation.where.side, violation.setting};
+    if (!add_whole_sample(sample)) return;
+    for (std::vector<double>& setting : rule.beside(sample.setting))
+        add_whole_sample({sample.rule, sample.at, sample.side, std::move(setting)});
+}
+
 void CamProblem::rebuild() {
     grid_ = std::make_unique<GridNlp>(model_, samples_);
 }
@@ -110,6 +139,12 @@ std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double s
     const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
         const PlacedRule& rule = model_->rules[r];
+        if (const WholeMotionRule* const whole = rule->whole()) {
+            for (WholeMotionRule::Place& place : whole->maxima(chain, own_parameters(r, x)))
+                if (const double amount = place.where.value / rule->scale(); amount > -slack)
+                    found.push_back({r, place.where, amount, rule->limit(), std::move(place.setting)});
+            continue;
+        }
         for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
             // What has no value (an arm that cannot reach) is as broken as can be.
             const double amount = std::isfinite(maximum.value) ? maximum.value / rule->scale() : infinity;
@@ -141,6 +176,10 @@ int CamProblem::refine(std::span<const Violation> worst) {
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
             continue;  // rows on parameters are always there
+        if (!violation.setting.empty()) {
+            refine_whole(violation);
+            continue;
+        }
         const double at = violation.where.at;
         const int piece = family.piece_of(at, violation.where.side);
         const auto& places = places_[violation.rule];

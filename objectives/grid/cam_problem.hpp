@@ -46,6 +46,9 @@ class CamProblem final : public ContinuousProblem {
     void start_grid();
     void start_rule(int index);
     bool add_sample(int rule, double at, Side side);
+    bool add_whole_sample(const RuleSample& sample);
+    void refine_whole(const Violation& violation);
+    void complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const;
     void rebuild();
     [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const;
     void complete_parameters(Eigen::VectorXd& x) const;

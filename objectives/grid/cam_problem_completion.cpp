@@ -3,6 +3,7 @@
 #include "core/peak_figures.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/whole_motion_rule.hpp"
 #include "splines/extrema.hpp"
 
 #include <algorithm>
@@ -12,9 +13,9 @@ namespace camopt {
 
 namespace {
 
-bool has_own_terms(const CamModel& model) {
-    return std::ranges::any_of(
-        model.parameters, [](const Parameter& parameter) { return parameter.kind == Parameter::Kind::own; });
+bool has_kind(const CamModel& model, Parameter::Kind kind) {
+    return std::ranges::any_of(model.parameters,
+                               [kind](const Parameter& parameter) { return parameter.kind == kind; });
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ void CamProblem::complete_program_peaks(const MotionChain& chain, Eigen::VectorX
         value = std::sqrt(std::max(0.0, form.value(design_values(x)))) / parameter.reference;
     }
     for (const PlacedRule& rule : model_->rules) {
-        if (rule->limit() || rule->parameters().empty()) continue;
+        if (rule->limit() || rule->parameters().empty() || rule->whole()) continue;
         const auto first = static_cast<std::size_t>(rule->parameters().front());
         if (model_->parameters[first].kind == Parameter::Kind::own) continue;
         double& peak = x[size + rule->parameters().front()];
@@ -67,13 +68,26 @@ void CamProblem::complete_own_peaks(const MotionChain& chain, Eigen::VectorXd& x
     }
 }
 
+/// What the follower train makes of the motion.
+void CamProblem::complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const {
+    for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
+        const Parameter& parameter = model_->parameters[p];
+        if (parameter.kind != Parameter::Kind::response) continue;
+        double largest = 0.0;
+        for (const auto& place : parameter.defined_by->whole()->maxima(chain, Eigen::VectorXd::Zero(1)))
+            largest = std::max(largest, place.where.value);
+        x[model_->design.size() + static_cast<Eigen::Index>(p)] = largest;
+    }
+}
+
 /// Peaks and root mean squares become those of the motion behind x; dimensions keep their range.
 void CamProblem::complete_parameters(Eigen::VectorXd& x) const {
     if (model_->stretch_scales.empty())
         complete_peaks(curve(x), x);
     else
         complete_program_peaks(motion(x), x);
-    if (has_own_terms(*model_)) complete_own_peaks(motion(x), x);
+    if (has_kind(*model_, Parameter::Kind::own)) complete_own_peaks(motion(x), x);
+    if (has_kind(*model_, Parameter::Kind::response)) complete_responses(motion(x), x);
     const Eigen::Index size = model_->design.size();
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];

@@ -2,6 +2,7 @@
 #include "objectives/grid/grid_nlp.hpp"
 
 #include "objectives/grid/equality_projection.hpp"
+#include "objectives/rules/whole_motion_rule.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,13 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
             if (entry.row() >= column) visit(static_cast<int>(entry.row()), column, entry.value());
         }
     }
+}
+
+/// The partial of a linear rule by one of its parameters; rules of the whole motion are f − q.
+double parameter_weight(const PointRule& rule, int parameter) {
+    if (rule.whole()) return -1.0;
+    const auto size = static_cast<Eigen::Index>(rule.parameters().size());
+    return rule.evaluate({0.0, {}}, Eigen::VectorXd::Zero(size)).gradient[4 + parameter];
 }
 
 /// The form in the optimizer's units, divided by reference².
@@ -116,9 +124,10 @@ void GridNlp::add_sample_row(int sample) {
 }
 
 /// Multiplied out, with the derivatives and entries alone that the rule is made of.
-void GridNlp::add_linear_row(int sample) {
-    const RuleSample& place = samples_[sample];
+AffineRow GridNlp::linear_rule_row(const RuleSample& place) const {
     const PointRule& rule = *model_->rules[place.rule];
+    if (const WholeMotionRule* const whole = rule.whole())
+        return whole->row(model_->design, place.at, place.side, place.setting);
     const RuleValue affine = rule.evaluate(
         {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
     AffineRow sum{affine.value, {}, {}};
@@ -132,6 +141,13 @@ void GridNlp::add_linear_row(int sample) {
                                               std::move(derivative.weights)}
                                   : combined(sum, 1.0, derivative);
     }
+    return sum;
+}
+
+void GridNlp::add_linear_row(int sample) {
+    const RuleSample& place = samples_[sample];
+    const PointRule& rule = *model_->rules[place.rule];
+    const AffineRow sum = linear_rule_row(place);
     Row row;
     row.offset = sum.offset;
     for (std::size_t k = 0; k < sum.columns.size(); ++k) {
@@ -141,7 +157,7 @@ void GridNlp::add_linear_row(int sample) {
     }
     for (std::size_t k = 0; k < rule.parameters().size(); ++k) {
         row.columns.push_back(design_size() + rule.parameters()[k]);
-        row.weights.push_back(affine.gradient[4 + static_cast<Eigen::Index>(k)]);
+        row.weights.push_back(parameter_weight(rule, static_cast<int>(k)));
     }
     rows_.push_back(std::move(row));
 }
@@ -315,6 +331,8 @@ RowOrigin GridNlp::row_origin(int index) const {
         origin = model_->rules[place.rule]->origin();
         origin.at = place.at;
         origin.side = place.side;
+        if (const WholeMotionRule* const whole = model_->rules[place.rule]->whole())
+            origin.remark = whole->remark(place.setting);
     } else if (index < equalities) {
         origin.rule = model_->design.equalities()[index].name;
     } else if (index < conditions) {

@@ -21,6 +21,7 @@ struct RuleSample {
     int rule = 0;
     double at = 0.0;
     Side side = Side::right;
+    std::vector<double> setting = {};  ///< of rules of the whole motion
 };
 
 class GridNlp final : public Nlp {
@@ -57,6 +58,7 @@ class GridNlp final : public Nlp {
 
     void add_rows();
     void add_sample_row(int sample);
+    [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place) const;
     void add_linear_row(int sample);
     void add_curved_row(int sample);
     void add_cost_terms();

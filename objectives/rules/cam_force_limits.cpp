@@ -64,8 +64,27 @@ void add_torque(Rules& rules, const WrittenLimit& limit, const ForceSpec& force,
 /// p² = F/(lever π b R c) <= p_max², c the compliance, as F <= R · lever · π b p_max² c: no division, so that
 /// nothing flips where the cam's radius or the lever passes through zero. Where F is not positive nothing
 /// presses.
+/// In a groove with a clearance the roller touches a surface that is not quite its pitch curve's offset by
+/// its own radius: F (1 − (R − r) κ) <= r (1 − R κ) · lever · … of disk_sides.hpp.
+struct Pressed {
+    double carried = 0.0, unit = 1.0;
+    int side = 0;
+};
+
+template <class State>
+auto pressure_excess_on(const DiskCam& own, const State& state, const Pressed& pressed, const auto& press) {
+    const int side = pressed.side;
+    const auto radius =
+        product(quantity(own, state, Quantity::regularity, side), roller_on(own, state, side));
+    const double wider = surface_offset(own, side) - roller_radius_of(own, side);
+    const auto curvature = quantity(own, state, Quantity::pitch_curvature, side);
+    const auto pressing = wider > 0.0 ? product(press, shifted(scaled(curvature, -wider), 1.0)) : press;
+    return sum(1.0, pressing, -pressed.carried / pressed.unit,
+               product(radius, quantity(own, state, Quantity::normal_lever, side)));
+}
+
 void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
-                             const Shared& cam) {
+                             const Shared& cam, int side) {
     const auto follower = cam->cam.follower;
     if (has_edge(follower)) {
         throw InputError(limit.key +
@@ -81,8 +100,8 @@ void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const Forc
     const double unit =
         std::max({force.preload, least_force_share * swing_of(force, speed, cam->scale), least_scale});
     CamFormula formula =
-        cam_formula(limit.key, [force, speed, carried, unit](const DiskCam& own, const auto& state) {
-            const auto press = scaled(force_of(force, speed, state), 1.0 / unit);
+        cam_formula(limit.key, [force, speed, carried, unit, side](const DiskCam& own, const auto& state) {
+            const auto press = scaled(force_of(force, speed, state), pressing_sense(side) / unit);
             const double factor = -carried / unit;
             // 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
             if (!has_roller(own.follower)) {
@@ -90,27 +109,25 @@ void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const Forc
                 if (has_pushed_face(own.follower)) return sum(1.0, press, factor, radius);
                 return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
             }
-            const auto radius = product(quantity(own, state, Quantity::regularity),
-                                        dimension(own, state, DimensionIndex::roller_radius));
-            return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
+            return pressure_excess_on(own, state, {carried, unit, side}, press);
         });
     formula.linear = has_pushed_face(follower);
     formula.scale = pressure_scale;
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+    add_on_side(rules, cam, std::move(formula), side);
 }
 
 /// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
-void add_height(Rules& rules, const Shared& cam, const std::string& key) {
+void add_height(Rules& rules, const Shared& cam, const std::string& key, int side) {
     const auto follower = cam->cam.follower;
     if (has_pushed_face(follower)) return;
     const double length = length_of(cam->cam);
-    CamFormula formula = cam_formula(key, [length](const DiskCam& own, const auto& state) {
-        return shifted(scaled(quantity(own, state, Quantity::pressure_denominator), -1.0 / length),
+    CamFormula formula = cam_formula(key, [length, side](const DiskCam& own, const auto& state) {
+        return shifted(scaled(quantity(own, state, Quantity::pressure_denominator, side), -1.0 / length),
                        least_contact);
     });
     formula.highest_order = 0;
     formula.linear = !is_oscillating(follower) && cam->variables.empty();
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+    add_on_side(rules, cam, std::move(formula), side);
 }
 
 void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std::string& key) {
@@ -119,10 +136,14 @@ void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std:
     const auto& radius = limit_on(limits, LimitedFigure::convex_radius);
     const auto& margin = limit_on(limits, LimitedFigure::regularity);
     const bool regular = (radius && radius->value > 0.0) || (margin && margin->value >= least_contact);
-    if (!regular) add_regularity(rules, cam, key + " (undercut)", least_contact);
-    // |N| cos φm <= D sin φm to both sides holds the height up too.
     const PressureLimits pressure = pressure_limits(limits);
-    if (!pressure.rise || !pressure.back) add_height(rules, cam, key + " (contact below the cam's centre)");
+    for (int side = 0; side < side_count(cam->cam); ++side) {
+        if (!regular) add_regularity(rules, cam, {least_contact, key + " (undercut)"}, side);
+        // |N| cos φm <= D sin φm to both sides holds the height up too; in a groove both flanks have one.
+        const bool held = pressure.rise && pressure.back;
+        if (!held && (side == 0 || cam->cam.form.is_conjugate()))
+            add_height(rules, cam, key + " (contact below the cam's centre)", side);
+    }
 }
 
 }  // namespace
@@ -136,7 +157,9 @@ void add_forces(Rules& rules, const Scene& scene, const Shared& cam) {
     const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
     if (least_force) add_contact_force(rules, *least_force, force, speed, cam);
     if (torque) add_torque(rules, *torque, force, speed, cam);
-    if (pressure) add_pressure_in_contact(rules, *pressure, force, speed, cam);
+    if (pressure)
+        for (int side = 0; side < side_count(cam->cam); ++side)
+            add_pressure_in_contact(rules, *pressure, force, speed, cam, side);
     const auto& of_contact = pressure ? pressure : torque;
     if (of_contact) add_contact(rules, scene, cam, of_contact->key);
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "scene/scene.hpp"
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt::cam_limit_parts {
@@ -20,8 +22,16 @@ inline constexpr double least_scale = 1e-3;
 /// A length by which geometry is made dimensionless: the prime radius, or for an arm its pivot's distance.
 [[nodiscard]] double length_of(const DiskCam& cam);
 
-/// regularity >= margin; nothing for a knife edge.
-void add_regularity(Rules& rules, const Shared& cam, const std::string& key, double margin);
+/// Of a rule that holds on one side of the cam (profiles/disk/disk_sides.hpp). What encloses it over boxes is
+/// of the surface of an open cam: with two sides there is none.
+inline void add_on_side(Rules& rules, const Shared& cam, CamFormula formula, int side) {
+    formula.remark = side_name(cam->cam.form, side);
+    if (side_count(cam->cam) > 1) formula.over = {};
+    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+}
+
+/// regularity >= margin on one side; nothing for a knife edge.
+void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, int side);
 /// 1 + σψ' of an oscillating flat face stays positive: where it vanishes the face touches nothing.
 void add_face_turn(Rules& rules, const Shared& cam, const std::string& key);
 void add_pressure(Rules& rules, const Scene& scene, const Shared& cam);

@@ -29,8 +29,10 @@ void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }
 
-void add_regularity(Rules& rules, const Shared& cam, const std::string& key, double margin) {
+void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, int side) {
     if (has_edge(cam->cam.follower)) return;
+    const std::string& key = limit.key;
+    const double margin = limit.value;
     // Flat and translating: (base + s + s'')/base >= margin times base is linear in the base radius too.
     const bool linear = has_pushed_face(cam->cam.follower);
     if (linear) {
@@ -43,10 +45,15 @@ void add_regularity(Rules& rules, const Shared& cam, const std::string& key, dou
         rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
         return;
     }
-    rules.push_back(std::make_shared<CamRule>(
-        cam, cam_formula(key, [margin](const DiskCam& own, const auto& state) {
-            return shifted(scaled(quantity(own, state, Quantity::regularity), -1.0), margin);
-        })));
+    CamFormula formula = cam_formula(key, [margin, side](const DiskCam& own, const auto& state) {
+        return shifted(scaled(quantity(own, state, Quantity::regularity, side), -1.0), margin);
+    });
+    if (has_roller(cam->cam.follower)) {
+        formula.over = [margin](const DiskCam& own, const StateOver& state) {
+            return curvature_excess(own, state, state[DimensionIndex::roller_radius], 1.0 - margin);
+        };
+    }
+    add_on_side(rules, cam, std::move(formula), side);
 }
 
 }  // namespace cam_limit_parts
@@ -55,35 +62,54 @@ namespace {
 
 using namespace cam_limit_parts;
 
-/// (r + shift) κ − 1: the convex radius stays above shift, the concave one above −shift.
-void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limit, double shift,
-                       double scale) {
-    CamFormula formula = cam_formula(limit.key, [shift](const DiskCam& own, const auto& state) {
-        const auto curvature = quantity(own, state, Quantity::pitch_curvature);
-        if (!has_roller(own.follower)) return shifted(scaled(curvature, shift), -1.0);
-        const auto roller = dimension(own, state, DimensionIndex::roller_radius);
-        return shifted(product(shifted(roller, shift), curvature), -1.0);
-    });
-    formula.scale = scale;
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+/// What a radius of one side is held to.
+struct RadiusShift {
+    double shift = 0.0, scale = 1.0;
+    int side = 0;
+};
+
+/// (R + shift) κ − 1 with the curvature of the side: the convex radius stays above shift, the concave one
+/// above −shift. R: the roller's radius, in a groove half the clearance more.
+void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limit, const RadiusShift& held) {
+    const double wider = surface_offset(cam->cam, held.side) - roller_radius_of(cam->cam, held.side);
+    CamFormula formula = cam_formula(
+        limit.key, [shift = held.shift, side = held.side, wider](const DiskCam& own, const auto& state) {
+            const auto curvature = quantity(own, state, Quantity::pitch_curvature, side);
+            if (!has_roller(own.follower)) return shifted(scaled(curvature, shift), -1.0);
+            const auto roller = roller_on(own, state, side);
+            return shifted(product(shifted(roller, shift + wider), curvature), -1.0);
+        });
+    formula.over = [shift = held.shift](const DiskCam& own, const StateOver& state) {
+        const RangeOver factor = has_roller(own.follower)
+                                     ? shifted(state[DimensionIndex::roller_radius], shift)
+                                     : RangeOver(shift);
+        return curvature_excess(own, state, factor, 1.0);
+    };
+    formula.scale = held.scale;
+    add_on_side(rules, cam, std::move(formula), held.side);
 }
 
-void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam) {
+/// The roller of this side is a dimension that moves.
+bool is_roller_variable(const DiskVariables& cam, int side) {
+    const bool own = side == 1 && cam.cam.form.is_conjugate() && cam.cam.form.second_roller_radius;
+    return !own && cam.is_variable(DimensionIndex::roller_radius);
+}
+
+void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam, int side) {
     const bool roller = has_roller(cam->cam.follower);
-    const double nominal = roller ? cam->cam[DimensionIndex::roller_radius] : 0.0;
+    const double nominal = roller ? surface_offset(cam->cam, side) : 0.0;
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius);
         limit && (roller || limit->value > 0.0)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (nominal + least)) : 1.0;
-        add_roller_radius(rules, cam, *limit, least, scale);
+        add_roller_radius(rules, cam, *limit, {least, scale, side});
     }
     const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
-    const bool may_bite =
-        concave && (cam->is_variable(DimensionIndex::roller_radius) || concave->value > nominal);
+    const bool may_bite = concave && (is_roller_variable(*cam, side) || concave->value > nominal);
     if (may_bite) {
         const double least = concave->value;
         const double scale = std::clamp(least / std::max(least - nominal, least_scale * least), 1.0, 1e3);
-        add_roller_radius(rules, cam, *concave, -least, scale);
+        add_roller_radius(rules, cam, *concave, {-least, scale, side});
     }
 }
 
@@ -108,6 +134,7 @@ void add_face_width(Rules& rules, const Scene& scene, const Shared& cam) {
             cam_formula("cam.face_half_width", [sign, width](const DiskCam&, const auto& state) {
                 return shifted(scaled(velocity(state), sign / width), -1.0);
             });
+        formula.sign = sign;
         formula.highest_order = 1;
         formula.linear = true;
         rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
@@ -134,10 +161,10 @@ Rules cam_limits(const Scene& scene, const CamVariables& variables) {
     if (has_flat_face(cam->cam.follower)) {
         add_flat_radius(rules, scene, cam);
     } else {
-        add_roller_radii(rules, scene, cam);
+        for (int side = 0; side < side_count(cam->cam); ++side) add_roller_radii(rules, scene, cam, side);
     }
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
-        add_regularity(rules, cam, limit->key, limit->value);
+        for (int side = 0; side < side_count(cam->cam); ++side) add_regularity(rules, cam, *limit, side);
     if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(rules, cam, limit->key);
     add_face_width(rules, scene, cam);
     add_forces(rules, scene, cam);

@@ -45,6 +45,24 @@ std::optional<RangeAlong> CamRule::range_along(const std::array<Interval, 5>& de
                           {along(lift, 0), along(slope, 1), along(slope / cam_->scale.unit_angle, 2)});
 }
 
+std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, double) const {
+    if (!formula_.over || box.size() > RangeOver::most) return {};
+    ++*cam_->profile_points;
+    const double lift = cam_->scale.lift, slope = lift / cam_->scale.unit_angle;
+    StateOver state{RangeOver::variable(box[0], 0, lift),
+                    RangeOver::variable(box[1], 1, slope),
+                    RangeOver::variable(box[2], 2, slope / cam_->scale.unit_angle),
+                    {}};
+    for (std::size_t k = 0; k < state.dimensions.size(); ++k) state.dimensions[k] = cam_->cam.dimensions[k];
+    int column = 4;
+    for (const DiskVariables::Variable& variable : cam_->variables) {
+        state.dimensions[static_cast<std::size_t>(variable.dimension)] =
+            RangeOver::variable(box[static_cast<std::size_t>(column)], column, variable.reference);
+        ++column;
+    }
+    return formula_.over(cam_->cam, state);
+}
+
 RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*cam_->profile_points;
     return normalised(formula_.value(cam_at(q), state_of(point, cam_->scale)));

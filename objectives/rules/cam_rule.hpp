@@ -6,6 +6,7 @@
 #include "objectives/rules/cam_variables.hpp"
 #include "objectives/rules/limit_rule.hpp"
 #include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/quantity_over.hpp"
 
 #include <functional>
 #include <memory>
@@ -20,18 +21,21 @@ struct CamFormula : LimitFrame {
     std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
     /// The same over a stretch of the cam angle.
     std::function<RangeAlong(const DiskCam&, const StateAlong&)> range;
+    /// The same over a box of states and dimensions, or that times something positive.
+    std::function<RangeOver(const DiskCam&, const StateOver&)> over = {};
     bool linear = false;
     std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
     SlopeRange slope = {};  ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
 };
 
-/// Both from one text, generic over the state.
+/// All from one text, generic over the state.
 template <class Formula>
 [[nodiscard]] CamFormula cam_formula(std::string name, const Formula& formula) {
     CamFormula result;
     result.name = std::move(name);
     result.value = formula;
     result.range = formula;
+    result.over = formula;
     return result;
 }
 
@@ -44,6 +48,8 @@ class CamRule final : public LimitRule {
     [[nodiscard]] SlopeRange slope_range() const override;
     [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
                                                         const Eigen::VectorXd& q) const override;
+    [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
+                                                      double at) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:

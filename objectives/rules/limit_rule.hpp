@@ -16,6 +16,7 @@ namespace camopt {
 struct LimitFrame {
     std::string name;         ///< the key of the limit, as the user wrote it
     std::string remark = {};  ///< which part of the limit it is, where there are several
+    int sign = 0;             ///< ±1: which of its two sides
     int highest_order = 2;
     double scale = 1.0;               ///< a value of this is a violation of 100 %
     std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
@@ -25,7 +26,7 @@ class LimitRule : public PointRule {
  public:
     [[nodiscard]] std::string name() const override { return frame_.name; }
     [[nodiscard]] RowOrigin origin() const override {
-        RowOrigin origin = PointRule::origin();
+        RowOrigin origin = with_sign(PointRule::origin(), frame_.sign);
         origin.remark = frame_.remark;
         return origin;
     }

@@ -37,10 +37,14 @@ void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechani
             const MechanismValue excess = call.pressure_excess(angle, sign);
             return combined(1.0 / length, excess, 0.0, excess);
         };
-        MechanismFormula formula{{limit->key, {}, 1, limit->value},
+        MechanismFormula formula{{limit->key, {}, sign, 1, limit->value},
                                  station,
                                  value,
                                  mechanism->cam.formulas->pressure_shape(active)};
+        formula.over = [sign, station, angle = limit->value](const CamMechanism& formulas,
+                                                             const MechanismStateOver& state) {
+            return formulas.pressure_over(angle, sign, state, station);
+        };
         rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
 }
@@ -54,6 +58,10 @@ void add_radius(MechanismRules& rules, const SharedMechanism& mechanism, const M
                                call(MechanismQuantity::pitch_curvature)),
                        -1.0);
     };
+    formula.over = [shift, station = frame.station](const CamMechanism& formulas,
+                                                    const MechanismStateOver& state) {
+        return formulas.radius_over(shift, state, station);
+    };
     rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
 }
 
@@ -65,14 +73,14 @@ void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism&
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
-        add_radius(rules, mechanism, {{limit->key, {}, 2, scale}, station}, least);
+        add_radius(rules, mechanism, {{limit->key, {}, 0, 2, scale}, station}, least);
     }
     // The roller itself fits into any hollow larger than it.
     const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
     if (!concave || !(moves || concave->value > roller)) return;
     const double least = concave->value;
     const double scale = std::clamp(least / std::max(least - roller, least_scale * least), 1.0, 1e3);
-    add_radius(rules, mechanism, {{concave->key, {}, 2, scale}, station}, -least);
+    add_radius(rules, mechanism, {{concave->key, {}, 0, 2, scale}, station}, -least);
 }
 
 void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
@@ -82,8 +90,12 @@ void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism
         const MechanismValue regularity = call(MechanismQuantity::regularity);
         return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
     };
-    rules.push_back(
-        std::make_shared<MechanismRule>(mechanism, MechanismFormula{{limit->key}, station, value}));
+    MechanismFormula formula{{limit->key}, station, value};
+    formula.over = [station, margin = limit->value](const CamMechanism& formulas,
+                                                    const MechanismStateOver& state) {
+        return formulas.regularity_over(margin, state, station);
+    };
+    rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
 }
 
 }  // namespace

@@ -22,6 +22,21 @@ MechanismRule::MechanismRule(std::shared_ptr<const CamVariables> mechanism, Mech
     }
 }
 
+std::optional<RangeOver> MechanismRule::range_over(std::span<const Interval> box, double at) const {
+    if (!formula_.over || box.size() > RangeOver::most) return {};
+    ++*mechanism_->profile_points;
+    const double lift = mechanism_->scale.lift, angle = mechanism_->scale.unit_angle;
+    const double slope = lift / angle;
+    MechanismStateOver state{
+        std::vector<RangeOver>(mechanism_->cam.dimensions.begin(), mechanism_->cam.dimensions.end()),
+        RangeOver::variable(box[0], 0, lift), RangeOver::variable(box[1], 1, slope),
+        RangeOver::variable(box[2], 2, slope / angle), Interval(angle) * Interval(at)};
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        state.dimensions[static_cast<std::size_t>(active_[k])] =
+            RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), mechanism_->variables[k].reference);
+    return formula_.over(*mechanism_->cam.formulas, state);
+}
+
 RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*mechanism_->profile_points;
     std::vector<double> dimensions = mechanism_->cam.dimensions;

@@ -9,6 +9,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct MechanismFormula : LimitFrame {
     /// <= 0 is kept; dimensionless, of order one.
     std::function<MechanismValue(const MechanismCall&)> value = {};
     Curvature shape = Curvature::general;
+    /// The same over a box, or that times something positive.
+    std::function<std::optional<RangeOver>(const CamMechanism&, const MechanismStateOver&)> over = {};
 };
 
 class MechanismRule final : public LimitRule {
@@ -44,6 +48,8 @@ class MechanismRule final : public LimitRule {
 
     [[nodiscard]] bool linear() const override { return formula_.shape == Curvature::linear; }
     [[nodiscard]] Curvature curvature(double, double) const override { return formula_.shape; }
+    [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
+                                                      double at) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:

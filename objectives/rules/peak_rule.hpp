@@ -11,9 +11,10 @@ namespace camopt {
 class CapRule final : public PointRule {
  public:
     CapRule(std::string name, int order, int sign, double cap)
-        : name_(std::move(name)), order_(order), weight_(sign / cap) {}
+        : name_(std::move(name)), order_(order), sign_(sign), weight_(sign / cap) {}
 
     [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] RowOrigin origin() const override { return with_sign(PointRule::origin(), sign_); }
     [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
     [[nodiscard]] bool linear() const override { return true; }
     [[nodiscard]] int highest_order() const override { return order_; }
@@ -23,7 +24,7 @@ class CapRule final : public PointRule {
 
  private:
     std::string name_;
-    int order_;
+    int order_, sign_;
     double weight_;
     std::vector<int> none_;
 };
@@ -34,6 +35,7 @@ class PeakRule final : public PointRule {
     PeakRule(int order, int sign, int parameter, double reference);
 
     [[nodiscard]] std::string name() const override;
+    [[nodiscard]] RowOrigin origin() const override { return with_sign(PointRule::origin(), sign_); }
     [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
     [[nodiscard]] bool linear() const override { return true; }
     [[nodiscard]] int highest_order() const override { return order_; }

@@ -9,12 +9,14 @@
 #include "core/curvature.hpp"
 #include "core/motion.hpp"
 #include "core/nlp.hpp"
-#include "core/range_along.hpp"
+#include "core/numbers/range_along.hpp"
+#include "core/numbers/range_over.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,9 +35,13 @@ struct SlopeRange {
     double least = -infinity, most = infinity;
 };
 
+class WholeMotionRule;
+
 class PointRule {
  public:
     virtual ~PointRule() = default;
+    /// Itself, where it looks at more than one point (whole_motion_rule.hpp).
+    [[nodiscard]] virtual const WholeMotionRule* whole() const { return nullptr; }
     /// Of a limit of the scene: its key, as the user wrote it.
     [[nodiscard]] virtual std::string name() const = 0;
     /// Of the rows that keep it, without a place.
@@ -43,6 +49,7 @@ class PointRule {
         RowOrigin origin;
         origin.rule = name();
         origin.limit = limit();
+        origin.order = highest_order();
         return origin;
     }
     /// Which parameters of the problem are q_1 … q_m.
@@ -86,6 +93,15 @@ class PointRule {
         static_cast<void>(q);
         return {};
     }
+    /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: what encloses the rule times something
+    /// positive, with its partials by them. The factor is the rule's own choice, one that leaves little that
+    /// is curved. Empty: nobody has written that down, and bounds do without the rule.
+    [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> box,
+                                                              double at) const {
+        static_cast<void>(box);
+        static_cast<void>(at);
+        return {};
+    }
     [[nodiscard]] virtual RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const = 0;
 
  protected:
@@ -93,5 +109,11 @@ class PointRule {
     PointRule(const PointRule&) = default;
     PointRule& operator=(const PointRule&) = default;
 };
+
+/// The same origin, of the side of this sign.
+[[nodiscard]] inline RowOrigin with_sign(RowOrigin origin, int sign) {
+    origin.sign = sign;
+    return origin;
+}
 
 }  // namespace camopt

@@ -23,6 +23,8 @@ class TorqueRule final : public PointRule {
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
     [[nodiscard]] Eigen::VectorXd along(const std::array<Eigen::VectorXd, 4>& derivatives,
                                         const Eigen::VectorXd& q) const override;
+    [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
+                                                      double at) const override;
 
  private:
     int sign_;

@@ -3,7 +3,10 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "studies/check/forward_check_input.hpp"
+#include "studies/check/two_sided_check.hpp"
 
 #include <utility>
 #include <vector>
@@ -66,6 +69,8 @@ ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const int count = points.value_or(cam.formulas->is_direct() ? follower_points : linkage_points);
+    if (const std::optional<DiskCam> disk = disk_cam(cam); disk && side_count(*disk) > 1)
+        return two_sided_check(cam, motion, scale, count);
     const ForwardCheckResult result = forward_check(forward_check_input(cam, motion, scale, count));
     return {result.deviation, result.relative, result.theta / scale.unit_angle, result.points,
             result.seconds};

@@ -4,7 +4,7 @@
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "core/infinity.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/check/touching_follower.hpp"
 
@@ -65,10 +65,12 @@ class Simulation {
         for (int i = 0; i < input_.angles; ++i) {
             const double theta = input_.begin + (input_.end - input_.begin) * (i + 0.5) / input_.angles;
             const Contact contact = contact_at(theta, i % search_whole == 0);
+            if (input_.keep_found) result.found.push_back(std::nan(""));
             if (contact.at_end) {
                 ++result.beyond;
                 continue;
             }
+            if (input_.keep_found) result.found.back() = lift_of(contact);
             ++result.angles;
             const double deviation = deviation_of(contact, theta);
             if (deviation > result.deviation) {
@@ -86,8 +88,17 @@ class Simulation {
         parameters_.push_back(parameter);
         places_.push_back(curve_.at(parameter));
     }
+    /// How high the follower is held by a point; inside a groove how low: what is searched for is the
+    /// largest.
+    [[nodiscard]] double held_by(const Vector2d& point) const {
+        return input_.from_inside ? -follower_.lift_under(point) : follower_.lift_on(point);
+    }
+    /// s of a contact.
+    [[nodiscard]] double lift_of(const Contact& contact) const {
+        return (input_.from_inside ? -contact.lift : contact.lift) - follower_.start();
+    }
     [[nodiscard]] double deviation_of(const Contact& contact, double theta) const {
-        const double lift = contact.lift - follower_.start();
+        const double lift = lift_of(contact);
         const double found = std::abs((input_.output ? input_.output(lift) : lift) - input_.designed(theta));
         return found < infinity ? found : infinity;  // NaN is no contact either
     }
@@ -111,7 +122,7 @@ class Simulation {
     }
 
     [[nodiscard]] double lift_at(const Turn& turn, double parameter) const {
-        return follower_.lift_on(turn(curve_.at(parameter)));
+        return held_by(turn(curve_.at(parameter)));
     }
     [[nodiscard]] std::size_t next(std::size_t index) const {
         return index + 1 < places_.size() ? index + 1 : curve_.closed() ? 0 : index;
@@ -122,11 +133,11 @@ class Simulation {
 
     /// From the place of the angle before to the highest one around.
     void climb(const Turn& turn) {
-        double best = follower_.lift_on(turn(places_[highest_]));
+        double best = held_by(turn(places_[highest_]));
         for (std::size_t steps = 0; steps < places_.size(); ++steps) {
             std::size_t better = highest_;
             for (const std::size_t neighbour : {next(highest_), previous(highest_)}) {
-                const double lift = follower_.lift_on(turn(places_[neighbour]));
+                const double lift = held_by(turn(places_[neighbour]));
                 if (lift > best) {
                     best = lift;
                     better = neighbour;
@@ -139,7 +150,7 @@ class Simulation {
     void search(const Turn& turn) {
         double best = -infinity;
         for (std::size_t i = 0; i < places_.size(); ++i) {
-            const double lift = follower_.lift_on(turn(places_[i]));
+            const double lift = held_by(turn(places_[i]));
             if (lift > best) {
                 best = lift;
                 highest_ = i;
@@ -147,7 +158,7 @@ class Simulation {
         }
     }
     [[nodiscard]] bool cuts_anywhere(const Turn& turn, double lift) const {
-        const StandingFollower standing = follower_.standing_at(lift);
+        const StandingFollower standing = follower_.standing_at(input_.from_inside ? -lift : lift);
         return std::any_of(places_.begin(), places_.end(),
                            [&](const Vector2d& place) { return standing.cuts(turn(place)); });
     }

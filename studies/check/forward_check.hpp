@@ -34,6 +34,10 @@ struct ForwardCheckInput {
     double output_size = 1.0;
     double begin = 0.0, end = 2.0 * std::numbers::pi;  ///< cam angles checked
     int angles = 4001;                                 ///< so many, evenly inside (begin, end); >= 1
+    /// A roller in a groove whose outer flank the points are: it stands at the least lift at which it touches
+    /// one of them from inside.
+    bool from_inside = false;
+    bool keep_found = false;  ///< ForwardCheckResult::found
 
     void validate() const;  ///< throws InputError
 };
@@ -45,8 +49,9 @@ struct ForwardCheckResult {
     double relative = 0.0;  ///< deviation at the contact (rad times arm; flat: centre distance) / prime
                             ///< radius; output / size
     int points = 0, angles = 0;
-    int beyond = 0;        ///< angles left out, their contact being the end of an open cam
-    double seconds = 0.0;  ///< of wall time
+    int beyond = 0;                  ///< angles left out, their contact being the end of an open cam
+    double seconds = 0.0;            ///< of wall time
+    std::vector<double> found = {};  ///< s at each angle where it was asked for; NaN where left out
 };
 
 /// Throws InputError for input that cannot be checked at all (point_curve.hpp, validate).

@@ -4,11 +4,13 @@
 #include "core/errors.hpp"
 #include "core/whole_turn.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -101,6 +103,31 @@ ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Mo
     contacts.reserve(profile.points.size());
     for (const MechanismPoint& point : profile.points)
         contacts.push_back(disk ? disk->point(point.contact) : Eigen::Vector2d(point.contact.head<2>()));
+    set_points(input, std::move(contacts), std::move(profile.breaks));
+    return input;
+}
+
+ForwardCheckInput side_check_input(const DrivenMechanism& mechanism, const Motion& motion,
+                                   const MotionScale& scale, const CheckedSide& side) {
+    const DiskCam whole = disk_cam(mechanism).value();
+    const bool mirrored = whole.form.is_conjugate() && side.side == 1;
+    DiskCam own = mirrored ? second_disk(whole) : whole;
+    own.form = {};
+    const auto at = [&own](DimensionIndex which) -> double& {
+        return own.dimensions[static_cast<std::size_t>(which)];
+    };
+    at(DimensionIndex::base_radius) += at(DimensionIndex::roller_radius) - side.roller_radius;
+    at(DimensionIndex::roller_radius) = side.roller_radius;
+    ForwardCheckInput input = input_of(own, motion, scale);
+    if (mirrored)
+        input.designed = [first = std::move(input.designed)](double theta) { return -first(theta); };
+    input.from_inside = whole.form.is_grooved() && side.side == 1;
+    input.keep_found = true;
+    MechanismProfile profile = mechanism_profile(mechanism, motion, scale, side.points, side.side);
+    std::vector<Eigen::Vector2d> contacts;
+    contacts.reserve(profile.points.size());
+    for (const MechanismPoint& point : profile.points)
+        contacts.emplace_back(point.contact.x(), mirrored ? -point.contact.y() : point.contact.y());
     set_points(input, std::move(contacts), std::move(profile.breaks));
     return input;
 }

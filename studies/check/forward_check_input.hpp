@@ -21,4 +21,15 @@ namespace camopt {
 [[nodiscard]] ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Motion& motion,
                                                     const MotionScale& scale, int points = 2000);
 
+struct CheckedSide {
+    int side = 0, points = 2000;
+    double roller_radius = 0.0;  ///< m
+};
+
+/// The same for one side of a disk cam that drives both ways (profiles/disk/disk_sides.hpp), with a roller of
+/// this radius whose centre is designed to move as the cam's own does: in a groove one that fills it makes
+/// the deviation that of the flank alone. Of the second disk everything is in its mirror: s is −s.
+[[nodiscard]] ForwardCheckInput side_check_input(const DrivenMechanism& mechanism, const Motion& motion,
+                                                 const MotionScale& scale, const CheckedSide& side);
+
 }  // namespace camopt

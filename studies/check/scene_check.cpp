@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/scene_check.hpp"
 
-#include "core/extrapolated_difference.hpp"
+#include "core/numbers/extrapolated_difference.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"

@@ -15,8 +15,9 @@
 
 namespace camopt {
 
-/// Largest disagreement of one kind of derivative with differences (core/extrapolated_difference.hpp). An
-/// entry is wrong where it is off by many times the estimated error of its difference.
+/// Largest disagreement of one kind of derivative with differences
+/// (core/numbers/extrapolated_difference.hpp). An entry is wrong where it is off by many times the estimated
+/// error of its difference.
 struct DerivativeError {
     std::string kind;     ///< "gradient", "jacobian", "hessian"
     std::string where;    ///< the worst entry, by names

@@ -53,6 +53,18 @@ double TouchingFollower::lift_on(const Vector2d& point) const {
     return std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
 }
 
+double TouchingFollower::lift_under(const Vector2d& point) const {
+    if (!(point.y() > 0.0)) return infinity;
+    if (!oscillates_) {
+        const double across = point.x() - offset_, square = roller_ * roller_ - across * across;
+        return square >= 0.0 ? point.y() - std::sqrt(square) : infinity;
+    }
+    const double away = std::hypot(distance_ - point.x(), point.y());
+    const double point_angle = std::atan2(point.y(), distance_ - point.x());
+    const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
+    return std::abs(cosine) <= 1.0 ? point_angle - std::acos(cosine) : infinity;
+}
+
 StandingFollower TouchingFollower::standing_at(double lift) const {
     if (!oscillates_ && flat_) return {false, {0.0, lift}, {0.0, 1.0}, {0.0, 0.0}, rounding * lift};
     const double square = roller_ * roller_ * (1.0 - rounding);

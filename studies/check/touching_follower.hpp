@@ -37,6 +37,9 @@ class TouchingFollower {
     /// The lift at which the follower touches the point; −infinity where it passes by. Not for a knife edge,
     /// which every point but those on its path passes by.
     [[nodiscard]] double lift_on(const Eigen::Vector2d& point) const;
+    /// The lift at which a roller in a groove touches a point of the wall beyond it, which it cannot pass;
+    /// infinite where it passes by. Only points above the cam's centre (the line of centres) are beyond it.
+    [[nodiscard]] double lift_under(const Eigen::Vector2d& point) const;
     /// x of the knife edge's path, y its lift.
     [[nodiscard]] double path() const { return offset_; }
     /// Not for a knife edge, which has no extent.

@@ -6,15 +6,18 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/own_point_rule.hpp"
+#include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/scene_cam.hpp"
+#include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
+#include "studies/delivered/response_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/solve/solve_free_angles.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +38,7 @@ struct Bench {
     std::optional<std::vector<double>> dimensions = {};  ///< of the scene's cam
     std::optional<DiskCam> disk = {};                    ///< the same of a disk cam
     bool limits_disk = false;
+    bool limits_train = false;
 };
 
 double dimension_of(const Bench& bench, int parameter) {
@@ -48,6 +52,14 @@ double dimension_of(const Bench& bench, int parameter) {
 double own_peak(const Scene& scene, const std::string& name, const Motion& motion) {
     const auto term = std::ranges::find(scene.own_terms, name, &OwnTerm::name);
     return largest_of_own(*term, motion).value;
+}
+
+/// In units of its reference.
+double response_of(const Parameter& parameter, const Motion& motion) {
+    double largest = 0.0;
+    for (const auto& place : parameter.defined_by->whole()->maxima(motion, Eigen::VectorXd::Zero(1)))
+        largest = std::max(largest, place.where.value);
+    return largest;
 }
 
 /// A parameter of the optimizer as a given motion sets it.
@@ -66,6 +78,8 @@ double parameter_value(const Bench& bench, const Motion& motion, const Peaks& pe
             return std::abs(parameter_value(bench, motion, peaks, parameter.order));
         case Parameter::Kind::own:
             return own_peak(bench.scene, parameter.name, motion) / parameter.reference;
+        case Parameter::Kind::response:
+            return response_of(parameter, motion);
     }
     return 0.0;
 }
@@ -98,6 +112,10 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
     }
     for (const ConstraintReport& reached : own_constraints(bench.scene, *row.motion))
         row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+    if (bench.limits_train)
+        for (const ConstraintReport& reached :
+             response_constraints(bench.scene, train_report(bench.scene, *row.motion)))
+            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
     if (!bench.limits_disk) return;
     std::string broken = broken_without_cam(row, of_motion);
@@ -154,6 +172,9 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
         bench.disk = disk_cam({cam->formulas, *bench.dimensions});
     }
     bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
+    bench.limits_train = scene.dynamics && std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
+                             return row.needs_dynamics && row.in(scene.limits).has_value();
+                         });
     return bench;
 }
 

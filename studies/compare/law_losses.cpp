@@ -18,8 +18,6 @@ constexpr std::array<FrontFigure, 3> goals = {FrontFigure::velocity, FrontFigure
 // Of the objective: closer bounds do not change a printed per cent.
 constexpr double settled_gap = 1e-6;
 constexpr int most_cuts = 40;
-// A cut lower by less than this, of the law's objective, changes nothing.
-constexpr double same_value = 1e-12;
 
 bool usable(double value) {
     return std::isfinite(value) && value > 0.0;
@@ -80,24 +78,11 @@ void LossFinder::add_cut(const PeakTriple& peaks) {
 }
 
 GameValue LossFinder::best_shares(const PeakTriple& law) const {
-    GameValue game{{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity};
-    std::vector<PeakTriple> rows;  // the few cuts that matter
-    while (true) {
-        const PeakTriple* lowest = nullptr;
-        double least = game.value - same_value;
-        PeakTriple row{};
-        for (const PeakTriple& cut : cuts_) {
-            double value = 0.0;
-            for (std::size_t i = 0; i < 3; ++i) value += game.mix[i] * cut[i] * reference_[i] / law[i];
-            if (value >= least) continue;
-            least = value;
-            lowest = &cut;
-        }
-        if (lowest == nullptr) return game;
-        for (std::size_t i = 0; i < 3; ++i) row[i] = (*lowest)[i] * reference_[i] / law[i];
-        rows.push_back(row);
-        game = solve_game(rows);
-    }
+    std::vector<PeakTriple> rows = cuts_;
+    for (PeakTriple& row : rows)
+        for (std::size_t i = 0; i < 3; ++i) row[i] *= reference_[i] / law[i];
+    if (rows.empty()) return {{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity, infinity};
+    return solve_game_by_cuts(rows);
 }
 
 std::optional<ClosestApproach> LossFinder::closest(const PeakTriple& law) {

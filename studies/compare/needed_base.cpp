@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/needed_base.hpp"
 
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 #include "profiles/disk/disk_mechanism.hpp"

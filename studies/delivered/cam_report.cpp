@@ -74,8 +74,45 @@ std::optional<CamExtreme> figure_of(LimitedFigure figure, const LimitSpec& limit
             return forces->torque;
         case LimitedFigure::hertz_pressure:
             return forces->hertz_pressure;
+        case LimitedFigure::residual:
+        case LimitedFigure::dynamic_contact_force:
+            break;  // of the train, not of the cam
     }
     return std::nullopt;
+}
+
+/// The side on which a figure is as it is; empty where it is not of one side, or the same on both.
+std::string side_of(LimitedFigure figure, const CamExtreme& worst, const CamSummary& summary) {
+    const auto on = [&](const SideSummary& side) -> std::optional<CamExtreme> {
+        switch (figure) {
+            case LimitedFigure::pressure_angle:
+            case LimitedFigure::rise_pressure_angle:
+            case LimitedFigure::return_pressure_angle:
+                return side.pressure_angle;
+            case LimitedFigure::convex_radius:
+                return side.convex_radius;
+            case LimitedFigure::concave_radius:
+                return side.concave_radius;
+            case LimitedFigure::regularity:
+                return side.regularity;
+            case LimitedFigure::hertz_pressure:
+                return side.hertz_pressure;
+            case LimitedFigure::contact_force:
+            case LimitedFigure::torque:
+            case LimitedFigure::residual:
+            case LimitedFigure::dynamic_contact_force:
+                break;
+        }
+        return std::nullopt;
+    };
+    std::string name;
+    for (const SideSummary& side : summary.sides) {
+        const std::optional<CamExtreme> own = on(side);
+        if (!own || own->value != worst.value) continue;
+        if (!name.empty()) return {};
+        name = side.name;
+    }
+    return name;
 }
 
 /// The limits that need forces, or those that do not.
@@ -87,6 +124,7 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
         const std::optional<CamExtreme> worst = figure_of(row.figure, scene.limits, summary);
         if (!worst) continue;
         all.push_back(limit_report(*limit, *worst, row.is_least() ? -1 : 1));
+        all.back().side = side_of(row.figure, *worst, summary);
         if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
     }

@@ -5,19 +5,39 @@
 #include "studies/delivered/follower_figures.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
 namespace {
 
 /// Radii of the cam follow from the pitch curve's: the curvature is smooth where a radius is not.
-void add_radii_of_pitch(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn) {
-    const int which = cam.formulas->roller_radius();
-    const double roller = which < 0 ? 0.0 : cam.dimensions[static_cast<std::size_t>(which)];
+SideSummary side_summary(const DrivenMechanism& cam, const CamTurn& turn, int station) {
+    SideSummary side;
+    side.name = cam.formulas->station_name(station);
+    side.pressure_angle =
+        turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); }, station);
+    side.regularity = turn.least([](const CamPlace& place) { return place.point.regularity; }, station);
+    const double offset = cam.formulas->surface_offset(cam.dimensions, station);
     const auto curvature = [](const CamPlace& place) { return place.point.pitch_curvature; };
-    const CamExtreme sharpest = turn.largest(curvature), hollow = turn.least(curvature);
-    if (sharpest.value > 0.0) summary.convex_radius = CamExtreme{1.0 / sharpest.value - roller, sharpest.at};
-    if (hollow.value < 0.0) summary.concave_radius = CamExtreme{roller - 1.0 / hollow.value, hollow.at};
+    const CamExtreme sharpest = turn.largest(curvature, station), hollow = turn.least(curvature, station);
+    if (sharpest.value > 0.0) side.convex_radius = CamExtreme{1.0 / sharpest.value - offset, sharpest.at};
+    if (hollow.value < 0.0) side.concave_radius = CamExtreme{offset - 1.0 / hollow.value, hollow.at};
+    return side;
+}
+
+void keep_least(std::optional<CamExtreme>& least, const std::optional<CamExtreme>& other) {
+    if (other && (!least || other->value < least->value)) least = other;
+}
+
+void add_radii_of_pitch(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn) {
+    const int stations = cam.formulas->stations();
+    for (int station = 0; station < stations; ++station) {
+        SideSummary side = side_summary(cam, turn, station);
+        keep_least(summary.convex_radius, side.convex_radius);
+        keep_least(summary.concave_radius, side.concave_radius);
+        if (stations > 1) summary.sides.push_back(std::move(side));
+    }
 }
 
 void add_radii_of_face(CamSummary& summary, const CamTurn& turn) {

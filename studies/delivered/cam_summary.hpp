@@ -10,6 +10,8 @@
 #include "studies/delivered/extremes_along.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -19,6 +21,16 @@ struct ForceSummary {
     /// Infinite where the cam cannot be touched as designed (CamSummary::no_contact).
     std::optional<CamExtreme> normal_force;    ///< largest force along the normal, N
     std::optional<CamExtreme> hertz_pressure;  ///< Pa; with a contact width, not for a knife edge
+};
+
+/// One side of a cam that drives both ways: a flank of its groove, a disk of a conjugate pair.
+struct SideSummary {
+    std::string name;  ///< "outer flank"
+    CamExtreme pressure_angle, regularity;
+    std::optional<CamExtreme> convex_radius, concave_radius;
+    /// Largest, of the cam angles at which this side carries; 0 where it never does. None without forces, the
+    /// pressure without a width of contact; infinite without contact.
+    std::optional<CamExtreme> normal_force, hertz_pressure;
 };
 
 struct CamSummary {
@@ -41,6 +53,7 @@ struct CamSummary {
     /// turns back, a contact below the cam's centre. None where it can everywhere.
     std::optional<double> no_contact;
     std::optional<ForceSummary> forces;  ///< of a disk cam where the scene has forces and a speed
+    std::vector<SideSummary> sides;      ///< in the order of the stations; empty: the cam has one side
 
     [[nodiscard]] bool undercut() const { return !(regularity.value > 0.0); }
 };

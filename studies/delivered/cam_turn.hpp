@@ -6,6 +6,7 @@
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/delivered/extremes_along.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -29,11 +30,19 @@ class CamTurn {
     [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure) const {
         std::optional<CamExtreme> best;
         for (int station = 0; station < cam_.formulas->stations(); ++station) {
-            const CamExtreme one = largest_along(
-                points_, [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); });
+            const CamExtreme one = largest(figure, station);
             if (!best || one.value > best->value) best = one;
         }
         return *best;
+    }
+    [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure, int station) const {
+        return largest_along(
+            points_, [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); });
+    }
+    [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure, int station) const {
+        CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); }, station);
+        found.value = -found.value;
+        return found;
     }
     [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure) const {
         CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); });
@@ -42,13 +51,19 @@ class CamTurn {
     }
     /// |φ| with s' = 0 put in, whatever rounding made of it.
     [[nodiscard]] double pressure_angle_at_rest(double x) const {
-        FollowerState state = state_of(motion_.at(x, x < motion_.end() ? Side::right : Side::left), scale_);
-        state.velocity = 0.0;
-        const double theta = scale_.unit_angle * x;
-        return std::abs(cam_.formulas->point(theta, {cam_.dimensions, state}, 0).pressure_angle);
+        double largest = 0.0;
+        for (int station = 0; station < cam_.formulas->stations(); ++station)
+            largest = std::max(largest, pressure_angle_at_rest(x, station));
+        return largest;
     }
 
  private:
+    [[nodiscard]] double pressure_angle_at_rest(double x, int station) const {
+        FollowerState state = state_of(motion_.at(x, x < motion_.end() ? Side::right : Side::left), scale_);
+        state.velocity = 0.0;
+        const double theta = scale_.unit_angle * x;
+        return std::abs(cam_.formulas->point(theta, {cam_.dimensions, state}, station).pressure_angle);
+    }
     [[nodiscard]] CamPlace place(const MotionPoint& motion, int station) const {
         return {mechanism_point(cam_, motion, scale_, station), state_of(motion, scale_)};
     }

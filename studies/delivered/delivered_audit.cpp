@@ -2,6 +2,7 @@
 #include "studies/delivered/delivered_audit.hpp"
 
 #include "scene/limit_table.hpp"
+#include "solvers/certificate/forget_proof.hpp"
 #include "splines/basis.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
@@ -42,8 +43,9 @@ std::optional<Fault> joint_fault(const Solution& solution) {
     if (worst.relative <= largest_joint_jump) return {};
     return Fault{
         Reason::breakpoints_too_close,
-        fmt::format("the breakpoints lie too close for double precision: derivative {} of the motion "
-                    "jumps by {:.2g} of its largest value at x = {:.10g}",
+        fmt::format("double precision does not resolve this spline, whose breakpoints lie too close together "
+                    "or whose conditions nearly contradict: derivative {} of the motion jumps by {:.2g} of "
+                    "its largest value at x = {:.10g}",
                     worst.order, worst.relative, worst.at)};
 }
 
@@ -176,10 +178,7 @@ void drop_passed_bound(Certificate& certificate, double tolerance) {
     if (!certificate.lower_bound || !bound_passes(certificate.objective, *certificate.lower_bound,
                                                   std::max(tolerance, objective_rounding)))
         return;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
+    forget_proof(certificate);
     if (certificate.verdict != Verdict::optimal) return;
     certificate.verdict = Verdict::feasible;
     certificate.reason = Reason::limits_within_rounding;
@@ -213,11 +212,19 @@ void tell_of_rounding(Solution& solution) {
 void fail(Certificate& certificate, Reason reason) {
     certificate.verdict = Verdict::failed;
     certificate.reason = reason;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
+    forget_proof(certificate);
     certificate.stationarity.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
+}
+
+void withdraw_motion(Solution& solution) {
+    solution.motion.reset();
+    solution.curve.reset();
+    solution.segments.clear();
+    solution.cam.reset();
+    solution.peaks = solution.motion_peaks = {};
+    solution.own_terms.clear();
+    solution.constraints.clear();
+    solution.certificate.objective = infinity;
 }
 
 }  // namespace
@@ -266,10 +273,7 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
 void drop_idle_bound(Certificate& certificate) {
     if (certificate.verdict == Verdict::optimal) return;
     if (!certificate.lower_bound || *certificate.lower_bound >= 0.0) return;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
+    forget_proof(certificate);
 }
 
 void audit_delivered(Solution& solution) {
@@ -291,12 +295,13 @@ void audit_delivered(Solution& solution) {
     if (!fault) fault = limit_fault(solution);
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {
-        judge_gap(certificate, solution.scene.solver.gap);
+        judge_gap(certificate, solution.scene.solver.wanted_gap(solution.solver.convex));
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
         drop_idle_bound(certificate);
         return tell_of_rounding(solution);
     }
     fail(certificate, fault->reason);
+    if (is_no_motion(fault->reason)) withdraw_motion(solution);
     solution.notes.push_back(std::move(fault->note));
 }
 

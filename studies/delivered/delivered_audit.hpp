@@ -32,6 +32,12 @@ inline constexpr double condition_rounding = 1e-9;
 /// figures come from a search of their own between samples.
 inline constexpr double figure_rounding = 1e-8;
 
+/// Of a failed audit: pieces that do not meet, or that their coefficients do not give back, are no one
+/// motion; no figure of them would be that of what is published, so nothing is delivered.
+[[nodiscard]] constexpr bool is_no_motion(Reason reason) {
+    return reason == Reason::breakpoints_too_close || reason == Reason::coefficients_too_coarse;
+}
+
 struct JointJump {
     double relative = 0.0;  ///< by the largest magnitude of that derivative, at the joints or (where it is
                             ///< small there) anywhere

@@ -33,6 +33,9 @@ double defined_objective(const Solution& solution) {
         if (const double weight = term.weight_in(weights); weight > 0.0)
             sum += weight * term.measured.of(peaks) / term.measured.of(reference);
     for (const OwnTermReport& term : solution.own_terms) sum += term.weight * term.value / term.reference;
+    if (solution.train)
+        for (const ResponseTermReport& term : solution.train->terms)
+            sum += term.weight * term.worst.value / term.reference;
     return sum;
 }
 

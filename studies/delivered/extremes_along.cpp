@@ -2,7 +2,7 @@
 #include "studies/delivered/extremes_along.hpp"
 
 #include "core/infinity.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 
 #include <algorithm>
 #include <cmath>

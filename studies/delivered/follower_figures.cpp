@@ -4,10 +4,13 @@
 #include "core/infinity.hpp"
 #include "objectives/rules/rest_places.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "studies/delivered/cam_turn.hpp"
 #include "studies/delivered/follower_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace camopt {
 
@@ -21,8 +24,36 @@ struct ForcedMotion {
     double speed = 0.0;
 };
 
+/// Where one side carries: 0 elsewhere.
+void add_side_loads(SideSummary& side, int station, const DiskCam& cam, const CamTurn& turn,
+                    const ForcedMotion& forced) {
+    const auto normal = [&](const CamPlace& place) {
+        const double force = forced.forces.force(forced.speed, place.state.s, place.state.acceleration);
+        return std::max(0.0, normal_force(cam, place.state, force, station));
+    };
+    side.normal_force = turn.largest(normal, station);
+    if (!has_hertz_pressure(cam, forced.forces)) return;
+    side.hertz_pressure = turn.largest(
+        [&](const CamPlace& place) {
+            return hertz_pressure(cam, forced.forces, place.point, normal(place), station);
+        },
+        station);
+}
+
+/// The larger of the two sides, each of which carries a part of the turn.
+void set_largest_loads(ForceSummary& summary, const std::vector<SideSummary>& sides) {
+    const auto larger = [](std::optional<CamExtreme>& largest, const std::optional<CamExtreme>& one) {
+        if (one && (!largest || one->value > largest->value)) largest = one;
+    };
+    for (const SideSummary& side : sides) {
+        larger(summary.normal_force, side.normal_force);
+        larger(summary.hertz_pressure, side.hertz_pressure);
+    }
+}
+
 ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const ForcedMotion& forced,
-                           const std::optional<double>& no_contact) {
+                           CamSummary& of) {
+    const std::optional<double>& no_contact = of.no_contact;
     const ForceSpec& forces = forced.forces;
     const double speed = forced.speed;
     const auto force = [&](const CamPlace& place) {
@@ -39,6 +70,16 @@ ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const Forced
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
         if (presses) summary.hertz_pressure = summary.normal_force;
+        for (SideSummary& side : of.sides) {
+            side.normal_force = summary.normal_force;
+            side.hertz_pressure = summary.hertz_pressure;
+        }
+        return summary;
+    }
+    if (!of.sides.empty()) {
+        for (std::size_t i = 0; i < of.sides.size(); ++i)
+            add_side_loads(of.sides[i], static_cast<int>(i), cam, turn, forced);
+        set_largest_loads(summary, of.sides);
         return summary;
     }
     summary.normal_force = turn.largest(normal);
@@ -64,10 +105,14 @@ void set_turning_back(CamSummary& summary, const CamExtreme& turning) {
 std::optional<double> place_without_contact(const DiskCam& cam, const CamTurn& turn,
                                             const CamSummary& summary) {
     if (summary.undercut()) return summary.regularity.at;
-    const CamExtreme height = turn.least([&](const CamPlace& place) {
-        return quantity(cam, place.state, Quantity::pressure_denominator).value;
-    });
-    if (!(height.value > 0.0)) return height.at;
+    for (int side = 0; side < side_count(cam); ++side) {
+        const CamExtreme height = turn.least(
+            [&](const CamPlace& place) {
+                return quantity(cam, place.state, Quantity::pressure_denominator, side).value;
+            },
+            side);
+        if (!(height.value > 0.0)) return height.at;
+    }
     return {};
 }
 
@@ -100,7 +145,7 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism,
     }
     summary.no_contact = place_without_contact(*cam, turn, summary);
     if (scene.forces && scene.motion.speed)
-        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary.no_contact);
+        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary);
 }
 
 }  // namespace camopt

@@ -5,21 +5,33 @@
 //   torque        F s' on the camshaft, > 0 where the cam drives
 //   normal force  F / lever, along the cam's normal (Quantity::normal_lever)
 //   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
+//
+// A cam that drives both ways carries F > 0 on its side 0, F < 0 on its side 1
+// (profiles/disk/disk_sides.hpp): the normal force is then that of the side that carries, >= 0.
 #pragma once
 
+#include "core/motion.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace camopt {
 
+struct Solution;
+
 /// F / lever.
 [[nodiscard]] double normal_force(const DiskCam& cam, const FollowerState& state, double force);
+/// The same on one side; < 0 where the other one carries.
+[[nodiscard]] double normal_force(const DiskCam& cam, const FollowerState& state, double force, int side);
+/// Which side a force presses on: 0 of an open cam.
+[[nodiscard]] int carrying_side(const DiskCam& cam, double force);
 
-/// Of a normal force (N) at a point of the cam, Pa; 0 where nothing presses. The forces have a contact width.
+/// Of a normal force (N) at a point of the cam, on that side, Pa; 0 where nothing presses. The forces have a
+/// contact width.
 [[nodiscard]] double hertz_pressure(const DiskCam& cam, const ForceSpec& forces, const MechanismPoint& point,
-                                    double normal_force);
+                                    double normal_force, int side = 0);
 
 /// Whether there is a pressure to speak of: a contact width is given, and the follower has no edge.
 [[nodiscard]] bool has_hertz_pressure(const DiskCam& cam, const ForceSpec& forces);
@@ -27,9 +39,18 @@ namespace camopt {
 struct FollowerLoads {
     double force = 0.0, torque = 0.0, normal_force = 0.0;
     std::optional<double> hertz_pressure;
+    int side = 0;  ///< which carries
 };
 
+/// point: of side 0.
 [[nodiscard]] FollowerLoads follower_loads(const DiskCam& cam, const ForceSpec& forces, double speed,
                                            const FollowerState& state, const MechanismPoint& point);
+
+/// Of the motion (normalised) and the cam at one angle.
+using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const MechanismPoint& cam)>;
+
+/// Along a delivered disk cam: what does not exist, where the cam cannot touch its follower, is not finite.
+/// None where the scene has no forces, or the cam is no disk. The solution must live as long.
+[[nodiscard]] LoadsAt delivered_loads(const Solution& solution);
 
 }  // namespace camopt

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct ConstraintReport {
     double at = 0.0;
     bool active = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
+    std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
 };
 
 /// A limit counts as active where the motion comes this close to it, relative.
@@ -40,6 +42,31 @@ struct OwnTermReport {
     double weight = 0.0, reference = 1.0;
     double value = 0.0;  ///< its largest along the motion, in its own unit; 0 where it is nowhere above
     double at = 0.0;     ///< x
+};
+
+/// A figure of the elastic follower train at the worst speed of its range.
+struct ResponseReport {
+    double value = 0.0;  ///< residual in lifts; acceleration in lifts by x²; least force in N or N m
+    double speed = 0.0;  ///< rad/s: the worst
+    double at = 0.0;     ///< x
+};
+
+/// A term over one of them: weight · value / reference is in the objective.
+struct ResponseTermReport {
+    std::string name;
+    double weight = 0.0, reference = 1.0;
+    ResponseReport worst;
+};
+
+/// What the train makes of the delivered motion, from rest over every rise and return.
+struct TrainReport {
+    std::vector<double> natural_frequencies;  ///< rad/s, ascending
+    double frequency_ratio = 0.0;             ///< time of x = 1 over the longest natural period
+    std::array<double, 2> speeds{};           ///< rad/s: the range
+    std::optional<ResponseReport> residual;   ///< none: no mode vibrates
+    ResponseReport acceleration;
+    std::optional<ResponseReport> least_force;  ///< none: the cam guides the follower both ways
+    std::vector<ResponseTermReport> terms;      ///< those with a weight
 };
 
 /// The least change of one number alone, the others kept, that makes the scene feasible; none where none was
@@ -106,6 +133,13 @@ struct ForwardCheckReport {
     double at = 0.0;         ///< x
     int points = 0;
     double seconds = 0.0;
+    /// Of a cam that drives both ways (studies/check/two_sided_check.hpp).
+    struct Play {
+        double least = 0.0, largest = 0.0;         ///< how far the follower can be moved to and fro, m or rad
+        double least_at = 0.0, largest_at = 0.0;   ///< x
+        std::optional<double> least_groove_width;  ///< m, of the finished flanks; a groove's
+    };
+    std::optional<Play> play = {};
 };
 
 /// A cam that was made, of any kind: its formulas and numbers, its figures.
@@ -168,6 +202,7 @@ struct Solution {
     std::optional<LimitCurve> any_curve_limit;
     std::optional<MeasuredReport> measured;
     std::vector<OwnTermReport> own_terms;
+    std::optional<TrainReport> train;  ///< where the scene has dynamics and there is a motion
     std::vector<ConstraintReport> constraints;
     std::vector<Relaxation> relaxation;  ///< filled where the verdict is infeasible
     std::optional<Explanation> explanation;

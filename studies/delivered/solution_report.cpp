@@ -8,6 +8,7 @@
 #include "studies/compare/peak_arithmetic.hpp"
 #include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
+#include "studies/delivered/response_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,7 @@ void report_delivered(Solution& solution, Delivered delivered) {
     solution.own_terms = own_term_reports(solution.scene, *solution.motion);
     const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
+    report_responses(solution);
 }
 
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {

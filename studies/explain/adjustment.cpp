@@ -118,7 +118,8 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
         std::max(std::abs(dimension.high), first_change * (*scene.cam)[DimensionIndex::base_radius].high);
     const bool has_sign = which == DimensionIndex::offset || which == DimensionIndex::face_offset;
     // A larger base circle always helps a translating follower; the rest may have to move either way.
-    const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower);
+    const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower) &&
+                            !scene.cam->form.is_conjugate();
     const auto with = [which, unit](const Scene& one, bool upper, double value) {
         Scene changed = one;
         Dimension& own = (*changed.cam)[which];

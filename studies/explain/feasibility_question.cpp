@@ -78,7 +78,9 @@ bool is_solved(const Scene& scene, const Budget& budget) {
     // The first of several starts is one of those of the scene itself: what it finds is found with all.
     Scene first = scene;
     first.solver.starts = 1;
-    if (has_motion(answer(first, budget))) return true;
+    const Solution one = answer(first, budget);
+    if (has_motion(one)) return true;
+    if (one.certificate.verdict == Verdict::infeasible) return false;
     if (budget.spent() || scene.solver.starts == 1) return false;
     const Solution all = answer(scene, budget);
     return has_motion(all);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/joint_relaxation.hpp"
 
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "studies/explain/feasibility_question.hpp"
 #include "studies/explain/value_search.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "studies/delivered/delivered_objective.hpp"
 #include "studies/delivered/solution_report.hpp"
-#include "studies/solve/solve_free_angles.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>

@@ -102,6 +102,7 @@ void set_weight(Scene& scene, const FrontGoal& goal, double weight) {
 
 void scale_weights(Scene& scene, double factor) {
     for (const CostTerm& term : cost_terms()) scene.objective.*term.weight *= factor;
+    for (const ResponseTerm& term : response_terms()) scene.objective.*term.weight *= factor;
     for (double& weight : scene.objective.dimensions) weight *= factor;
 }
 

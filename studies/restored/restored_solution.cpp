@@ -10,7 +10,7 @@
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/limit_curve.hpp"
-#include "studies/solve/solve_free_angles.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 
@@ -103,6 +103,20 @@ ForwardCheckReport forward_check_of(const Scene& scene, const input::ForwardChec
                             [&](double x) { return angle / units::degree * x; });
     check.points = record.points;
     check.seconds = record.seconds;
+    if (!record.play) return check;
+    const auto length = [&](double written) {
+        return written_from(written, written * unit, [&](double value) { return value / unit; });
+    };
+    const auto place = [&](double written) {
+        return written_from(written, written * units::degree / angle,
+                            [&](double x) { return angle / units::degree * x; });
+    };
+    check.play = ForwardCheckReport::Play{length(record.play->least), length(record.play->largest),
+                                          place(record.play->least_at_deg),
+                                          place(record.play->largest_at_deg), std::nullopt};
+    if (const auto& width = record.play->least_groove_width_mm)
+        check.play->least_groove_width = written_from(*width, *width * units::millimetre,
+                                                      [](double value) { return value / units::millimetre; });
     return check;
 }
 

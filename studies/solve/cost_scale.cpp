@@ -2,6 +2,7 @@
 #include "studies/solve/cost_scale.hpp"
 
 #include "scene/cost_table.hpp"
+#include "solvers/certificate/box_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ void CostScale::scale_weights(const Peaks& reference) {
             cost += weight * term.typical /
                     (scaled_.objective.reference.*term.reference).value_or(term.measured.of(reference));
     }
+    for (const ResponseTerm& term : response_terms()) cost += term.weight_in(scaled_.objective);
     for (const double weight : scaled_.objective.dimensions) cost += weight;
     for (const OwnTerm& term : scaled_.own_terms) cost += term.weight;
     if (cost >= least_idle_cost && cost <= most_idle_cost) return;
@@ -57,6 +59,7 @@ void CostScale::scale_weights(const Peaks& reference) {
     factor_ =
         power_of_two(cost < 1.0 ? std::ceil(std::log2(cost)) : std::floor(std::log2(cost / large_cost)));
     for (const CostTerm& term : cost_terms()) scaled_.objective.*term.weight /= factor_;
+    for (const ResponseTerm& term : response_terms()) scaled_.objective.*term.weight /= factor_;
     for (double& weight : scaled_.objective.dimensions) weight /= factor_;
     for (OwnTerm& term : scaled_.own_terms) term.weight /= factor_;
 }
@@ -87,6 +90,33 @@ void scale_cases(std::vector<CaseProof>& cases, double factor) {
     }
 }
 
+/// Of the parts' multipliers those of the row on the cost keep their value: it is scaled as the cost is.
+std::shared_ptr<const BoxProof> scaled_box_proof(const BoxProof& given, double factor) {
+    auto proof = std::make_shared<BoxProof>(given);
+    proof->cost *= factor;
+    proof->constant *= factor;
+    proof->bound *= factor;
+    const auto is_cost = [&](int step) {
+        return given.steps[static_cast<std::size_t>(step)].kind == BoxStep::Kind::cost;
+    };
+    for (BoxStep& step : proof->steps) {
+        if (step.kind == BoxStep::Kind::cost) {
+            step.weights *= factor;
+            step.side *= factor;
+        }
+        for (auto& [index, multiplier] : step.multipliers)
+            if (is_cost(index)) multiplier /= factor;
+    }
+    for (BoxPart& part : proof->parts) {
+        if (!part.infeasible) part.bound *= factor;
+        for (auto& [index, multiplier] : part.multipliers) {
+            if (is_cost(index)) multiplier /= factor;
+            if (!part.infeasible) multiplier *= factor;
+        }
+    }
+    return proof;
+}
+
 }  // namespace
 
 void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& reference) const {
@@ -94,11 +124,14 @@ void CostScale::restore(Solution& solution, const Scene& scene, const Peaks& ref
     solution.reference_peaks = reference;
     for (std::size_t i = 0; i < solution.own_terms.size(); ++i)
         solution.own_terms[i].weight = scene.own_terms[i].weight;
+    if (solution.train)
+        for (ResponseTermReport& term : solution.train->terms) term.weight *= factor_;
     if (solution.any_curve_limit) solution.any_curve_limit->objective *= factor_;
     Certificate& certificate = solution.certificate;
     certificate.objective *= factor_;
     if (certificate.stationarity) *certificate.stationarity *= factor_;
     scale_cases(certificate.cases, factor_);
+    if (certificate.box_proof) certificate.box_proof = scaled_box_proof(*certificate.box_proof, factor_);
     if (!certificate.lower_bound) return;
     *certificate.lower_bound *= factor_;
     if (certificate.gap)

@@ -53,8 +53,26 @@ void GridMemory::keep(const CamProblem& problem) {
     Grid& grid = grid_of(problem.model());
     grid.joints = joints(problem.model());
     grid.samples = problem.samples();
+    // Rows of the whole motion hold at speeds that the next scene may not have.
+    std::erase_if(grid.samples, [](const RuleSample& sample) { return !sample.setting.empty(); });
     if (static_cast<double>(grid.samples.size()) > most_growth_ * static_cast<double>(grid.plain))
         grid.samples.clear();
+}
+
+Eigen::VectorXd GridMemory::last_found(const CamProblem& problem) const {
+    const CamModel& model = problem.model();
+    const Eigen::Index size = found_.design.size();
+    const auto parameters = static_cast<Eigen::Index>(model.parameters.size());
+    const bool same = size > 0 && size == model.design.size() && parameters == found_.parameters.size();
+    if (!same || found_.joints != joints(model)) return {};
+    Eigen::VectorXd x(size + parameters);
+    x << found_.design.cwiseQuotient(design_scales(model)), found_.parameters;
+    return problem.completed(x);
+}
+
+void GridMemory::keep_found(const CamProblem& problem, const Eigen::VectorXd& x) {
+    found_ = {joints(problem.model()), problem.design_values(x),
+              x.tail(static_cast<Eigen::Index>(problem.model().parameters.size()))};
 }
 
 }  // namespace camopt

@@ -15,7 +15,7 @@ std::optional<LimitCurve> limit_curve(const Scene& scene, const Peaks& reference
     if (scene.motion.type == MotionType::program) return {};
     for (const CostTerm& term : cost_terms())
         if (term.kind != CostTerm::Kind::peak && term.weight_in(objective) > 0.0) return {};
-    if (!scene.own_terms.empty()) return {};
+    if (!scene.own_terms.empty() || weighs_response(objective)) return {};
     if (std::ranges::any_of(objective.dimensions, [](double weight) { return weight > 0.0; })) return {};
     const auto over = [](double weight, double peak) { return weight > 0.0 ? weight / peak : 0.0; };
     const auto cap = [](const std::optional<PeakLimit>& limit) {

@@ -17,9 +17,9 @@
 #include "studies/solve/contradiction.hpp"
 #include "studies/solve/cost_scale.hpp"
 #include "studies/solve/limit_curve.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
+#include "studies/solve/program/solve_free_displacements.hpp"
 #include "studies/solve/rest_conflict.hpp"
-#include "studies/solve/solve_free_angles.hpp"
-#include "studies/solve/solve_free_displacements.hpp"
 #include "studies/solve/solve_free_knots.hpp"
 #include "studies/solve/solve_from_starts.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
@@ -81,18 +81,19 @@ bool is_general(const Scene& scene, SceneModels& models) {
 }
 
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
-                               const SolveControl& control, GridMemory* memory) {
+                               SceneModels& models, const SolveControl& control, GridMemory* memory) {
     const Scene& scene = solution.scene;
-    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap(!needs_starts(problem.model()))};
     if (!needs_starts(problem.model())) {
         ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
         if (memory != nullptr) memory->keep(problem);
-        if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control);
+        GridMemory* const looking = memory != nullptr && memory->only_looks ? memory : nullptr;
+        if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control, looking);
         return result;
     }
-    StartsResult all =
-        solve_from_starts(problem.model(), solver, exchange_options(scene), judge,
-                          scene.solver.starts.value_or(default_starts), scene.solver.seed, control, memory);
+    StartsResult all = solve_from_starts(
+        problem.model(), solver, exchange_options(scene), judge, scene.solver.starts.value_or(default_starts),
+        scene.solver.seed, control, [&] { return models.taken(DesignKind::coefficients); }, memory);
     solution.solver.convex = false;
     solution.solver.starts = all.starts;
     const int planned = scene.solver.starts.value_or(default_starts);
@@ -181,7 +182,7 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
         return found;
     }
     const Stopwatch solve_watch;
-    ContinuousResult result = solve_problem(problem, solver, solution, control, memory);
+    ContinuousResult result = solve_problem(problem, solver, solution, models, control, memory);
     solution.seconds_solve = solve_watch.seconds();
 
     solution.certificate = std::move(result.certificate);
@@ -230,12 +231,8 @@ Solution solve_for_angles(const Scene& scene, const SolveControl& timed, GridMem
     return solution;
 }
 
-}  // namespace
-
-Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
-    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+/// Solved and audited.
+Solution solve_and_audit(const Scene& scene, const SolveControl& timed, GridMemory* memory) {
     std::optional<MeasuredReport> measured;
     if (scene.measured) measured = measured_report(scene, reference_peaks(scene));
     const auto for_angles = [&](const Scene& one) { return solve_for_angles(one, timed, nullptr); };
@@ -245,7 +242,36 @@ Solution solve_without_explaining(const Scene& given, const SolveControl& contro
         measured->started = began_from_measured(solution);
         solution.measured = std::move(measured);
     }
-    audit_delivered(solution);
+    const bool looks = memory != nullptr && memory->only_looks;
+    if (!looks) audit_delivered(solution);
+    return solution;
+}
+
+/// Where conditions nearly contradict, the smoothest of the optima may be one that doubles do not hold though
+/// they hold the first that was found: that one is delivered then.
+std::optional<Solution> without_tie_break(const Scene& scene, const Solution& solution,
+                                          const SolveControl& timed) {
+    const bool held = !is_no_motion(solution.certificate.reason);
+    if (held || scene.objective.tie_break == TieBreak::none || timed.ending()) return std::nullopt;
+    Scene plain = scene;
+    plain.objective.tie_break = TieBreak::none;
+    Solution first = solve_and_audit(plain, timed, nullptr);
+    if (!first.motion || first.certificate.verdict == Verdict::failed) return std::nullopt;
+    first.scene.objective.tie_break = scene.objective.tie_break;
+    first.notes.emplace_back(
+        "no tie-break: double precision does not hold the smoothest of the optima, this is another of them");
+    return first;
+}
+
+}  // namespace
+
+Solution solve_without_explaining(const Scene& given, const SolveControl& control, GridMemory* memory) {
+    const Scene scene = with_written_limits(given);
+    validate(scene);
+    const SolveControl timed = control.sooner(scene.solver.max_seconds);
+    Solution solution = solve_and_audit(scene, timed, memory);
+    if (std::optional<Solution> first = without_tie_break(scene, solution, timed))
+        solution = std::move(*first);
     if (timed.deadline.was_felt()) note_time_limit(solution);
     return solution;
 }

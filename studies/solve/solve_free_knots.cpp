@@ -2,6 +2,7 @@
 #include "studies/solve/solve_free_knots.hpp"
 
 #include "objectives/scene_model.hpp"
+#include "solvers/certificate/forget_proof.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/solve/free_knot_descent.hpp"
@@ -66,7 +67,7 @@ FreeKnotSearch search_breakpoints(const Scene& scene, const Solution& start, con
     options.tolerance = scene.solver.tolerance;
     if (start.any_curve_limit) {
         const double limit = start.any_curve_limit->objective;
-        options.enough = limit + nothing_left * scene.solver.gap * std::max(1.0, limit);
+        options.enough = limit + nothing_left * scene.solver.wanted_gap() * std::max(1.0, limit);
     }
     FreeKnotSearch search;
     const int starts = scene.solver.starts.value_or(default_starts);
@@ -115,10 +116,7 @@ bool is_delivered(const Solution& solution) {
 void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene& scene) {
     Certificate& certificate = solution.certificate;
     const std::optional<double> gap = certificate.gap;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
+    forget_proof(certificate);
     solution.solver.proof_source.clear();
     if (!is_delivered(solution)) {
         solution.conflict.clear();
@@ -137,9 +135,9 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
         certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
         certificate.proof_kind = ProofKind::any_curve_limit;
     }
-    const JudgeOptions judge{scene.solver.tolerance, scene.solver.gap};
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap()};
     settle_verdict(certificate, search.best.termination, judge);
-    if (gap && *gap <= scene.solver.gap && certificate.verdict != Verdict::optimal) {
+    if (gap && *gap <= scene.solver.wanted_gap() && certificate.verdict != Verdict::optimal) {
         solution.notes.push_back(
             fmt::format("no spline of these breakpoints is better, and that is proved (gap {:.1e}); that "
                         "other breakpoints "

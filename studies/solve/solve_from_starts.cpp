@@ -4,8 +4,10 @@
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/duality.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +20,13 @@ namespace {
 
 // Rows this close to their bound may carry a multiplier.
 constexpr double active_row = 1e-6;
+// Searches before the first bound over boxes: often their best is the optimum, and the bound shows it.
+constexpr int starts_before_bound = 2;
+// Boxes halved before the other starts: two motions that mirror each other may both be best.
+constexpr int parts_between_starts = 3, most_parts = 60, most_bound_rounds = 3;
+// What is proved is rounded outward once more where it is recomputed.
+constexpr double box_part_of_gap = 0.9;
+constexpr int samples_a_piece = 6;
 
 /// One search, and the multipliers of its last grid.
 struct SearchState {
@@ -27,23 +36,37 @@ struct SearchState {
 
 class StartSearch {
  public:
-    StartSearch(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
+    StartSearch(CamProblem problem, const Solver& solver, const ExchangeOptions& exchange,
                 const JudgeOptions& judge, const SolveControl& control)
-        : problem_(model), solver_(solver), exchange_(exchange), judge_(judge), control_(control) {}
+        : problem_(std::move(problem)),
+          solver_(solver),
+          exchange_(exchange),
+          judge_(judge),
+          control_(control) {}
 
-    void run(int starts, unsigned seed, const Eigen::VectorXd& relaxed) {
-        for (int k = 0; k < starts && !ends(k); ++k) {
-            const Eigen::VectorXd start = start_of(k, seed, relaxed);
-            const bool in_vain = !found();
-            keep(search(start, in_vain ? control_.sooner(control_.in_vain.seconds_left()) : control_));
-            // The limit of a search in vain does not hold for one that was on its way.
-            if (in_vain && found() && totals_.termination == Termination::time_limit && !control_.ending())
-                keep(search(best_.found.x, control_));
-            ++ran_;
-        }
+    /// Starts of these numbers.
+    void run(int first, int end, unsigned seed, const Eigen::VectorXd& relaxed) {
+        for (int k = first; k < end && !ends(k); ++k) run_from(start_of(k, seed, relaxed));
+    }
+    void run_from(const Eigen::VectorXd& start) {
+        const bool in_vain = !found();
+        keep(search(start, in_vain ? control_.sooner(control_.in_vain.seconds_left()) : control_));
+        // The limit of a search in vain does not hold for one that was on its way.
+        if (in_vain && found() && totals_.termination == Termination::time_limit && !control_.ending())
+            keep(search(best_.found.x, control_));
+        ++ran_;
+    }
+
+    void continue_from(const Eigen::VectorXd& x) {
+        keep(search(x, control_));
+        ++ran_;
     }
 
     [[nodiscard]] const SearchState& best() const { return best_; }
+    /// Something that keeps the limits.
+    [[nodiscard]] bool found() const {
+        return best_.found.x.size() > 0 && best_.found.violation <= judge_.tolerance;
+    }
     [[nodiscard]] int ran() const { return ran_; }
     [[nodiscard]] const ExchangeResult& totals() const { return totals_; }
     [[nodiscard]] const CamProblem& problem() const { return problem_; }
@@ -71,11 +94,6 @@ class StartSearch {
         Eigen::VectorXd x = problem_.start();
         x.head(design.size()) = design.cwiseQuotient(design_scales(problem_.model()));
         return problem_.completed(x);
-    }
-
-    /// Something that keeps the limits.
-    [[nodiscard]] bool found() const {
-        return best_.found.x.size() > 0 && best_.found.violation <= judge_.tolerance;
     }
 
     /// Whether the first starts are all there will be: then it is told why.
@@ -154,6 +172,136 @@ Relaxed solve_relaxed(CamModel part, const CamProblem& whole, const ExchangeOpti
     return relaxed;
 }
 
+/// The entries whose motion is nearest to another one, of the same space written otherwise.
+Eigen::VectorXd same_motion(const MotionFamily& family, const MotionChain& motion) {
+    std::vector<AffineRow> rows;
+    std::vector<double> values;
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        for (int k = 0; k <= samples_a_piece; ++k) {
+            const double x = piece.begin + (piece.end - piece.begin) * k / samples_a_piece;
+            const Side side = k < samples_a_piece ? Side::right : Side::left;
+            const MotionPoint point = motion.at(x, side);
+            for (int order = 0; order < 3; ++order) {
+                rows.push_back(family.functional(x, order, side));
+                values.push_back(point.derivative[static_cast<std::size_t>(order)] - rows.back().offset);
+            }
+        }
+    }
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), family.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t k = 0; k < rows[i].columns.size(); ++k)
+            matrix(static_cast<Eigen::Index>(i), rows[i].columns[k]) = rows[i].weights[k];
+    const Eigen::Map<const Eigen::VectorXd> right(values.data(), matrix.rows());
+    return matrix.completeOrthogonalDecomposition().solve(right);
+}
+
+/// What bounding over boxes needs beside the search.
+struct BoxSearch {
+    const std::function<CamModel()>& in_coefficients;
+    const JudgeOptions& judge;
+    const SolveControl& control;
+    std::optional<CamModel> model = {};
+    std::optional<BoxBound> bound = {};
+
+    [[nodiscard]] bool is_settled(double objective) const {
+        if (!bound) return false;
+        return bound->infeasible || relative_gap(objective, bound->bound) <= judge.gap;
+    }
+    /// Of the motion at hand; infinity: none.
+    void run(double objective, int parts) {
+        if (control.ending()) return;
+        if (!model) model = in_coefficients();
+        BoxBoundOptions options;
+        options.gap = box_part_of_gap * judge.gap;
+        options.most_parts = parts;
+        const bool in_vain = !std::isfinite(objective);
+        bound = bound_over_boxes(*model, objective, options,
+                                 in_vain ? control.sooner(control.in_vain.seconds_left()) : control);
+    }
+    /// Its own motion, which breaks limits, as a point of another form of the problem.
+    [[nodiscard]] Eigen::VectorXd start(const CamProblem& problem) const {
+        if (!bound || bound->x.size() == 0) return {};
+        const CamProblem own(*model);
+        Eigen::VectorXd x = problem.start();
+        const MotionFamily& family = problem.model().design;
+        x.head(family.size()) =
+            same_motion(family, own.motion(bound->x)).cwiseQuotient(design_scales(problem.model()));
+        const auto parameters = static_cast<Eigen::Index>(problem.model().parameters.size());
+        if (own.model().parameters.size() == problem.model().parameters.size())
+            x.tail(parameters) = bound->x.tail(parameters);
+        return problem.completed(x);
+    }
+};
+
+/// Searches and bounds in turn: two starts, a bound by one part, a start from the bound's own motion, the
+/// other starts, and the boxes halved. Ends where bound and motion meet.
+void search_and_bound(StartSearch& search, BoxSearch& boxes, int starts, unsigned seed,
+                      const Eigen::VectorXd& relaxed) {
+    const auto objective = [&] { return search.found() ? search.best().found.objective : infinity; };
+    const int first = std::min(starts, starts_before_bound);
+    search.run(0, first, seed, relaxed);
+    boxes.run(objective(), parts_between_starts);
+    if (boxes.is_settled(objective())) return;
+    double bounded = objective();
+    if (boxes.bound) {
+        const Eigen::VectorXd own = boxes.start(search.problem());
+        if (own.size() > 0 && own.allFinite()) search.run_from(own);
+    }
+    if (boxes.is_settled(objective())) return;
+    search.run(first, starts, seed, relaxed);
+    if (!boxes.bound) return;
+    for (int round = 0; round < most_bound_rounds && !boxes.is_settled(objective()); ++round) {
+        if (round > 0 && objective() == bounded) return;
+        bounded = objective();
+        boxes.run(bounded, most_parts);
+        if (!boxes.bound || boxes.is_settled(objective())) return;
+        const Eigen::VectorXd own = boxes.start(search.problem());
+        if (own.size() > 0 && own.allFinite()) search.run_from(own);
+    }
+}
+
+/// The bound over boxes where it says more than the one at hand.
+void take_box_bound(ContinuousResult& result, const BoxSearch& boxes) {
+    Certificate& certificate = result.certificate;
+    if (!boxes.bound) return;
+    if (boxes.bound->infeasible) {
+        certificate.verdict = Verdict::infeasible;
+        certificate.reason = Reason::limits_contradict;
+        certificate.lower_bound.reset();
+        certificate.gap.reset();
+    } else {
+        const double bound = std::min(boxes.bound->bound, certificate.objective);
+        if (!std::isfinite(bound) || (certificate.lower_bound && *certificate.lower_bound >= bound)) return;
+        certificate.lower_bound = bound;
+        certificate.gap = relative_gap(certificate.objective, bound);
+    }
+    certificate.proof.reset();
+    certificate.proof_kind = ProofKind::boxes;
+    certificate.box_proof = boxes.bound->proof;
+    result.proof_source = "boxes";
+}
+
+/// One search from what the last one found; nothing where that is of another motion, or ends outside the
+/// limits.
+std::optional<StartsResult> look_from_last(const CamModel& model, const Solver& solver,
+                                           const ExchangeOptions& exchange, const JudgeOptions& judge,
+                                           const SolveControl& control, GridMemory& memory) {
+    CamProblem problem = memory.problem(model);
+    const Eigen::VectorXd last = memory.last_found(problem);
+    if (last.size() == 0) return std::nullopt;
+    StartSearch search(std::move(problem), solver, exchange, judge, control);
+    search.continue_from(last);
+    memory.keep(search.problem());
+    StartsResult all;
+    all.starts = 1;
+    all.result.exchange = search.totals();
+    judge_search(all.result, search, control);
+    settle_verdict(all.result.certificate, all.result.exchange.termination, judge);
+    if (all.result.certificate.verdict == Verdict::failed) return std::nullopt;
+    memory.keep_found(search.problem(), all.result.x);
+    return all;
+}
+
 }  // namespace
 
 bool needs_starts(const CamModel& model) {
@@ -164,8 +312,12 @@ bool needs_starts(const CamModel& model) {
 
 StartsResult solve_from_starts(const CamModel& model, const Solver& solver, const ExchangeOptions& exchange,
                                const JudgeOptions& judge, int starts, unsigned seed,
-                               const SolveControl& control, GridMemory* memory) {
+                               const SolveControl& control, const std::function<CamModel()>& in_coefficients,
+                               GridMemory* memory) {
     const SolveControl timed = control.sooner(exchange.backend.max_seconds);
+    if (memory != nullptr && memory->only_looks)
+        if (std::optional<StartsResult> seen = look_from_last(model, solver, exchange, judge, timed, *memory))
+            return std::move(*seen);
     StartsResult all;
     const CamProblem whole(model);
     CamModel always_convex = convex_part(model, ConvexOver::every_motion);
@@ -182,11 +334,17 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
         }
     }
     if (relaxed.settled) {
+        if (memory != nullptr) memory->forget_found();
         all.result = std::move(relaxed.result);
         return all;
     }
-    StartSearch search(model, solver, exchange, judge, timed);
-    search.run(starts, seed, relaxed.result.x);
+    StartSearch search(CamProblem(model), solver, exchange, judge, timed);
+    BoxSearch boxes{in_coefficients, judge, timed};
+    const bool looks = memory != nullptr && memory->only_looks;
+    if (looks)  // a picture before its proof
+        search.run(0, starts, seed, relaxed.result.x);
+    else
+        search_and_bound(search, boxes, starts, seed, relaxed.result.x);
     all.starts = search.ran();
     ContinuousResult& result = all.result;
     result.exchange = search.totals();
@@ -200,8 +358,13 @@ StartsResult solve_from_starts(const CamModel& model, const Solver& solver, cons
         result.proof_source = "structured, convex relaxation";
         settle_passed_bound(result, *relaxed.problem, exchange, judge, timed);
     }
-    settle_verdict(result.certificate, result.exchange.termination, judge);
+    take_box_bound(result, boxes);
+    if (result.certificate.verdict == Verdict::infeasible)
+        result.x.resize(0);
+    else
+        settle_verdict(result.certificate, result.exchange.termination, judge);
     if (result.certificate.verdict == Verdict::failed) result.x.resize(0);
+    if (memory != nullptr && result.x.size() > 0) memory->keep_found(search.problem(), result.x);
     return all;
 }
 

@@ -12,6 +12,8 @@
 #include "solvers/exchange/continuous_solve.hpp"
 #include "studies/solve/grid_memory.hpp"
 
+#include <functional>
+
 namespace camopt {
 
 struct StartsResult {
@@ -19,10 +21,14 @@ struct StartsResult {
     int starts = 0;  ///< searches that ran; 0 where the relaxation settled everything
 };
 
-/// memory: of the relaxations of a neighbouring scene, and then of this one's; null: none.
+/// Where neither settles it the best motion is bounded over boxes (studies/bound/box_bound.hpp).
+/// in_coefficients: the model written in few variables, for that bound.
+/// memory: of the relaxations of a neighbouring scene, and then of this one's; null: none. One that only
+/// looks goes on from the neighbour's motion, where it was found by a search: no relaxation, no bound.
 [[nodiscard]] StartsResult solve_from_starts(const CamModel& model, const Solver& solver,
                                              const ExchangeOptions& exchange, const JudgeOptions& judge,
                                              int starts, unsigned seed, const SolveControl& control,
+                                             const std::function<CamModel()>& in_coefficients,
                                              GridMemory* memory = nullptr);
 
 /// Rules that are not convex for every motion: this is the way to solve the model.

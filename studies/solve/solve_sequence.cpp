@@ -6,6 +6,12 @@
 namespace camopt {
 
 Solution SolveSequence::solve(const Scene& scene, const SolveControl& control) {
+    memory_.only_looks = false;
+    return solve_without_explaining(scene, control, &memory_);
+}
+
+Solution SolveSequence::look(const Scene& scene, const SolveControl& control) {
+    memory_.only_looks = true;
     return solve_without_explaining(scene, control, &memory_);
 }
 

@@ -23,6 +23,10 @@ class SolveSequence {
     /// sought.
     [[nodiscard]] Solution solve(const Scene& scene, const SolveControl& control);
 
+    /// A picture before its proof: problems that are not convex are searched once, from the last motion, and
+    /// have no bound then.
+    [[nodiscard]] Solution look(const Scene& scene, const SolveControl& control);
+
  private:
     GridMemory memory_;
 };

@@ -9,7 +9,7 @@
 namespace camopt {
 
 /// `memory`: of the scene solved before, and then of this one; null: none.
-[[nodiscard]] Solution solve_without_explaining(const Scene& scene, const SolveControl& control,
+[[nodiscard]] Solution solve_without_explaining(const Scene& given, const SolveControl& control,
                                                 GridMemory* memory = nullptr);
 
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/spatial/flank_contact.hpp"
 
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/split_text.hpp"
 #include "scene/cam_spec.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene.hpp"
@@ -24,24 +25,9 @@ constexpr std::string_view vary_forms =
 
 std::vector<std::string> weight_names() {
     std::vector<std::string> names = cost_term_names();
+    for (const ResponseTerm& term : response_terms()) names.emplace_back(term.name);
     for (int i = 0; i < dimension_count; ++i) names.emplace_back(name_of(static_cast<DimensionIndex>(i)));
     return names;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(trimmed(text.substr(0, end)));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
 }
 
 class WeightFile {
@@ -50,7 +36,7 @@ class WeightFile {
 
     SweepAxis read(std::string_view text) {
         if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // spreadsheets put a mark in front
-        for (const std::string_view line : split(text, '\n')) {
+        for (const std::string_view line : split_text(text, '\n')) {
             ++line_;
             if (line.empty() || line.starts_with('#')) continue;
             if (axis_.keys.empty())
@@ -70,7 +56,7 @@ class WeightFile {
 
     void read_names(std::string_view line) {
         static const std::vector<std::string> allowed = weight_names();
-        for (const std::string_view cell : split(line, ',')) {
+        for (const std::string_view cell : split_text(line, ',')) {
             std::string name(cell.starts_with(prefix) ? cell.substr(prefix.size()) : cell);
             if (std::ranges::find(allowed, name) == allowed.end())
                 fail(fmt::format("found \"{}\"; allowed: names of weights: {}", cell,
@@ -83,7 +69,7 @@ class WeightFile {
     }
 
     void read_point(std::string_view line) {
-        const std::vector<std::string_view> cells = split(line, ',');
+        const std::vector<std::string_view> cells = split_text(line, ',');
         if (cells.size() != axis_.keys.size())
             fail(fmt::format("found {} value(s); allowed: {}, one for each name of the first line",
                              cells.size(), axis_.keys.size()));
@@ -108,7 +94,7 @@ class Values {
 
     std::vector<double> read(std::string_view values) const {
         if (values.find(':') == std::string_view::npos) return list(values);
-        const std::vector<std::string_view> parts = split(values, ':');
+        const std::vector<std::string_view> parts = split_text(values, ':');
         const bool by_factors = parts.size() == 4 && parts[3] == "log";
         if (parts.size() != 3 && !by_factors)
             fail(fmt::format("found \"{}\"; allowed: {}", values, vary_forms));
@@ -136,7 +122,7 @@ class Values {
     }
     [[nodiscard]] std::vector<double> list(std::string_view values) const {
         std::vector<double> found;
-        for (const std::string_view cell : split(values, ',')) {
+        for (const std::string_view cell : split_text(values, ',')) {
             const double value = number(cell);
             if (std::ranges::find(found, value) != found.end())
                 fail(fmt::format("found {} twice; allowed: each value once", value));

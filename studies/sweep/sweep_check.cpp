@@ -40,8 +40,15 @@ void check_solve(const Scene& scene, CheckedLaws& checked) {
 struct Seen {
     std::array<bool, dimension_count> variable{}, weighed{};
     std::array<bool, sweep_figure_count> figures{};
+    bool train = false;
+    std::vector<std::string> responses;  ///< weighed ones, by name
 
     void add(const Scene& scene) {
+        train = train || scene.dynamics.has_value();
+        for (const ResponseTerm& term : response_terms())
+            if (term.weight_in(scene.objective) > 0.0 &&
+                std::ranges::find(responses, term.name) == responses.end())
+                responses.emplace_back(term.name);
         const ObjectiveSpec& objective = scene.objective;
         const auto weighs = weighed_figures(objective);
         for (std::size_t i = 0; i < weighs.size(); ++i) figures[i] = figures[i] || weighs[i];
@@ -76,6 +83,8 @@ SweepColumns check_rows(SweepScenes& scenes) {
     for (int i = 0; i < sweep_figure_count; ++i)
         if (seen.figures[static_cast<std::size_t>(i)])
             columns.criteria.emplace_back(name_of(static_cast<SweepFigure>(i)));
+    columns.train = seen.train;
+    columns.criteria.insert(columns.criteria.end(), seen.responses.begin(), seen.responses.end());
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
         if (seen.variable[static_cast<std::size_t>(i)]) columns.dimensions.push_back(index);

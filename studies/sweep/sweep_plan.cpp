@@ -20,6 +20,8 @@ namespace {
 double* weight_slot(ObjectiveSpec& objective, std::string_view key) {
     for (const CostTerm& term : cost_terms())
         if (key == fmt::format("objective.{}", term.name())) return &(objective.*term.weight);
+    for (const ResponseTerm& term : response_terms())
+        if (key == fmt::format("objective.{}", term.name)) return &(objective.*term.weight);
     for (std::size_t i = 0; i < objective.dimensions.size(); ++i)
         if (key == fmt::format("objective.{}", name_of(static_cast<DimensionIndex>(i))))
             return &objective.dimensions[i];

@@ -22,6 +22,13 @@ namespace camopt {
 using SweepFigure = CostFigure;
 inline constexpr int sweep_figure_count = cost_figure_count;
 
+/// Of a row with a follower train, at the worst speed of its range.
+struct SweepTrain {
+    std::optional<double> residual;              ///< lifts; none: nothing vibrates
+    std::optional<double> dynamic_acceleration;  ///< normalised as A
+    std::optional<double> contact_force;         ///< the least, N or N m; none: the cam guides it both ways
+};
+
 struct SweepRow {
     int number = 0;                ///< from 0, by the plan
     std::vector<double> settings;  ///< of SweepColumns::keys, in the unit of each key
@@ -30,6 +37,7 @@ struct SweepRow {
     std::optional<double> objective, lower_bound, gap, any_curve_limit;
     std::array<std::optional<double>, sweep_figure_count> figures{};  ///< by SweepFigure
     std::array<std::optional<double>, dimension_count> dimensions{};  ///< by DimensionIndex; variable ones
+    SweepTrain train;
     std::vector<std::string> active_limits;  ///< keys as written, in the scene's order
     int iterations = 0, exchange_rounds = 0;
     EvaluationCounts evaluations;
@@ -52,6 +60,7 @@ struct SweepRow {
 struct SweepColumns {
     std::vector<std::string> keys;           ///< varied, as the plan has them
     std::vector<DimensionIndex> dimensions;  ///< variable in at least one row
+    bool train = false;                      ///< at least one row has a follower train
     /// What the Pareto front weighs against one another: the names of all figures and dimensions that carry a
     /// weight > 0 in at least one row.
     std::vector<std::string> criteria;

@@ -24,6 +24,12 @@ void set_figures(SweepRow& row, const Peaks& peaks) {
         row.figures[static_cast<std::size_t>(term.figure)] = finite(term.measured.of(peaks));
 }
 
+void set_train(SweepRow& row, const TrainReport& train) {
+    if (train.residual) row.train.residual = finite(train.residual->value);
+    row.train.dynamic_acceleration = finite(train.acceleration.value);
+    if (train.least_force) row.train.contact_force = finite(train.least_force->value);
+}
+
 void set_dimensions(SweepRow& row, const Solution& solution) {
     const std::optional<DiskCam> cam = disk_cam(solution.cam->cam);
     for (int i = 0; i < dimension_count; ++i) {
@@ -49,6 +55,7 @@ SweepRow sweep_row(int number, std::span<const double> settings, const Solution&
         row.objective = finite(certificate.objective);
         set_figures(row, solution.peaks);
         if (solution.cam) set_dimensions(row, solution);
+        if (solution.train) set_train(row, *solution.train);
         for (const ConstraintReport& limit : solution.constraints)
             if (limit.active) row.active_limits.push_back(limit.key);
     }

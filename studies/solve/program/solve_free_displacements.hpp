@@ -9,16 +9,12 @@
 #pragma once
 
 #include "objectives/free_displacements.hpp"
-#include "studies/delivered/solution.hpp"
-
-#include <functional>
+#include "studies/solve/program/program_search.hpp"
 
 namespace camopt {
 
-/// The ordinary solve of a scene without free displacements.
-using SolveGiven = std::function<Solution(const Scene&)>;
-
-/// scene: a program with free displacements whose conditions do not contradict.
+/// scene: a program with free displacements whose conditions do not contradict. solve_given: of scenes
+/// without.
 [[nodiscard]] Solution solve_free_displacements(const Scene& scene, const Peaks& reference,
                                                 const SolveGiven& solve_given, const SolveControl& control);
 

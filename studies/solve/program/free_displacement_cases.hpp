@@ -5,22 +5,19 @@
 
 #include "objectives/free_displacements.hpp"
 #include "objectives/model.hpp"
-#include "studies/delivered/solution.hpp"
+#include "studies/solve/program/program_search.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace camopt {
 
-struct DisplacementCase {
+struct DisplacementCase : ProvedBox {
     std::vector<DisplacementBox> boxes;
-    double bound = 0.0;  ///< no cost is negative
-    bool infeasible = false;
-    std::shared_ptr<const DualityProof> proof = {};  ///< of the bound, or that nothing is feasible
-    std::vector<double> levels = {};                 ///< what the relaxation likes, one a free joint
-    int worst = -1;            ///< the box that makes the relaxation err most, −1: none known
-    double liked = 0.0;        ///< its displacement in the relaxation
-    bool indivisible = false;  ///< it cannot be cut into smaller ones
+    std::vector<double> levels = {};  ///< what the relaxation likes, one a free joint
+    int worst = -1;                   ///< the box that makes the relaxation err most, −1: none known
+    double liked = 0.0;               ///< its displacement in the relaxation
+    bool indivisible = false;         ///< it cannot be cut into smaller ones
 };
 
 /// Bounds cases of one scene, and splits them.
@@ -38,12 +35,7 @@ class DisplacementCases {
     [[nodiscard]] std::vector<DisplacementCase> split(const DisplacementCase& whole) const;
 
  private:
-    struct Shape {  ///< of every segment that moves from rest to rest
-        double bound = 0.0;
-        bool infeasible = false;
-        std::shared_ptr<const DualityProof> proof;
-    };
-    const Shape& shape();
+    const ProvedBox& shape();
     [[nodiscard]] bool moves_from_rest_to_rest(const DisplacementCase& part) const;
     void find_worst(DisplacementCase& part, const CamModel& model, const Eigen::VectorXd& x,
                     const Eigen::VectorXd& design) const;
@@ -53,7 +45,7 @@ class DisplacementCases {
     const SolveControl& control_;
     MotionFamily family_;
     FreeDisplacements free_;
-    std::optional<Shape> shape_;
+    std::optional<ProvedBox> shape_;  ///< of every segment that moves from rest to rest
 };
 
 }  // namespace camopt

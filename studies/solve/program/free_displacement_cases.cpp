@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/solve/free_displacement_cases.hpp"
+#include "studies/solve/program/free_displacement_cases.hpp"
 
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
@@ -69,10 +69,10 @@ DisplacementCases::DisplacementCases(const Scene& scene, const Peaks& reference,
       free_(free_displacements(scene, family_)) {}
 
 DisplacementCase DisplacementCases::whole() const {
-    return {whole_range(free_, family_)};
+    return {{}, whole_range(free_, family_)};
 }
 
-const DisplacementCases::Shape& DisplacementCases::shape() {
+const ProvedBox& DisplacementCases::shape() {
     if (shape_) return *shape_;
     shape_.emplace();
     const Scene rise = single_rise(scene_);
@@ -96,12 +96,8 @@ bool DisplacementCases::moves_from_rest_to_rest(const DisplacementCase& part) co
 
 void DisplacementCases::bound(DisplacementCase& part, double seconds) {
     if (moves_from_rest_to_rest(part)) {
-        const Shape& own = shape();
-        if (own.infeasible || own.bound > part.bound) {
-            part.bound = own.bound;
-            part.infeasible = own.infeasible;
-            part.proof = own.proof;
-        }
+        const ProvedBox& own = shape();
+        if (own.infeasible || own.bound > part.bound) static_cast<ProvedBox&>(part) = own;
         if (part.infeasible) return;
     }
     const CamModel model = scene_model(scene_, DesignKind::states, reference_, part.boxes);
@@ -109,7 +105,7 @@ void DisplacementCases::bound(DisplacementCase& part, double seconds) {
     ExchangeOptions exchange = exchange_options(scene_);
     exchange.backend.native.clear();  // they belong to the backend the user chose
     exchange.backend.max_seconds = seconds;
-    const JudgeOptions judge{scene_.solver.tolerance, scene_.solver.gap};
+    const JudgeOptions judge{scene_.solver.tolerance, scene_.solver.wanted_gap()};
     ContinuousResult result = solve_continuous(problem, *make_structured_solver(), exchange, judge, control_);
     Certificate& certificate = result.certificate;
     if (!certificate.proof) return;
@@ -204,7 +200,11 @@ std::vector<DisplacementCase> DisplacementCases::split(const DisplacementCase& w
     const double liked = known ? whole.liked : 0.5 * (box.least + box.most);
     std::vector<DisplacementCase> parts;
     for (const DisplacementBox& piece : parts_of(box, liked)) {
-        DisplacementCase part{whole.boxes, whole.bound, false, whole.proof, whole.levels};
+        DisplacementCase part;
+        part.bound = whole.bound;
+        part.proof = whole.proof;
+        part.boxes = whole.boxes;
+        part.levels = whole.levels;
         part.boxes[static_cast<std::size_t>(chosen)] = piece;
         if (narrow(part.boxes, free_, family_)) parts.push_back(std::move(part));
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "studies/solve/solve_free_angles.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
 
-#include "core/deadline.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "scene/cost_table.hpp"
@@ -20,27 +19,19 @@ namespace {
 
 // Boxes bounded at most; three ranges of a flat optimum would take thousands, and are left open.
 constexpr int most_boxes = 400;
-// Part of the time that boxes may take, and moves with them; the rest is for the last solve.
-constexpr double time_for_boxes = 0.6, time_for_angle_moves = 0.9;
 // Of a turn: the first step of a move, and the last one that must not help.
 constexpr double first_angle_step = 1.0 / 64.0, last_angle_step = 1e-8;
-constexpr double angle_growth = 2.0, angle_shrink = 0.25;
 constexpr int most_angle_moves = 400;
 // Angles tried at random where those at hand allow no motion.
 constexpr int random_angles = 24;
-// Part of the gap that a box may keep when it is closed.
-constexpr double closing_part_of_gap = 0.5;
 // Of a turn: a box narrower than this has nothing left to gain but rounding.
 constexpr double narrowest_box = 1e-12;
 
 /// Angles of the segments with a range.
 using Angles = std::vector<double>;
 
-struct AngleBox {
+struct AngleBox : ProvedBox {
     Angles least, most;
-    double bound = 0.0;
-    bool infeasible = false;
-    std::shared_ptr<const DualityProof> proof;
 };
 
 bool rests_at_joint(const ProgramSegment& neighbour, bool at_its_end) {
@@ -74,10 +65,13 @@ bool falls_with_angles(const Scene& scene) {
     return true;
 }
 
-class AngleSearch {
+class AngleSearch : public ProgramSearch {
  public:
     AngleSearch(const Scene& scene, const SolveGiven& solve_given, const SolveControl& control)
-        : scene_(scene), solve_given_(solve_given), control_(control), falls_(falls_with_angles(scene)) {
+        : ProgramSearch(
+              scene, solve_given, control,
+              {"angles", "structured, the largest angles of each box", Reason::free_angles, two_ranges}),
+          falls_(falls_with_angles(scene)) {
         for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
             const ProgramSegment& segment = scene.motion.segments[i];
             if (!segment.angle_range) {
@@ -94,32 +88,26 @@ class AngleSearch {
     void run() {
         try_angles(given_, time_for_boxes);
         if (falls_) bound_boxes();
-        if (!best_.motion && !proved()) try_at_random();
-        if (!proved() && best_.motion) move_angles();
+        if (!found() && !proved()) try_at_random();
+        if (!proved() && found()) move_angles();
     }
 
     [[nodiscard]] Solution deliver();
 
  private:
-    [[nodiscard]] double left(double part) const { return part * allowed_ - watch_.seconds(); }
-    [[nodiscard]] bool out_of_time(double part) {
-        if (control_.stopped()) return true;
-        const bool in_vain = !best_.motion && control_.in_vain.passed();
-        if (!in_vain && left(part) > 0.0) return false;
-        timed_out_ = true;
-        return true;
-    }
-    [[nodiscard]] double objective() const { return best_.motion ? best_.certificate.objective : infinity; }
-    [[nodiscard]] bool is_closed(const AngleBox& box) const {
-        return box.infeasible || box.bound >= objective() - closing_part_of_gap * scene_.solver.gap *
-                                                                std::max(1.0, objective());
-    }
+    // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
+    static constexpr std::size_t two_ranges = 2;
+
     [[nodiscard]] bool proved() const {
         return !boxes_.empty() &&
                std::ranges::all_of(boxes_, [&](const AngleBox& box) { return is_closed(box); });
     }
+    [[nodiscard]] bool counts(const Solution& solution) const override {
+        return solution.certificate.verdict != Verdict::failed;
+    }
 
     [[nodiscard]] std::vector<double> all_angles(const Angles& angles) const;
+    [[nodiscard]] Scene given(const Values& angles) const override;
     [[nodiscard]] bool narrow(AngleBox& box) const;
     [[nodiscard]] Angles inside(const AngleBox& box) const;
     bool try_angles(const Angles& angles, double part_of_time);
@@ -129,25 +117,16 @@ class AngleSearch {
     void try_at_random();
     void move_angles();
     [[nodiscard]] std::string words(const AngleBox& box, std::size_t k) const;
-    void judge(Solution& solution) const;
+    void judge_boxes(Solution& solution) const;
     void tell(Solution& solution) const;
 
-    const Scene& scene_;
-    const SolveGiven& solve_given_;
-    const SolveControl& control_;
-    Stopwatch watch_;
-    double allowed_ = std::min(scene_.solver.max_seconds, control_.deadline.seconds_left());
     bool falls_;
     double fixed_ = 0.0;                 ///< rad, of the segments without a range
     std::vector<std::size_t> searched_;  ///< the others
     AngleBox whole_;
     Angles given_;
     std::vector<AngleBox> boxes_;  ///< together they hold everything
-    Solution best_;
-    Angles best_angles_;
-    std::vector<Angles> tried_;
     int bounded_ = 0;
-    bool timed_out_ = false, settled_ = false;
 };
 
 std::vector<double> AngleSearch::all_angles(const Angles& angles) const {
@@ -188,33 +167,14 @@ Angles AngleSearch::inside(const AngleBox& box) const {
     return angles;
 }
 
-/// The scene for these angles as an ordinary one; the search itself breaks no ties.
-Scene given_scene(const Scene& scene, const std::vector<double>& angles) {
-    Scene given = with_segment_angles(scene, angles);
-    for (ProgramSegment& segment : given.motion.segments) segment.angle_range.reset();
-    return given;
-}
-
-Scene quick_scene(const Scene& scene, const std::vector<double>& angles, double seconds) {
-    Scene given = given_scene(scene, angles);
-    given.objective.tie_break = TieBreak::none;
-    given.solver.name = "auto";
-    given.solver.options.clear();
-    given.spline.design = DesignKind::automatic;
-    given.solver.max_seconds = seconds;
-    return given;
+Scene AngleSearch::given(const Values& angles) const {
+    Scene scene = with_segment_angles(scene_, all_angles(angles));
+    for (ProgramSegment& segment : scene.motion.segments) segment.angle_range.reset();
+    return scene;
 }
 
 bool AngleSearch::try_angles(const Angles& angles, double part_of_time) {
-    if (std::ranges::find(tried_, angles) != tried_.end()) return false;
-    tried_.push_back(angles);
-    const double seconds = left(part_of_time);
-    if (seconds <= 0.0) return false;
-    Solution solution = solve_given_(quick_scene(scene_, all_angles(angles), seconds));
-    if (!solution.motion || !(solution.certificate.objective < objective())) return false;
-    if (solution.certificate.verdict == Verdict::failed) return false;
-    best_ = std::move(solution);
-    best_angles_ = angles;
+    if (!try_values(angles, part_of_time)) return false;
     if (control_.progress) {
         const std::string line =
             fmt::format("{} sets of angles, objective {:.9g}", tried_.size(), objective());
@@ -229,7 +189,7 @@ void AngleSearch::bound(AngleBox& box) {
     ++bounded_;
     const double seconds = left(time_for_boxes);
     if (seconds <= 0.0) return;
-    Certificate certificate = solve_given_(quick_scene(scene_, all_angles(box.most), seconds)).certificate;
+    Certificate certificate = solve_given_(quick(box.most, seconds)).certificate;
     if (certificate.verdict == Verdict::infeasible && certificate.proof) {
         box.infeasible = true;
         box.proof = std::make_shared<DualityProof>(std::move(*certificate.proof));
@@ -279,7 +239,7 @@ void AngleSearch::bound_boxes() {
 
 void AngleSearch::try_at_random() {
     std::mt19937 engine(scene_.solver.seed);
-    for (int k = 0; k < random_angles && !best_.motion && !out_of_time(time_for_boxes); ++k) {
+    for (int k = 0; k < random_angles && !found() && !out_of_time(time_for_boxes); ++k) {
         // A box around random corners holds angles that add up, or is passed over.
         AngleBox box = whole_;
         for (std::size_t i = 0; i < box.least.size(); ++i) {
@@ -300,16 +260,16 @@ void AngleSearch::move_angles() {
         for (std::size_t from = 0; from < searched_.size() && !helped; ++from) {
             for (std::size_t to = 0; to < searched_.size() && !helped; ++to) {
                 const double passed = std::min(
-                    {step, best_angles_[from] - whole_.least[from], whole_.most[to] - best_angles_[to]});
+                    {step, best_values_[from] - whole_.least[from], whole_.most[to] - best_values_[to]});
                 if (from == to || passed < last_angle_step * units::turn) continue;
-                if (++moves > most_angle_moves || out_of_time(time_for_angle_moves)) return;
-                Angles angles = best_angles_;
+                if (++moves > most_angle_moves || out_of_time(time_for_moves)) return;
+                Angles angles = best_values_;
                 angles[from] -= passed;
                 angles[to] += passed;
-                helped = try_angles(angles, time_for_angle_moves);
+                helped = try_angles(angles, time_for_moves);
             }
         }
-        step *= helped ? angle_growth : angle_shrink;
+        step = next_step(step, helped);
     }
     settled_ = true;
 }
@@ -319,95 +279,38 @@ std::string AngleSearch::words(const AngleBox& box, std::size_t k) const {
                        box.least[k] / units::degree, searched_[k], box.most[k] / units::degree);
 }
 
-void AngleSearch::judge(Solution& solution) const {
-    Certificate& certificate = solution.certificate;
-    const Verdict for_given = certificate.verdict;
-    certificate.lower_bound.reset();
-    certificate.gap.reset();
-    certificate.proof.reset();
-    certificate.proof_kind = ProofKind::none;
-    certificate.cases.clear();
-    solution.solver.proof_source.clear();
-    double bound = infinity;
-    bool complete = !boxes_.empty();
+void AngleSearch::judge_boxes(Solution& solution) const {
+    std::vector<CaseProof> proofs;
     for (const AngleBox& box : boxes_) {
-        if (!box.infeasible) bound = std::min(bound, box.bound);
-        complete = complete && box.proof;
         std::vector<std::string> region;
         for (std::size_t k = 0; k < searched_.size(); ++k) region.push_back(words(box, k));
-        certificate.cases.push_back({std::move(region), box.bound, box.infeasible, box.proof});
+        proofs.push_back({std::move(region), box.bound, box.infeasible, box.proof});
     }
-    const bool nothing = complete && std::ranges::all_of(boxes_, &AngleBox::infeasible);
-    if (!complete) {
-        certificate.cases.clear();
-    } else if (boxes_.size() == 1) {  // the largest angles of all settle it
-        certificate.cases.clear();
-        certificate.proof = *boxes_.front().proof;
-        certificate.proof_kind = ProofKind::duality;
-    } else {
-        certificate.proof_kind = ProofKind::boxes;
-    }
-    if (complete) solution.solver.proof_source = "structured, the largest angles of each box";
-    if (!solution.motion) {
-        certificate.verdict = nothing ? Verdict::infeasible : Verdict::failed;
-        certificate.reason = nothing              ? Reason::limits_contradict
-                             : control_.stopped() ? Reason::interrupted
-                             : timed_out_         ? Reason::time_limit
-                                                  : Reason::no_feasible_point;
-        if (nothing && !certificate.proof) certificate.proof = *boxes_.front().proof;
-        return;
-    }
-    if (complete) {
-        certificate.lower_bound = bound;
-        certificate.gap = relative_gap(certificate.objective, bound);
-    }
-    if (for_given == Verdict::failed || for_given == Verdict::infeasible) return;
-    const bool optimal = certificate.gap && *certificate.gap <= scene_.solver.gap;
-    // Two ranges are one freedom: no step forth or back helps. Of more, a step along two at once might.
-    const bool local = settled_ && searched_.size() == 2 && for_given <= Verdict::local;
-    certificate.verdict = optimal ? Verdict::optimal : local ? Verdict::local : Verdict::feasible;
-    certificate.reason = optimal ? Reason::none : local ? Reason::stationary : Reason::free_angles;
-    if (!optimal && control_.stopped()) certificate.reason = Reason::interrupted;
-    if (!optimal && timed_out_) certificate.reason = Reason::time_limit;
+    judge(solution, std::move(proofs), timed_out_);
 }
 
-/// The angles are entries of the design like any other; rad, so that they come back as they are.
+/// Angles in rad, so that they come back as they are.
 void AngleSearch::tell(Solution& solution) const {
     solution.notes.push_back(fmt::format("searched angles: {} boxes bounded, {} sets of angles tried{}",
                                          bounded_, tried_.size(),
                                          falls_ ? "" : "; no bound over angles is known for such a scene"));
-    if (timed_out_)
-        solution.notes.emplace_back(
-            "the time ended the search for angles: how far it came depends on the machine");
+    note_time(solution);
     if (!solution.motion) return;
-    const auto count = static_cast<Eigen::Index>(best_angles_.size());
     std::vector<std::string> names;
     for (const std::size_t segment : searched_)
         names.push_back(fmt::format("motion.segments[{}].angle_rad", segment));
-    names.insert(names.end(), solution.design.names.begin(), solution.design.names.end());
-    Eigen::VectorXd values(count + solution.design.values.size());
-    values << Eigen::Map<const Eigen::VectorXd>(best_angles_.data(), count), solution.design.values;
-    solution.design.names = std::move(names);
-    solution.design.values = std::move(values);
+    add_to_design(solution, std::move(names));
 }
 
 Solution AngleSearch::deliver() {
-    Solution solution = best_;
-    const std::vector<double> angles = all_angles(best_.motion ? best_angles_ : given_);
-    if (best_.motion) {
-        Scene scene = given_scene(scene_, angles);
-        scene.solver.max_seconds = std::max(left(1.0), allowed_ * (1.0 - time_for_angle_moves));
-        Solution last = solve_given_(scene);
-        const double allowance = scene_.solver.gap * std::max(1.0, objective());
-        if (last.motion && last.certificate.objective <= objective() + allowance) solution = std::move(last);
-    } else {
-        solution = solve_given_(given_scene(scene_, angles));  // its conflict is told
-    }
-    solution.scene = with_segment_angles(scene_, angles);
+    const Angles& angles = found() ? best_values_ : given_;
+    // Where there is no motion, the conflict of the given angles is told.
+    Solution solution = found() ? best_solved() : solve_given_(given(angles));
+    solution.scene = with_segment_angles(scene_, all_angles(angles));
     solution.seconds_solve = solution.seconds_total = watch_.seconds();
     solution.solver.convex = false;
     for (std::string& note : solution.notes) note = "for these angles: " + note;
-    judge(solution);
+    judge_boxes(solution);
     tell(solution);
     return solution;
 }

@@ -15,7 +15,7 @@
 // another by steps that shrink until none helps: local with two ranges, feasible with more.
 #pragma once
 
-#include "studies/solve/solve_free_displacements.hpp"
+#include "studies/solve/program/program_search.hpp"
 
 #include <vector>
 

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "studies/response/train_study.hpp"
+
+#include "core/errors.hpp"
+#include "core/numbers/scalar_search.hpp"
+#include "core/units.hpp"
+#include "motions/laws/law_catalogue.hpp"
+#include "objectives/response/train_figures.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/limit_table.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+constexpr int default_speed_count = 61;
+constexpr int lift_off_bisections = 50;
+// Lift-off is looked for up to this many times the highest speed of the study.
+constexpr double farthest_speed = 2.0;
+constexpr int history_instants = 401;
+// Of the slowest period: what a history shows of the dwell after the rise.
+constexpr double shown_periods = 3.0;
+
+/// One motion and the event of it that is compared.
+struct Subject {
+    std::string key, title;
+    std::vector<SlopePiece> pieces;
+    MotionEvent event;
+
+    [[nodiscard]] EventPieces cut() const { return pieces_of_event(pieces, event); }
+};
+
+class TrainStudyRun {
+ public:
+    TrainStudyRun(const Scene& scene, const SpeedSweep& speeds) : scene_(scene) {
+        study_.natural_frequencies = scene.dynamics->formulas->natural_frequencies();
+        for (int k = 0; k < speeds.count; ++k) {
+            const double part = speeds.count == 1 ? 0.0 : static_cast<double>(k) / (speeds.count - 1);
+            study_.speeds.push_back(speeds.from + part * (speeds.to - speeds.from));
+        }
+    }
+
+    void add(const std::string& key, const std::string& title, const Motion& motion, MotionEvent event) {
+        Subject subject{key, title, scene_.dynamics->formulas->pieces(motion), std::move(event)};
+        study_.motions.emplace_back(key, title);
+        const EventPieces pieces = subject.cut();
+        for (const double speed : study_.speeds) study_.rows.push_back(row(subject, pieces, speed));
+        study_.lift_off_speeds.push_back(lift_off(pieces));
+    }
+    void add_history(const std::string& key, const Motion& motion, const MotionEvent& event);
+    void add_steady(const Motion& turn);
+
+    TrainStudy finished() { return std::move(study_); }
+
+ private:
+    [[nodiscard]] TrainRow row(const Subject& subject, const EventPieces& pieces, double speed) const {
+        const auto train = train_at(scene_, speed);
+        const EventResponse response(*train, pieces);
+        TrainRow row;
+        row.motion = subject.key;
+        row.speed = speed;
+        const double rise = subject.event.moving.back().end - subject.event.moving.front().begin;
+        row.frequency_ratio = std::abs(rise) * scene_.motion.unit_angle() / speed *
+                              study_.natural_frequencies.front() / units::turn;
+        row.residual = response.residual();
+        row.peak_deflection = response.largest_magnitude(train->deflection(), false).value;
+        row.peak_acceleration = response.largest_magnitude(train->acceleration(), false).value;
+        if (scene_.dynamics->pressed())
+            row.least_force = -response.largest(train->contact_force(), -1.0, true).value;
+        return row;
+    }
+    [[nodiscard]] double least_force(const EventPieces& pieces, double speed) const {
+        const auto train = train_at(scene_, speed);
+        return -EventResponse(*train, pieces).largest(train->contact_force(), -1.0, true).value;
+    }
+    /// Contact may be lost in resonance and found again: the first loss on a fine grid, then its border.
+    [[nodiscard]] std::optional<double> lift_off(const EventPieces& pieces) const {
+        if (!scene_.dynamics->pressed()) return std::nullopt;
+        const double highest = farthest_speed * study_.speeds.back();
+        constexpr int steps = 120;
+        const auto keeps = [&](double speed) { return least_force(pieces, speed) >= 0.0; };
+        for (int k = 1; k <= steps; ++k) {
+            const double speed = highest * k / steps;
+            if (keeps(speed)) continue;
+            return bisected(keeps, {highest * (k - 1) / steps, speed}, lift_off_bisections).without;
+        }
+        return std::nullopt;
+    }
+
+    const Scene& scene_;
+    TrainStudy study_;
+};
+
+void TrainStudyRun::add_history(const std::string& key, const Motion& motion, const MotionEvent& event) {
+    const double speed = scene_.motion.speed.value();
+    const auto train = train_at(scene_, speed);
+    const std::vector<SlopePiece> all = scene_.dynamics->formulas->pieces(motion);
+    const EventPieces pieces = pieces_of_event(all, event);
+    const double period =
+        units::turn / study_.natural_frequencies.front() * speed / scene_.motion.unit_angle();
+    TrainHistory history{key, speed, {}};
+    std::vector<SlopePiece> run = pieces.moving;
+    double length = 0.0, dwell = 0.0;
+    for (const SlopePiece& piece : pieces.moving) length += piece.width;
+    for (SlopePiece piece : pieces.dwell) {
+        piece.width = std::min(piece.width, shown_periods * period - dwell);
+        if (piece.width <= 0.0) break;
+        dwell += piece.width;
+        run.push_back(std::move(piece));
+    }
+    const std::vector<Eigen::VectorXd> states =
+        train->states_along(run, Eigen::VectorXd::Zero(train->states()), 0.0);
+    double begin = 0.0;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        const SlopePiece& piece = run[i];
+        const int count =
+            std::max(2, static_cast<int>(std::ceil(history_instants * piece.width / (length + dwell))));
+        for (int k = 0; k < count + (i + 1 == run.size() ? 1 : 0); ++k) {
+            const double t = static_cast<double>(k) / count;
+            const Eigen::VectorXd state = train->state_inside(states[i], piece, t);
+            double y = piece.displacement, v = 0.0, a = 0.0;
+            for (Eigen::Index j = piece.slope.size(); j-- > 0;) v = v * t + piece.slope[j];
+            for (Eigen::Index j = piece.slope.size() - 1; j >= 1; --j)
+                a = a * t + static_cast<double>(j) * piece.slope[j];
+            a /= piece.width;
+            for (Eigen::Index j = 0; j < piece.slope.size(); ++j)
+                y += piece.width * piece.slope[j] * std::pow(t, j + 1) / static_cast<double>(j + 1);
+            const auto read = [&](const TrainAtSpeed::Reading& reading) {
+                return reading.state.dot(state) + reading.motion[0] * y + reading.motion[1] * v +
+                       reading.motion[2] * a + reading.constant;
+            };
+            history.instants.push_back({begin + t * piece.width, y, y + read(train->deflection()), a,
+                                        read(train->acceleration()), read(train->contact_force())});
+        }
+        begin += piece.width;
+    }
+    study_.histories.push_back(std::move(history));
+}
+
+void TrainStudyRun::add_steady(const Motion& turn) {
+    const std::vector<SlopePiece> pieces = scene_.dynamics->formulas->pieces(turn);
+    for (const double speed : study_.speeds) {
+        const auto train = train_at(scene_, speed);
+        const Eigen::VectorXd start = train->steady_start(pieces);
+        if (!start.allFinite()) continue;
+        const auto states = train->states_along(pieces, start, pieces.back().slope.sum());
+        const auto largest = [&](const TrainAtSpeed::Reading& reading, double sign) {
+            double best = -infinity;
+            for (std::size_t i = 0; i < pieces.size(); ++i)
+                for (const Extremum& one : train->maxima(reading, sign, states[i], pieces[i], best))
+                    best = std::max(best, one.value);
+            return best;
+        };
+        const auto magnitude = [&](const TrainAtSpeed::Reading& reading) {
+            return std::max(largest(reading, 1.0), largest(reading, -1.0));
+        };
+        SteadyRow row{speed, magnitude(train->deflection()), magnitude(train->acceleration()), {}};
+        if (scene_.dynamics->pressed()) row.least_force = -largest(train->contact_force(), -1.0);
+        study_.steady.push_back(row);
+    }
+}
+
+bool is_damped(const DynamicsSpec& spec) {
+    return spec.output().damping > 0.0 &&
+           std::ranges::all_of(spec.stages, [](const TrainStage& stage) { return stage.damping > 0.0; });
+}
+
+bool asks_train(const Scene& scene) {
+    return weighs_response(scene.objective) || std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
+               return row.needs_dynamics && row.in(scene.limits).has_value();
+           });
+}
+
+void require_train(const Scene& scene) {
+    if (!scene.dynamics)
+        throw InputError("dynamics: found a scene without a [dynamics] table; allowed: a scene with one");
+}
+
+}  // namespace
+
+SpeedSweep default_speeds(const Scene& scene) {
+    require_train(scene);
+    const auto [low, high] = response_speeds(scene);
+    return {0.5 * low, 2.0 * high, default_speed_count};
+}
+
+Scene without_train(const Scene& scene) {
+    Scene rigid = scene;
+    for (const ResponseTerm& term : response_terms()) rigid.objective.*term.weight = 0.0;
+    for (const LimitRow& row : limit_rows())
+        if (row.needs_dynamics) row.in(rigid.limits).reset();
+    return rigid;
+}
+
+TrainStudy train_study_of(Solution optimum, std::optional<Solution> static_optimum,
+                          const SpeedSweep& speeds) {
+    const Scene scene = optimum.scene;
+    require_train(scene);
+    if (speeds.count < 1 || !(speeds.from > 0.0) || !(speeds.to >= speeds.from))
+        throw InputError(
+            fmt::format("speeds: found {} from {:.6g} to {:.6g} rpm; allowed: at least 1, speeds > 0 "
+                        "that ascend",
+                        speeds.count, speeds.from / units::revolution_per_minute,
+                        speeds.to / units::revolution_per_minute));
+    TrainStudyRun run(scene, speeds);
+    const std::vector<MotionEvent> events = motion_events(scene.motion);
+    const MotionEvent own = events.empty() ? MotionEvent{{{0.0, scene.motion.length()}}, {}} : events.front();
+    const MotionEvent rise = single_rise(scene.motion.unit_angle());
+    const auto add_solved = [&](const char* key, const char* title, const Solution& solution) {
+        if (!solution.motion) return;
+        run.add(key, title, *solution.motion, own);
+        run.add_history(key, *solution.motion, own);
+    };
+    add_solved("optimum", "optimum", optimum);
+    if (static_optimum) add_solved("static_optimum", "optimum of a rigid follower", *static_optimum);
+    for (const LawInfo& info : law_catalogue()) {
+        if (!info.rests || info.top != TopEnd::dwell) continue;
+        const auto law = make_law(info.key);
+        run.add(info.key, info.title, *law, rise);
+        if (info.key == scene.objective.reference.law) run.add_history(info.key, *law, rise);
+    }
+    if (optimum.motion && is_damped(*scene.dynamics) &&
+        (scene.motion.type != MotionType::program || scene.motion.closed)) {
+        const MotionChain turn = optimum.whole_turn();
+        const bool returns = std::abs(turn.at(turn.end(), Side::left).derivative[0] -
+                                      turn.at(turn.begin()).derivative[0]) < 1e-9;
+        if (returns) run.add_steady(turn);
+    }
+    TrainStudy study = run.finished();
+    study.scene = scene;
+    study.optimum = std::move(optimum);
+    study.static_optimum = std::move(static_optimum);
+    return study;
+}
+
+TrainStudy train_study(const Scene& scene, const SpeedSweep& speeds, const SolveControl& control) {
+    require_train(scene);
+    Solution optimum = solve_without_explaining(scene, control);
+    std::optional<Solution> rigid;
+    if (asks_train(scene)) rigid = solve_without_explaining(without_train(scene), control);
+    return train_study_of(std::move(optimum), std::move(rigid), speeds);
+}
+
+}  // namespace camopt

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// An elastic follower train over a range of speeds: one motion beside others, each as one rise (or event)
+// from rest, and as a steady state where the turn is closed and damped.
+#pragma once
+
+#include "scene/scene.hpp"
+#include "solvers/solver.hpp"
+#include "studies/delivered/solution.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// One motion at one speed. From rest, during its (first) rise and as it leaves.
+struct TrainRow {
+    std::string motion;              ///< "optimum", "static_optimum", or the key of a law
+    double speed = 0.0;              ///< rad/s
+    double frequency_ratio = 0.0;    ///< time of the rise over the natural period of the slowest mode
+    double residual = 0.0;           ///< amplitude in lifts
+    double peak_deflection = 0.0;    ///< |x − y| in lifts
+    double peak_acceleration = 0.0;  ///< |x''|, normalised as A
+    std::optional<double>
+        least_force;  ///< on the cam, the dwell after it too, N or N m; none: cam-guided both ways
+    [[nodiscard]] bool lifts_off() const { return least_force && *least_force < 0.0; }
+};
+
+/// One instant.
+struct TrainInstant {
+    double x = 0.0;                    ///< cam angle by the unit angle, from the rise on
+    double input = 0.0, output = 0.0;  ///< y, x_n in lifts, but for the constant compression
+    double input_acceleration = 0.0, acceleration = 0.0;  ///< in lifts by x²
+    double force = 0.0;                                   ///< on the cam, N or N m
+};
+struct TrainHistory {
+    std::string motion;
+    double speed = 0.0;
+    std::vector<TrainInstant> instants;
+};
+
+/// Steady state of a closed turn: amplitudes once everything repeats.
+struct SteadyRow {
+    double speed = 0.0;
+    double peak_deflection = 0.0, peak_acceleration = 0.0;
+    std::optional<double> least_force;
+};
+
+struct TrainStudy {
+    Scene scene;
+    std::vector<double> natural_frequencies;                   ///< rad/s, ascending
+    std::vector<double> speeds;                                ///< rad/s
+    std::vector<std::pair<std::string, std::string>> motions;  ///< key and title, in the order of the rows
+    std::vector<TrainRow> rows;                                ///< motion by motion, speed by speed
+    /// By motion: the lowest speed up to the highest looked at, or twice that, where contact is lost; none:
+    /// nowhere.
+    std::vector<std::optional<double>> lift_off_speeds;
+    std::vector<TrainHistory> histories;  ///< at the scene's speed: optimum, static optimum, reference law
+    std::vector<SteadyRow> steady;        ///< of the optimum; empty: no closed turn, or no damping
+    Solution optimum;
+    std::optional<Solution>
+        static_optimum;  ///< without terms and limits of the train; none: the scene has none
+};
+
+/// rad/s, evenly. Throws InputError for a count below 1 or speeds that do not ascend.
+struct SpeedSweep {
+    double from = 0.0, to = 0.0;
+    int count = 0;
+};
+/// The default: from half the least to twice the largest speed of the range, 61 of them.
+[[nodiscard]] SpeedSweep default_speeds(const Scene& scene);
+
+/// Solves the scene (and it without its train), then looks at all motions. Throws InputError for a scene
+/// without dynamics.
+[[nodiscard]] TrainStudy train_study(const Scene& scene, const SpeedSweep& speeds,
+                                     const SolveControl& control = {});
+/// The same of a scene that is solved.
+[[nodiscard]] TrainStudy train_study_of(Solution optimum, std::optional<Solution> static_optimum,
+                                        const SpeedSweep& speeds);
+/// The scene as if its follower were rigid.
+[[nodiscard]] Scene without_train(const Scene& scene);
+
+}  // namespace camopt
