@@ -53,7 +53,12 @@ std::vector<double> degree_ticks(double lower, double upper, int wanted) {
 std::string tick_text(double value, double step) {
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + rounding)));
     const bool plain = decimals <= 4 && std::abs(value) < 1e6;
-    std::string text = plain ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+    // Neighbours differ in their last digit also where they are long: 1.60960, 1.60961.
+    const double size = std::abs(value) < step ? step : std::abs(value);
+    const int digits = std::max(
+        3, 1 + static_cast<int>(std::floor(std::log10(size)) - std::floor(std::log10(step) + rounding)));
+    std::string text =
+        plain ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.{}g}", value, digits);
     if (text.front() == '-') text.replace(0, 1, "−");
     return text;
 }

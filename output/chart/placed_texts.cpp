@@ -28,6 +28,23 @@ double text_width(std::string_view words, double font_size, bool bold) {
     return ems * font_size * (bold ? bold_wider : 1.0);
 }
 
+std::vector<TextPlace> places_around(double x, double y, double width, double font_size) {
+    constexpr double gap = 6.0, step = 4.0;
+    constexpr int rings = 20;
+    std::vector<TextPlace> places;
+    for (int ring = 0; ring < rings; ++ring) {
+        const double out = step * ring;
+        const double right = x + gap + 0.5 * out, left = x - gap - 0.5 * out - width;
+        for (const double up : {y - 3.0 - out, y + 0.8 * font_size + out}) {
+            places.push_back({right, up});
+            places.push_back({left, up});
+        }
+        places.push_back({x - 0.5 * width, y - gap - out});
+        places.push_back({x - 0.5 * width, y + gap + font_size + out});
+    }
+    return places;
+}
+
 bool PlacedTexts::draw(SvgCanvas& canvas, std::string_view words, std::span<const TextPlace> places,
                        std::string_view css_class, double font_size, bool bold) {
     const double width = text_width(words, font_size, bold);

@@ -20,12 +20,21 @@ struct TextPlace {
     TextSide side = TextSide::start;
 };
 
+/// Places around a mark at (x, y), the nearest first: right and left of it, above and below, then farther
+/// out.
+[[nodiscard]] std::vector<TextPlace> places_around(double x, double y, double width, double font_size);
+
 /// Of what has been placed so far.
 class PlacedTexts {
  public:
     /// px: labels stay within.
     PlacedTexts(double left, double top, double right, double bottom)
         : left_(left), top_(top), right_(right), bottom_(bottom) {}
+
+    /// No label covers the mark at (x, y), so far out on each side.
+    void keep_free(double x, double y, double half) {
+        taken_.push_back({x - half, y - half, x + half, y + half});
+    }
 
     /// The first free place inside, drawn and taken; where there is none, nothing is drawn. False then.
     bool draw(SvgCanvas& canvas, std::string_view words, std::span<const TextPlace> places,

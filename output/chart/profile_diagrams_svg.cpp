@@ -4,11 +4,14 @@
 #include "core/units.hpp"
 #include "output/chart/turn_diagram.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 
 namespace camopt {
@@ -80,6 +83,28 @@ std::vector<TurnMark> shown_marks(const std::vector<ProfileMark>& marks, double 
     return shown;
 }
 
+/// The curvature of either side, and of conjugate disks the pressure angle of either.
+TurnDiagram two_sided(TurnDiagram diagram, TurnPanel pressure, const ProfileShape& shape,
+                      const ProfileDiagramLimits& limits) {
+    const FormSpec& form = shape.cam.form;
+    const ProfileShape other = other_side(shape);
+    const std::array<const ProfileShape*, 2> sides = {&shape, &other};
+    for (int side = 0; side < 2; ++side) {
+        const ProfileShape& own = *sides[static_cast<std::size_t>(side)];
+        const Pieces pieces = profile_pieces(own, diagram_steps);
+        if (side == 0 || form.is_conjugate()) {
+            TurnPanel panel = pressure_panel(pieces, limits);
+            if (form.is_conjugate()) panel.caption += ", " + side_name(form, side);
+            if (side == 0 && form.is_grooved()) panel.marks = pressure.marks;
+            diagram.panels.push_back(std::move(panel));
+        }
+        diagram.panels.push_back(curvature_panel(own, pieces, limits));
+        diagram.panels.back().caption =
+            fmt::format("Curvature, {}, 1/ρ (convex > 0, concave < 0)", side_name(form, side));
+    }
+    return diagram;
+}
+
 }  // namespace
 
 std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagramLimits& limits,
@@ -92,6 +117,8 @@ std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagram
     }
     TurnDiagram diagram{std::string(title), shape.begin() / degree, shape.end() / degree, {}, {}};
     for (const double knot : shape.knots) diagram.knots.push_back(knot / degree);
+    if (shape.other)
+        return turn_diagram_svg(two_sided(std::move(diagram), std::move(pressure), shape, limits));
     diagram.panels = {std::move(pressure), std::move(curvature)};
     return turn_diagram_svg(diagram);
 }

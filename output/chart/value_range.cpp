@@ -14,8 +14,12 @@ void ValueRange::add(double value) {
 }
 
 ValueRange ValueRange::padded(double part) const {
-    const double width = std::max(upper - lower, 1e-6 * std::max(1.0, std::abs(upper)));
-    return {lower - part * width, upper + part * width, started};
+    constexpr double least_width =
+        1e-3;  // of the values: what differs by less is level, not a curve of rounding
+    const double size = std::max(std::abs(lower), std::abs(upper));
+    const double width = std::max(upper - lower, least_width * (size > 0.0 ? size : 1.0));
+    const double middle = 0.5 * (lower + upper);
+    return {middle - (0.5 + part) * width, middle + (0.5 + part) * width, started};
 }
 
 }  // namespace camopt

@@ -23,6 +23,16 @@ namespace {
 
 constexpr std::string_view between_limits = "; ";
 
+/// Columns of a sweep with a follower train, and the members of a row.
+struct TrainColumn {
+    const char* name;
+    std::optional<double> SweepTrain::*value;
+};
+constexpr std::array<TrainColumn, 3> train_columns = {
+    {{"residual", &SweepTrain::residual},
+     {"dynamic_acceleration", &SweepTrain::dynamic_acceleration},
+     {"dynamic_contact_force", &SweepTrain::contact_force}}};
+
 std::string dimension_column(DimensionIndex index) {
     return fmt::format("{}_mm", name_of(index));
 }
@@ -38,6 +48,8 @@ std::string csv_line(const SweepColumns& columns, const SweepRow& row) {
         const std::optional<double>& value = row.dimension(index);
         line.number(value ? std::optional(*value / units::millimetre) : std::nullopt);
     }
+    if (columns.train)
+        for (const TrainColumn& column : train_columns) line.number(row.train.*column.value);
     line.words(fmt::format("{}", fmt::join(row.active_limits, between_limits)));
     const EvaluationCounts& counts = row.evaluations;
     line.count(row.iterations).count(row.exchange_rounds);
@@ -124,6 +136,8 @@ SweepRow read_row(const SweepColumns& columns, Cells cells) {
     for (const DimensionIndex index : columns.dimensions)
         if (const std::optional<double> value = cells.number_or_none())
             row.dimensions[static_cast<std::size_t>(index)] = metres(*value);
+    if (columns.train)
+        for (const TrainColumn& column : train_columns) row.train.*column.value = cells.number_or_none();
     row.active_limits = cells.list();
     row.iterations = cells.number<int>();
     row.exchange_rounds = cells.number<int>();
@@ -147,6 +161,7 @@ SweepColumns read_columns(const CsvRecord& record, std::string_view name) {
         if (std::find(verdict, cells.end(), dimension_column(index)) != cells.end())
             columns.dimensions.push_back(index);
     }
+    columns.train = std::find(verdict, cells.end(), train_columns.front().name) != cells.end();
     if (cells != sweep_csv_columns(columns))
         throw InputError(fmt::format("{}:{}: found other columns than those of a sweep; allowed: {}", name,
                                      record.line, fmt::join(sweep_csv_columns(columns), ",")));
@@ -164,6 +179,8 @@ std::vector<std::string> sweep_csv_columns(const SweepColumns& columns) {
     add({"verdict", "reason", "pareto_front", "objective", "lower_bound", "gap", "any_curve_limit"});
     for (int i = 0; i < sweep_figure_count; ++i) add({name_of(static_cast<SweepFigure>(i))});
     for (const DimensionIndex index : columns.dimensions) names.push_back(dimension_column(index));
+    if (columns.train)
+        for (const TrainColumn& column : train_columns) names.emplace_back(column.name);
     add({"active_limits", "iterations", "exchange_rounds", "cost_evaluations", "gradient_evaluations",
          "constraint_evaluations", "jacobian_evaluations", "hessian_evaluations", "profile_points",
          "seconds_solve", "seconds_total"});

@@ -3,10 +3,10 @@
 
 #include "core/errors.hpp"
 #include "core/infinity.hpp"
+#include "core/text/split_text.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
@@ -189,13 +189,15 @@ const std::vector<ColumnRow>& all_column_rows() {
     return rows;
 }
 
+/// Of a disk cam with two sides the first.
 bool has_plane_cam(const Solution& solution) {
-    return solution.cam && solution.cam->cam.formulas->planar() &&
-           solution.cam->cam.formulas->stations() == 1;
+    if (!solution.cam) return false;
+    const CamMechanism& cam = *solution.cam->cam.formulas;
+    return cam.planar() && (cam.stations() == 1 || cam.is_direct());
 }
 
 bool has_loads(const Solution& solution) {
-    return solution.cam && solution.cam->summary.forces && disk_cam(solution.cam->cam);
+    return delivered_loads(solution) != nullptr;
 }
 
 bool has_column(const Solution& solution, ColumnNeed need) {
@@ -294,17 +296,6 @@ std::vector<double> even_angles(const UniformTableOptions& options, double end) 
     return angles;
 }
 
-/// What does not exist is not finite.
-FollowerLoads loads_at(const Solution& solution, const TableRow& row) {
-    const DiskCam cam = *disk_cam(solution.cam->cam);
-    FollowerLoads loads = follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed,
-                                         state_of(row.point, motion_scale(solution.scene)), *row.cam);
-    if (!solution.cam->summary.no_contact) return loads;
-    loads.normal_force = infinity;
-    loads.hertz_pressure.reset();
-    return loads;
-}
-
 /// x of the angle, and the breakpoint itself where it is one but for rounding.
 double place_on(const std::vector<double>& breakpoints, double x) {
     constexpr double same_x = 1e-12;
@@ -389,16 +380,18 @@ UniformTable uniform_table(const Solution& solution, const UniformTableOptions& 
         table.text += (table.text.empty() ? "" : ",") + column->column.key;
     table.text += "\n";
     const std::vector<double> angles = even_angles(options, table.end_deg);
+    const bool plane = has_plane_cam(solution);
+    const LoadsAt loads = plane ? delivered_loads(solution) : nullptr;
     for (const double theta : angles) {
         const bool last = theta == angles.back();
         const double x = last ? motion.end() : place_on(breakpoints, theta / degrees_per_x);
         TableRow row{&spec, motion.at(x, last ? Side::left : Side::right), theta, nullptr, {}};
         row.point.x = x;
         std::optional<MechanismPoint> cam;
-        if (has_plane_cam(solution)) {
+        if (plane) {
             cam = mechanism_point(solution.cam->cam, row.point, motion_scale(solution.scene));
             row.cam = &*cam;
-            if (has_loads(solution)) row.loads = loads_at(solution, row);
+            if (loads) row.loads = loads(row.point, *row.cam);
         }
         std::string line;
         for (std::size_t i = 0; i < columns.size(); ++i)
@@ -416,15 +409,9 @@ UniformTable uniform_table(const Solution& solution, const UniformTableOptions& 
 
 std::vector<std::string> column_names(std::string_view list) {
     std::vector<std::string> names;
-    std::size_t begin = 0;
-    while (begin <= list.size()) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        std::string_view name = list.substr(begin, end - begin);
-        while (name.starts_with(' ')) name.remove_prefix(1);
-        while (name.ends_with(' ')) name.remove_suffix(1);
+    for (const std::string_view name : split_text(list, ',')) {
         if (name.empty()) throw InputError("--columns: found an empty name; allowed: names between commas");
         names.emplace_back(name);
-        begin = end + 1;
     }
     return names;
 }

@@ -1,31 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Plane cams for the machine: the checked program of an end mill around them.
+// Plane cams for the machine: the checked program of an end mill around them, or along their groove.
 //
-// Frame of profiles/disk/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. m.
+// Frame of profiles/disk/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. Of a
+// grooved cam the disk with its rim is the blank, and the program mills the groove into its upper face: in
+// one pass with a cutter as wide as the groove, else along either flank (groove_passes.hpp). A conjugate cam
+// is two such pieces (made_pieces). m.
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"
-#include "output/nc/checked_program.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
-#include <string>
+#include <optional>
 
 namespace camopt {
 
-struct DiskNcOptions {
-    double cutter_diameter = 16e-3;  ///< m
-    double stock = 0.0;              ///< m, left around the cam
-    double thickness = 20e-3;        ///< m: of the cam, chosen
-    double tip_beyond = 1e-3;        ///< m: the tip reaches so far below the cam
-    double feed = 5e-3;              ///< m/s
-    double spindle_rpm = 0.0;        ///< rev/min; 0: no word
-    double chord_tolerance = 1e-6;   ///< m
-    double gouge_tolerance = 1e-5;   ///< m: checked_program.hpp
-    BlankChoice blank;               ///< allowance: around the cam; its faces are those of the cam
-    double clearance = 0.02;         ///< m: of the clearance plane above the blank
-    double safe_distance = 2e-3;     ///< m: rapids keep so far from the blank
-    MillingChoice milling;
-    std::string title = "cam";
+/// The allowance of the blank is around the cam; its faces are those of the cam.
+struct DiskNcOptions : MillingOptions {
+    std::optional<double> cutter_diameter = {};  ///< m; none: 16 mm, of a groove its width
+    std::optional<double> groove_depth = {};     ///< m, in (0, thickness); none: half the thickness
+    double thickness = 20e-3;                    ///< m: of the cam, chosen
+    double tip_beyond = 1e-3;                    ///< m: the tip reaches so far below the cam, not of a groove
 };
 
 /// What is cut and what it is checked against; keeps a reference to the shape. Throws InputError for an open

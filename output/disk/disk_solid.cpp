@@ -33,10 +33,25 @@ double thickness_of(const DrawingSpec& drawing) {
     return thickness;
 }
 
+double groove_depth_of(const DrawingSpec& drawing) {
+    const double thickness = thickness_of(drawing), depth = drawing.groove_depth.value_or(0.5 * thickness);
+    if (!(depth > 0.0 && depth < thickness))
+        throw InputError(
+            fmt::format("drawing.groove_depth: found {:.6g} mm; allowed: more than 0 and less than the "
+                        "thickness, {:.6g} mm",
+                        depth / units::millimetre, thickness / units::millimetre));
+    return depth;
+}
+
 void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_closed(shape);
     static_cast<void>(thickness_of(drawing));
-    if (!cusp_angles(shape).empty() || !(shape.at(shape.begin()).regularity > 0.0))
+    if (shape.cam.form.is_conjugate())
+        throw InputError("plane cam: found two disks; allowed: either of them (made_pieces)");
+    const auto undercut = [](const ProfileShape& side) {
+        return !cusp_angles(side).empty() || !(side.at(side.begin()).regularity > 0.0);
+    };
+    if (undercut(shape) || (shape.other && undercut(other_side(shape))))
         throw InputError(
             "plane cam: found an undercut one, whose outline crosses itself; allowed: a cam that leads its "
             "follower everywhere (limits.cam_radius_min_mm = 0)");
@@ -45,6 +60,12 @@ void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
             fmt::format("plane cam: found a bore or keyway that reaches {:.6g} mm from the centre; allowed: "
                         "less than {:.6g} mm, the cam's least radius",
                         drawing.reach() / units::millimetre, least_radius(shape) / units::millimetre));
+}
+
+/// The disk that a groove is cut into.
+std::vector<ArcVertex> rim_outline(const ProfileShape& shape) {
+    const double radius = rim_radius(shape).value();
+    return {{{radius, 0.0}, 1.0}, {{-radius, 0.0}, 1.0}};
 }
 
 /// 0.5 ∮ (x dy − y dx), its arcs exact: the segment beyond a chord of length c with the bulge b, angle φ = 4
@@ -117,7 +138,45 @@ TriangleMesh plate_mesh(const Polygon& outline, const Polygon& hole, double thic
     return mesh;
 }
 
-Polygon contour_polygon(const ProfileShape& shape, int count) {
+/// Lines of a grooved disk from outside to inside; all turn to the left. The hole may be empty.
+struct GroovedLines {
+    const Polygon &rim, &outer, &inner, &hole;
+};
+
+/// Every line at its heights once: the upper face on either side of the groove, its floor, the lower face.
+TriangleMesh grooved_mesh(const GroovedLines& lines, double thickness, double depth) {
+    TriangleMesh mesh;
+    const auto add = [&](const Polygon& line, double z) {
+        const int first = static_cast<int>(mesh.vertices.size());
+        for (const Vector2d& point : line) mesh.vertices.emplace_back(point.x(), point.y(), z);
+        return first;
+    };
+    const auto cap = [&](const Polygon& outline, int first, const Polygon& hole, int second, bool upwards) {
+        const int corners = static_cast<int>(outline.size());
+        const auto vertex = [&](int i) { return i < corners ? first + i : second + i - corners; };
+        for (const std::array<int, 3>& t : plane_triangles(outline, hole))
+            mesh.triangles.push_back(upwards ? std::array{vertex(t[0]), vertex(t[1]), vertex(t[2])}
+                                             : std::array{vertex(t[0]), vertex(t[2]), vertex(t[1])});
+    };
+    const auto wall = [&](const Polygon& line, int upper, int lower, bool outside) {
+        add_wall(mesh, upper, static_cast<int>(line.size()), lower - upper, outside);
+    };
+    const int rim = add(lines.rim, 0.0), rim_below = add(lines.rim, -thickness);
+    const int outer = add(lines.outer, 0.0), outer_floor = add(lines.outer, -depth);
+    const int inner = add(lines.inner, 0.0), inner_floor = add(lines.inner, -depth);
+    const int hole = add(lines.hole, 0.0), hole_below = add(lines.hole, -thickness);
+    cap(lines.rim, rim, lines.outer, outer, true);
+    cap(lines.outer, outer_floor, lines.inner, inner_floor, true);
+    cap(lines.inner, inner, lines.hole, hole, true);
+    cap(lines.rim, rim_below, lines.hole, hole_below, false);
+    wall(lines.rim, rim, rim_below, true);
+    wall(lines.outer, outer, outer_floor, false);
+    wall(lines.inner, inner, inner_floor, true);
+    wall(lines.hole, hole, hole_below, false);
+    return mesh;
+}
+
+Polygon even_polygon(const ProfileShape& shape, int count) {
     if (count < least_points)
         throw InputError(
             fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
@@ -142,6 +201,18 @@ double sagitta(const ProfileShape& shape, int count) {
         }
     }
     return worst;
+}
+
+/// Turns to the left; `deviation` grows to the largest distance from the contour.
+Polygon contour_polygon(const ProfileShape& shape, const DiskMeshOptions& options, double& deviation) {
+    if (options.points) {
+        deviation = std::max(deviation, sagitta(shape, *options.points));
+        return to_the_left(even_polygon(shape, *options.points));
+    }
+    // The arcs take a tenth of the tolerance, their chords the rest.
+    deviation = std::max(deviation, options.chord_tolerance);
+    const ArcChain chain = outline_chain(shape, true, 0.1 * options.chord_tolerance);
+    return to_the_left(polygon_within(chain.vertices, 0.9 * options.chord_tolerance));
 }
 
 bool is_dwell(const ProfileShape& shape, double begin, double end) {
@@ -183,6 +254,31 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
     }
 }
 
+/// Dwells as arcs, all else as curves.
+std::vector<PlateEdge> contour_edges(const ProfileShape& shape) {
+    std::vector<PlateEdge> outline;
+    for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
+        const double begin = shape.knots[i], end = shape.knots[i + 1];
+        PlateEdge edge;
+        if (is_dwell(shape, begin, end)) {
+            edge.kind = PlateEdge::Kind::arc;
+            edge.middle = shape.at(0.5 * (begin + end)).contact;
+        } else {
+            edge = curve_through(shape, begin, end);
+        }
+        edge.from = i == 0 ? shape.at(begin).contact : outline.back().to;
+        edge.to = i + 2 < shape.knots.size() ? shape.at(end).contact
+                  : outline.empty()          ? edge.from
+                                             : outline.front().from;
+        if (!edge.poles.empty()) {
+            edge.poles.front() = edge.from;
+            edge.poles.back() = edge.to;
+        }
+        outline.push_back(std::move(edge));
+    }
+    return outline;
+}
+
 std::vector<PlateEdge> edges_of(const std::vector<ArcVertex>& vertices) {
     std::vector<PlateEdge> edges;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -212,9 +308,13 @@ void check_closed(const ProfileShape& shape) {
 
 double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_solid(shape, drawing);
-    double area = area_of(outline_chain(shape, true, area_tolerance).vertices);
-    if (drawing.bore) area -= area_of(bore_outline(drawing, shape.cam));
-    return area * thickness_of(drawing);
+    const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.cam)) : 0.0;
+    const auto area = [](const ProfileShape& side) {
+        return area_of(outline_chain(side, true, area_tolerance).vertices);
+    };
+    if (!shape.other) return (area(shape) - bore) * thickness_of(drawing);
+    return (area_of(rim_outline(shape)) - bore) * thickness_of(drawing) -
+           (area(other_side(shape)) - area(shape)) * groove_depth_of(drawing);
 }
 
 DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const DiskMeshOptions& options) {
@@ -223,18 +323,17 @@ DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const 
         throw InputError(
             fmt::format("plane cam: the chord tolerance must be > 0 m, found {:g}", options.chord_tolerance));
     DiskMesh result;
-    Polygon outline, hole;
-    if (options.points) {
-        outline = contour_polygon(shape, *options.points);
-        result.deviation = sagitta(shape, *options.points);
-    } else {
-        // The arcs take a tenth of the tolerance, their chords the rest.
-        const ArcChain chain = outline_chain(shape, true, 0.1 * options.chord_tolerance);
-        outline = polygon_within(chain.vertices, 0.9 * options.chord_tolerance);
-        result.deviation = options.chord_tolerance;
-    }
+    Polygon hole;
+    const Polygon outline = contour_polygon(shape, options, result.deviation);
     if (drawing.bore) hole = polygon_within(bore_outline(drawing, shape.cam), options.chord_tolerance);
-    result.mesh = plate_mesh(to_the_left(outline), hole, thickness_of(drawing));
+    if (shape.other) {
+        const Polygon outer = contour_polygon(other_side(shape), options, result.deviation);
+        const Polygon rim = polygon_within(rim_outline(shape), options.chord_tolerance);
+        result.mesh =
+            grooved_mesh({rim, outer, outline, hole}, thickness_of(drawing), groove_depth_of(drawing));
+    } else {
+        result.mesh = plate_mesh(outline, hole, thickness_of(drawing));
+    }
     result.volume = volume(result.mesh);
     result.exact = disk_volume(shape, drawing);
     return result;
@@ -245,24 +344,12 @@ Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing, const st
     Plate plate;
     plate.name = name;
     plate.thickness = thickness_of(drawing);
-    for (std::size_t i = 0; i + 1 < shape.knots.size(); ++i) {
-        const double begin = shape.knots[i], end = shape.knots[i + 1];
-        PlateEdge edge;
-        if (is_dwell(shape, begin, end)) {
-            edge.kind = PlateEdge::Kind::arc;
-            edge.middle = shape.at(0.5 * (begin + end)).contact;
-        } else {
-            edge = curve_through(shape, begin, end);
-        }
-        edge.from = i == 0 ? shape.at(begin).contact : plate.outline.back().to;
-        edge.to = i + 2 < shape.knots.size() ? shape.at(end).contact
-                  : plate.outline.empty()    ? edge.from
-                                             : plate.outline.front().from;
-        if (!edge.poles.empty()) {
-            edge.poles.front() = edge.from;
-            edge.poles.back() = edge.to;
-        }
-        plate.outline.push_back(std::move(edge));
+    if (shape.other) {
+        plate.outline = edges_of(rim_outline(shape));
+        plate.groove =
+            PlateGroove{contour_edges(other_side(shape)), contour_edges(shape), groove_depth_of(drawing)};
+    } else {
+        plate.outline = contour_edges(shape);
     }
     if (drawing.bore) plate.hole = edges_of(bore_outline(drawing, shape.cam));
     return plate;

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,10 @@ namespace {
 using units::degree;
 
 void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
-    column.sample(shape.closed ? "cam" : "sector", "cam");
+    const FormSpec& form = shape.cam.form;
+    column.sample(shape.closed ? "cam" : "sector", form.is_conjugate() ? "first disk" : "cam");
+    if (form.is_conjugate()) column.sample(shape.closed ? "second" : "second-sector", "second disk");
+    if (form.is_grooved()) column.sample(shape.closed ? "groove" : "sector", "groove: inner, outer flank");
     if (has_roller(shape.cam.follower)) column.sample("pitch", "pitch curve (roller centre)");
     column.sample("circle", "base circle");
     if (has_roller(shape.cam.follower)) column.sample("prime", "prime circle");
@@ -34,6 +38,8 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
     LegendColumn column(canvas, shape.length);
     add_lines(column, shape, undercut);
     column.heading(words_of(name_of(shape.cam.follower)));
+    if (shape.cam.form.drives_both_ways())
+        column.words(fmt::format("form: {}", name_of(shape.cam.form.type)));
     for (int i = 0; i < dimension_count; ++i) {
         const auto dimension = static_cast<DimensionIndex>(i);
         if (has_dimension(shape.cam.follower, dimension))
@@ -42,6 +48,13 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
     if (has_roller(shape.cam.follower))
         column.value("prime radius",
                      shape.cam[DimensionIndex::base_radius] + shape.cam[DimensionIndex::roller_radius]);
+    for (const MechanismDimension& dimension : form_dimensions(shape.cam.follower, shape.cam.form)) {
+        if (dimension.is_angle)
+            column.value(words_of(dimension.name),
+                         std::string_view(short_text(dimension.value.low / degree) + " deg"));
+        else
+            column.value(words_of(dimension.name), dimension.value.low);
+    }
     if (has_flat_face(shape.cam.follower) && !is_oscillating(shape.cam.follower)) {
         if (shape.face_half_width)
             column.value("face half width", *shape.face_half_width);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/profile_shape.hpp"
 
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "studies/check/check_cam.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
@@ -17,8 +19,9 @@ using Eigen::Vector2d;
 
 constexpr double from_inside = 1e-9;  // of a piece's length: its ends are looked at from this far inside
 constexpr double same_place = 1e-9;   // of the base radius: two points of the cam are one
-constexpr int cusp_samples = 720;     // angles searched for sign changes of the regularity
-constexpr int cusp_bisections = 60;   // down to neighbouring numbers
+constexpr int rim_samples = 1440;
+constexpr int cusp_samples = 720;    // angles searched for sign changes of the regularity
+constexpr int cusp_bisections = 60;  // down to neighbouring numbers
 
 double crossing(const ProfileShape& shape, double left, double right) {
     const bool left_regular = shape.at(left).regularity > 0.0;
@@ -35,6 +38,42 @@ Vector2d in_cam_frame(const DiskCam& cam, const Vector2d& fixed, double theta) {
 
 }  // namespace
 
+ProfileShape other_side(const ProfileShape& shape) {
+    ProfileShape side = shape;
+    side.at = shape.other;
+    side.other = {};
+    return side;
+}
+
+std::optional<double> rim_radius(const ProfileShape& shape) {
+    if (!shape.cam.form.is_grooved()) return std::nullopt;
+    double greatest = 0.0;
+    for (int i = 0; i <= rim_samples; ++i) {
+        const double theta = shape.begin() + (shape.end() - shape.begin()) * i / rim_samples;
+        greatest = std::max(greatest, shape.other(theta).contact.norm());
+    }
+    return greatest + shape.cam.form.groove_wall.value_or(shape.cam[DimensionIndex::roller_radius]);
+}
+
+std::vector<ProfileShape> made_pieces(const ProfileShape& shape) {
+    if (!shape.cam.form.is_conjugate()) return {shape};
+    ProfileShape first = shape, second = other_side(shape);
+    first.other = {};
+    first.cam.form = second.cam.form = {};
+    const FormSpec& form = shape.cam.form;
+    const auto set = [&](DimensionIndex which, const std::optional<double>& value) {
+        if (value) second.cam.dimensions[static_cast<std::size_t>(which)] = *value;
+    };
+    set(DimensionIndex::roller_radius, form.second_roller_radius);
+    set(DimensionIndex::offset, form.second_offset);
+    set(DimensionIndex::arm_length, form.second_arm_length);
+    double least = HUGE_VAL;
+    for (const std::vector<ProfilePoint>& piece : profile_pieces(second, rim_samples))
+        for (const ProfilePoint& point : piece) least = std::min(least, point.contact.norm());
+    set(DimensionIndex::base_radius, least);
+    return {std::move(first), std::move(second)};
+}
+
 ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale) {
     ProfileShape shape;
     shape.cam = cam;
@@ -46,6 +85,12 @@ ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const Motio
         const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
         return profile_point(cam, theta, state_of(point, scale));
     };
+    if (side_count(cam) > 1)
+        shape.other = [cam, &motion, scale, last](double theta) {
+            const double x = std::clamp(theta / scale.unit_angle, motion.begin(), last);
+            const MotionPoint point = motion.at(x, x < last ? Side::right : Side::left);
+            return profile_point(cam, theta, state_of(point, scale), 1);
+        };
     const Vector2d gap = shape.at(shape.end()).contact - shape.at(shape.begin()).contact;
     shape.closed = is_whole_turn(shape.end() - shape.begin()) &&
                    gap.norm() < same_place * cam[DimensionIndex::base_radius];

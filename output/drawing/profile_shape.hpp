@@ -15,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
@@ -22,6 +23,8 @@ namespace camopt {
 struct ProfileShape {
     DiskCam cam;
     std::function<ProfilePoint(double theta)> at;
+    /// The other side of a cam that drives both ways (profiles/disk/disk_sides.hpp); empty: there is none.
+    std::function<ProfilePoint(double theta)> other = {};
     std::vector<double> knots;  ///< θ where the motion changes its formula, begin and end included; ascending
     bool closed = true;         ///< the end of the cam is its beginning; false: it is open
     double start = 0.0;         ///< θ where the motion begins: dwell may lie before it
@@ -33,6 +36,16 @@ struct ProfileShape {
     [[nodiscard]] double begin() const { return knots.front(); }
     [[nodiscard]] double end() const { return knots.back(); }
 };
+
+/// The other side as a shape of its own; the shape must have one.
+[[nodiscard]] ProfileShape other_side(const ProfileShape& shape);
+
+/// Of the disk that a groove is cut into, m: the greatest of its outer flank and the wall; none: no groove.
+[[nodiscard]] std::optional<double> rim_radius(const ProfileShape& shape);
+
+/// What is made in one piece: either disk of a conjugate cam as an open cam of its own, with its least radius
+/// as its base circle, any other cam as it is. Keeps what the shape keeps.
+[[nodiscard]] std::vector<ProfileShape> made_pieces(const ProfileShape& shape);
 
 /// Keeps a reference to the motion. Closed where the motion takes a whole turn and its end meets its begin.
 [[nodiscard]] ProfileShape profile_shape(const DiskCam& cam, const Motion& motion, const MotionScale& scale);

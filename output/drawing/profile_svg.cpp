@@ -7,6 +7,7 @@
 #include "output/drawing/profile_canvas.hpp"
 #include "output/drawing/profile_legend.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +35,10 @@ constexpr double undercut_ring = 14;  // px
 
 const char* page_style =
     ".cam{fill:#d9e8f2;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round;fill-rule:nonzero}"
+    ".groove{fill:#fff;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
+    ".second{fill:#e6daf0;fill-opacity:.7;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
+    ".second-sector{fill:none;stroke:#7b3fa0;stroke-width:2.2;stroke-linejoin:round}"
+    ".second-pitch{fill:none;stroke:#9a6fb5;stroke-width:1.1;stroke-dasharray:7 4}"
     ".sector{fill:none;stroke:#0072b2;stroke-width:2.2;stroke-linejoin:round}"
     ".pitch{fill:none;stroke:#555;stroke-width:1.2;stroke-dasharray:7 4}"
     ".circle{fill:none;stroke:#8a8a8a;stroke-width:1}"
@@ -41,6 +46,7 @@ const char* page_style =
     ".center{stroke:#444;stroke-width:1}.mark{stroke:#0072b2;stroke-width:1.4}"
     ".mark-label{font-size:11px;fill:#005a8c;text-anchor:middle;paint-order:stroke;stroke:#d9e8f2;stroke-"
     "width:3px}"
+    ".yoke{stroke:#b35900;stroke-width:5;stroke-opacity:.45;stroke-linecap:round}"
     ".bare{stroke:#fff}.open{stroke:#d00000;stroke-width:1.4;stroke-dasharray:6 "
     "4}.arrow{fill:none;stroke:#222;stroke-width:1.6}.arrow-head{fill:#222}"
     ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
@@ -68,6 +74,22 @@ PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const Foll
             extent.add(point.contact);
             extent.add(point.pitch);
         }
+    if (shape.other)
+        for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape), steps))
+            for (const ProfilePoint& point : piece) {
+                extent.add(point.contact);
+                extent.add(point.pitch);
+            }
+    if (const std::optional<double> rim = rim_radius(shape)) {
+        extent.add(Vector2d::Constant(*rim));
+        extent.add(-Vector2d::Constant(*rim));
+    }
+    if (shape.cam.form.is_conjugate()) {
+        const Vector2d second = shape.other(shape.start).pitch,
+                       around = Vector2d::Constant(roller_radius_of(shape.cam, 1));
+        extent.add(second - around);
+        extent.add(second + around);
+    }
     for (const Vector2d& point : follower.reach()) extent.add(point);
     for_each_angle(shape, ghost_step, [&](double theta) {
         for (const Vector2d& point : follower.ghost_reach(theta)) extent.add(point);
@@ -83,6 +105,34 @@ FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces
             largest = std::max(largest, point.contact_offset);
         }
     return {shape, least, largest};
+}
+
+/// What lies below the first side: the disk that a groove is cut into, or the second disk.
+void draw_other_side(const ProfileCanvas& drawing, const ProfileShape& shape) {
+    if (!shape.other) return;
+    std::vector<Vector2d> outline, pitch;
+    for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape), steps))
+        for (const ProfilePoint& point : piece) {
+            outline.push_back(point.contact);
+            pitch.push_back(point.pitch);
+        }
+    if (const std::optional<double> rim = rim_radius(shape)) {
+        if (shape.closed) drawing.circle({0.0, 0.0}, *rim, "cam");
+        drawing.polyline(outline, shape.closed, shape.closed ? "groove" : "sector");
+        return;
+    }
+    drawing.polyline(outline, shape.closed, shape.closed ? "second" : "second-sector");
+    drawing.polyline(pitch, shape.closed, "second-pitch");
+}
+
+/// The second roller where the motion begins, on the follower that carries the first.
+void draw_second_roller(const ProfileCanvas& drawing, const ProfileShape& shape) {
+    if (!shape.cam.form.is_conjugate()) return;
+    const Vector2d first = shape.at(shape.start).pitch, second = shape.other(shape.start).pitch;
+    const bool swings = is_oscillating(shape.cam.follower);
+    drawing.line(swings ? follower_pose(shape.cam, shape.at(shape.start)).pivot : first, second, "yoke");
+    drawing.circle(second, roller_radius_of(shape.cam, 1), "follower");
+    drawing.circle(second, drawing.px(2.0), "pivot");
 }
 
 void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pieces& pieces) {
@@ -182,13 +232,16 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     canvas.text(picture_left, 38, title, "title");
     const ProfileCanvas drawing = fitted_canvas(canvas, extent_of(shape, pieces, follower));
     draw_length_frame(drawing, shape.length, "x, y in " + shape.length.name + " (cam frame)");
+    draw_other_side(drawing, shape);
     for_each_angle(shape, ghost_step, [&](double theta) {
         if (std::abs(theta - shape.start) > 1e-9) follower.draw_ghost(drawing, theta);
     });
     draw_cam(drawing, shape, pieces);
-    const bool undercut = draw_undercut(drawing, pieces);
+    bool undercut = draw_undercut(drawing, pieces);
+    if (shape.other) undercut = draw_undercut(drawing, profile_pieces(other_side(shape), steps)) || undercut;
     draw_marks(drawing, shape);
     draw_center(drawing, shape.cam);
+    draw_second_roller(drawing, shape);
     follower.draw_whole(drawing);
     draw_profile_legend(canvas, shape, undercut);
     return canvas.finish();

@@ -65,16 +65,43 @@ Json exact_dimensions_json(const MechanismSpec& spec, const std::vector<double>&
     return json;
 }
 
+Json play_json(const Writer& writer, const ForwardCheckReport::Play& play, bool swings) {
+    const double unit = swings ? degree : millimetre;
+    Json json = {{swings ? "least_deg" : "least_mm", number_json(play.least / unit)},
+                 {"least_at_deg", writer.degrees(play.least_at)},
+                 {swings ? "largest_deg" : "largest_mm", number_json(play.largest / unit)},
+                 {"largest_at_deg", writer.degrees(play.largest_at)}};
+    if (play.least_groove_width)
+        json["least_groove_width_mm"] = number_json(*play.least_groove_width / millimetre);
+    return json;
+}
+
+/// Of a cam that drives both ways.
+Json sides_json(const Writer& writer, const std::vector<SideSummary>& sides) {
+    Json all = Json::array();
+    for (const SideSummary& side : sides)
+        all.push_back({{"name", side.name},
+                       {"pressure_angle_deg", writer.extreme(side.pressure_angle, degree)},
+                       {"convex_radius_mm", writer.extreme(side.convex_radius, millimetre)},
+                       {"concave_radius_mm", writer.extreme(side.concave_radius, millimetre)},
+                       {"regularity", writer.extreme(side.regularity, 1.0)},
+                       {"normal_force_n", writer.extreme(side.normal_force, 1.0)},
+                       {"hertz_pressure_mpa", writer.extreme(side.hertz_pressure, megapascal)}});
+    return all;
+}
+
 Json forward_check_json(const Writer& writer, const Solution& solution) {
     const std::optional<ForwardCheckReport>& check = solution.cam->forward_check;
     if (!check) return nullptr;
     const bool swings = solution.scene.motion.lift_is_angle;
-    return {{swings ? "deviation_deg" : "deviation_mm",
-             number_json(check->deviation / (swings ? degree : millimetre))},
-            {"relative", number_json(check->relative)},
-            {"points", check->points},
-            {"seconds", number_json(check->seconds)},
-            {"at_deg", writer.degrees(check->at)}};
+    Json json = {{swings ? "deviation_deg" : "deviation_mm",
+                  number_json(check->deviation / (swings ? degree : millimetre))},
+                 {"relative", number_json(check->relative)},
+                 {"points", check->points},
+                 {"seconds", number_json(check->seconds)},
+                 {"at_deg", writer.degrees(check->at)}};
+    if (check->play) json["play"] = play_json(writer, *check->play, swings);
+    return json;
 }
 
 }  // namespace
@@ -117,6 +144,7 @@ Json cam_json(const Solution& solution) {
     } else {
         json["base_radius_mm"] = number_json(summary.base_radius / millimetre);
     }
+    if (!summary.sides.empty()) json["sides"] = sides_json(writer, summary.sides);
     json["dimensions"] = exact_dimensions_json(spec, cam.cam.dimensions);
     json["forward_check"] = forward_check_json(writer, solution);
     return json;

@@ -3,6 +3,7 @@
 
 #include "core/version.hpp"
 #include "output/json/json_text.hpp"
+#include "solvers/certificate/box_proof.hpp"
 
 #include <map>
 #include <vector>
@@ -11,12 +12,14 @@ namespace camopt {
 
 namespace {
 
-/// What is not said is as in a RowOrigin of its own: no remark, the side above x.
+/// What is not said is as in a RowOrigin of its own: no remark, the side above x, one side.
 Json origin_json(const RowOrigin& origin) {
     Json json = {{"rule", origin.rule}, {"limit", origin.limit}};
     if (!origin.remark.empty()) json["remark"] = origin.remark;
     if (origin.at) json["at"] = number_json(*origin.at);
     if (origin.side == Side::left) json["side"] = "left";
+    if (origin.order) json["order"] = *origin.order;
+    if (origin.sign != 0) json["sign"] = origin.sign;
     return json;
 }
 
@@ -65,6 +68,66 @@ Json cases_json(const std::vector<CaseProof>& cases) {
     return list;
 }
 
+/// Only what is not 0.
+Json sparse_json(const Eigen::VectorXd& values) {
+    std::vector<Eigen::Index> indices;
+    std::vector<double> kept;
+    for (Eigen::Index j = 0; j < values.size(); ++j) {
+        if (values[j] == 0.0) continue;
+        indices.push_back(j);
+        kept.push_back(values[j]);
+    }
+    return {{"indices", indices}, {"values", numbers_json(kept)}};
+}
+
+Json multipliers_json(const std::vector<std::pair<int, double>>& multipliers) {
+    Json list = Json::array();
+    for (const auto& [step, multiplier] : multipliers) list.push_back({step, number_json(multiplier)});
+    return list;
+}
+
+Json step_json(const BoxStep& step) {
+    Json json = sparse_json(step.weights);
+    json["kind"] = name_of(step.kind);
+    json["side"] = number_json(step.side);
+    if (step.kind == BoxStep::Kind::linear || step.kind == BoxStep::Kind::plane)
+        json["origin"] = origin_json(step.origin);
+    if (step.kind == BoxStep::Kind::derived) {
+        json["multipliers"] = multipliers_json(step.multipliers);
+        json["bounds"] = step.bounds;
+    }
+    if (step.kind == BoxStep::Kind::plane) {
+        Json lower = Json::array(), upper = Json::array();
+        for (const Interval& number : step.box) {
+            lower.push_back(number_json(number.lower));
+            upper.push_back(number_json(number.upper));
+        }
+        json["box"] = {{"lower", lower}, {"upper", upper}};
+        json["ends"] = step.ends;
+        json["slope"] = numbers_json(step.slope);
+        json["constant"] = number_json(step.constant);
+    }
+    return json;
+}
+
+Json box_proof_json(const BoxProof& proof) {
+    Json steps = Json::array(), parts = Json::array();
+    for (const BoxStep& step : proof.steps) steps.push_back(step_json(step));
+    for (const BoxPart& part : proof.parts)
+        parts.push_back({{"splits", part.splits},
+                         {"infeasible", part.infeasible},
+                         {"bound", part.infeasible ? Json(nullptr) : number_json(part.bound)},
+                         {"multipliers", multipliers_json(part.multipliers)},
+                         {"bounds", part.bounds}});
+    return {{"variables", proof.variables},
+            {"cost", numbers_json(proof.cost)},
+            {"constant", number_json(proof.constant)},
+            {"box", {{"lower", numbers_json(proof.box.lower)}, {"upper", numbers_json(proof.box.upper)}}},
+            {"steps", steps},
+            {"parts", parts},
+            {"bound", number_json(proof.bound)}};
+}
+
 }  // namespace
 
 std::string_view how_to_check() {
@@ -86,7 +149,20 @@ std::string_view how_to_check() {
            "be, each has its bound, proved by the problem of the case that \"proof_of_case\" counts (from "
            "0), and the least of the bounds is that of the whole. A case may rest on the proof of a larger "
            "one, or, where a segment between dwells moves in it, on that of the single rise in the same "
-           "spline space, whose peaks no such segment can pass below.";
+           "spline space, whose peaks no such segment can pass below. \"boxes\": a list of inequalities "
+           "sum_k "
+           "values[k] x[indices[k]] <= side, of kinds \"linear\" (a row of the scene), \"cost\" (no worse "
+           "than "
+           "the motion at hand), \"plane\" (slope . z + constant <= 0 with z = (y, y', y'', y\'\'\', "
+           "parameters "
+           "of the rule): slope . z + constant lies below a positive multiple of the rule wherever z lies in "
+           "the step's box, whose ends are the steps that \"ends\" names, -1: what the box of x says), "
+           "\"derived\" (r = weights - sum of multipliers times earlier steps' weights; the side is no less "
+           "than the sum of multipliers times their sides plus the greatest r . x over the box and the steps "
+           "in \"bounds\", each of which bounds one variable), \"split\" (assumed in one part, its opposite "
+           "in another). Each part ends in the same way with -cost . x, or in a contradiction. The parts are "
+           "the leaves of a tree of splits and together hold everything; the bound is the least of theirs, "
+           "and at most the cost of the motion at hand.";
 }
 
 std::string certificate_json(const Certificate& certificate) {
@@ -103,6 +179,7 @@ std::string certificate_json(const Certificate& certificate) {
     json["how_to_check"] = how_to_check();
     json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);
     json["cases"] = cases_json(certificate.cases);
+    if (certificate.box_proof) json["boxes"] = box_proof_json(*certificate.box_proof);
     return json_text(json);
 }
 

@@ -5,6 +5,7 @@
 #include "core/text/choice_named.hpp"
 #include "output/json/json_text.hpp"
 #include "output/report/text_file.hpp"
+#include "solvers/certificate/box_proof.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,8 @@ RowOrigin read_origin(const Json& json) {
     origin.remark = json.value("remark", std::string());
     if (json.contains("at")) origin.at = json.at("at").get<double>();
     if (json.value("side", std::string("right")) == "left") origin.side = Side::left;
+    if (json.contains("order")) origin.order = json.at("order").get<int>();
+    origin.sign = json.value("sign", 0);
     return origin;
 }
 
@@ -123,6 +126,64 @@ std::vector<CaseProof> read_cases(const Json& json) {
     return cases;
 }
 
+std::vector<std::pair<int, double>> read_multipliers(const Json& json) {
+    std::vector<std::pair<int, double>> multipliers;
+    for (const Json& one : json) multipliers.emplace_back(one.at(0).get<int>(), one.at(1).get<double>());
+    return multipliers;
+}
+
+BoxStep read_step(const Json& json, std::size_t variables) {
+    using enum BoxStep::Kind;
+    BoxStep step;
+    step.kind = choice_of(json.at("kind"), {linear, cost, plane, derived, split});
+    step.weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(variables));
+    const Json& indices = json.at("indices");
+    const Eigen::VectorXd values = read_vector(json.at("values"), indices.size(), infinity, "values");
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+        const auto at = indices.at(k).get<std::size_t>();
+        if (at >= variables)
+            throw InputError(fmt::format("indices: found {}; allowed: below {}", at, variables));
+        step.weights[static_cast<Eigen::Index>(at)] = values[static_cast<Eigen::Index>(k)];
+    }
+    step.side = json.at("side").get<double>();
+    if (json.contains("origin")) step.origin = read_origin(json.at("origin"));
+    if (step.kind == derived) {
+        step.multipliers = read_multipliers(json.at("multipliers"));
+        step.bounds = json.at("bounds").get<std::vector<int>>();
+    }
+    if (step.kind != plane) return step;
+    step.ends = json.at("ends").get<std::vector<std::array<int, 2>>>();
+    const std::size_t numbers = step.ends.size();
+    const Eigen::VectorXd lower = read_vector(json.at("box").at("lower"), numbers, -infinity, "box.lower");
+    const Eigen::VectorXd upper = read_vector(json.at("box").at("upper"), numbers, infinity, "box.upper");
+    for (Eigen::Index i = 0; i < lower.size(); ++i) step.box.emplace_back(lower[i], upper[i]);
+    step.slope = read_vector(json.at("slope"), numbers, infinity, "slope");
+    step.constant = json.at("constant").get<double>();
+    return step;
+}
+
+std::shared_ptr<const BoxProof> read_box_proof(const Json& json) {
+    auto proof = std::make_shared<BoxProof>();
+    proof->variables = json.at("variables").get<std::vector<std::string>>();
+    const std::size_t variables = proof->variables.size();
+    proof->cost = read_vector(json.at("cost"), variables, infinity, "cost");
+    proof->constant = json.at("constant").get<double>();
+    proof->box.lower = read_vector(json.at("box").at("lower"), variables, -infinity, "box.lower");
+    proof->box.upper = read_vector(json.at("box").at("upper"), variables, infinity, "box.upper");
+    for (const Json& step : json.at("steps")) proof->steps.push_back(read_step(step, variables));
+    for (const Json& one : json.at("parts")) {
+        BoxPart part;
+        part.splits = one.at("splits").get<std::vector<int>>();
+        part.infeasible = one.at("infeasible").get<bool>();
+        part.bound = number_or(one.at("bound"), infinity);
+        part.multipliers = read_multipliers(one.at("multipliers"));
+        part.bounds = one.at("bounds").get<std::vector<int>>();
+        proof->parts.push_back(std::move(part));
+    }
+    proof->bound = number_or(json.at("bound"), infinity);
+    return proof;
+}
+
 Certificate certificate_of(const Json& json) {
     using enum Verdict;
     Certificate certificate;
@@ -137,6 +198,7 @@ Certificate certificate_of(const Json& json) {
                                                                ProofKind::any_curve_limit, ProofKind::boxes});
     if (!json.at("proof").is_null()) certificate.proof = read_proof(json.at("proof"));
     certificate.cases = read_cases(json.at("cases"));
+    if (json.contains("boxes")) certificate.box_proof = read_box_proof(json.at("boxes"));
     return certificate;
 }
 

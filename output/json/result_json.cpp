@@ -6,6 +6,7 @@
 #include "output/json/json_text.hpp"
 #include "output/json/motion_json.hpp"
 #include "output/json/segment_json.hpp"
+#include "output/json/train_json.hpp"
 #include "output/json/verdict_json.hpp"
 #include "output/words/display_scale.hpp"
 #include "output/words/shown_units.hpp"
@@ -105,6 +106,7 @@ Json constraints_json(const Solution& solution) {
                         {"active", row.active},
                         {"no_contact", row.no_contact},
                         {"key", row.key}});
+        if (!row.side.empty()) list.back()["side"] = row.side;
     }
     return list;
 }
@@ -195,6 +197,7 @@ std::string result_json(const Solution& solution, const RunOrigin& origin) {
     json["worst_violation"] = number_json(certificate.worst_violation);
     json["stationarity"] = number_json(certificate.stationarity);
     if (!solution.own_terms.empty()) json["own_terms"] = own_terms_json(solution);
+    if (solution.train) json["dynamics"] = train_json(solution);
     json["constraints"] = constraints_json(solution);
     if (solution.motion && !placed_points(solution.scene.motion).empty())
         json["set_points"] = set_points_json(solution);

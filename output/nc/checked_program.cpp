@@ -83,6 +83,42 @@ std::vector<FlankBlocks> flank_blocks(std::span<const NcMove> moves, const Cutti
     return result;
 }
 
+/// Every move with what it is for: a pass is feeds between rapids, its ways are those that flank_blocks
+/// leaves out.
+std::vector<FollowedMove> followed_moves(std::span<const NcMove> printed, std::span<const NcMove> moves,
+                                         const CuttingTask& task) {
+    struct Blocks {
+        int first, last;  // lines
+    };
+    std::vector<Blocks> blocks;
+    const auto passes = passes_of(printed);
+    for (std::size_t p = 0; p < passes.size(); ++p) {
+        const bool known = p < task.passes.size();
+        const std::size_t first = known ? task.passes[p].in.poses.size() + 1 : 1;
+        const std::size_t after = known ? task.passes[p].out.poses.size() + 1 : 1;
+        const bool some = first + after < passes[p].size();
+        blocks.push_back(some ? Blocks{passes[p][first].line, passes[p][passes[p].size() - after - 1].line}
+                              : Blocks{0, -1});
+    }
+    std::vector<FollowedMove> result;
+    int pass = -1;
+    bool feeding = false;
+    for (const NcMove& move : moves) {
+        if (!move.rapid && !std::exchange(feeding, true)) ++pass;
+        if (move.rapid) feeding = false;
+        FollowedMove followed{move, MoveRole::rapid, move.rapid ? pass + 1 : pass};
+        const auto p = static_cast<std::size_t>(pass);
+        if (!move.rapid) {
+            const bool cuts =
+                p < blocks.size() && move.line >= blocks[p].first && move.line <= blocks[p].last;
+            const bool roughs = p < task.passes.size() && task.passes[p].roughs;
+            followed.role = !cuts ? MoveRole::way : roughs ? MoveRole::roughing : MoveRole::finishing;
+        }
+        result.push_back(std::move(followed));
+    }
+    return result;
+}
+
 /// Roughing passes come first.
 std::span<const NcMove> roughing_moves(std::span<const NcMove> moves, const CuttingTask& task) {
     const auto roughs = static_cast<std::size_t>(std::ranges::count_if(task.passes, &CuttingPass::roughs));
@@ -147,6 +183,7 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
     travel.rapids_above = machine.axes().size() == 3;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);
+    program.moves = followed_moves(printed, moves, task);
     program.direction =
         check_direction(moves, machine, *task.finished, work.job.spindle, flank_blocks(printed, task));
     program.spindle_fault = spindle_fault(read_nc_words(text, machine, post), work.job.spindle);

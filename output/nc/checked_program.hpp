@@ -57,6 +57,18 @@ struct CuttingTask {
     /// m, > 0: how deep the cutter may enter the finished cam, beside the chord tolerance and what the
     /// printed digits explain at either end of its working length.
     double gouge_tolerance = 1e-5;
+    /// Lines of the finished cam, cam frame, for pictures; the check does not look at them.
+    std::vector<std::vector<Eigen::Vector3d>> outlines = {};
+};
+
+/// What the cutter does along a move.
+enum class MoveRole { rapid, way, roughing, finishing };
+
+/// A move that the verifier followed: of the cutter's centre, on `machine`'s axes.
+struct FollowedMove {
+    NcMove move;
+    MoveRole role = MoveRole::rapid;  ///< way: down, in, out and up beside the blocks of a pass
+    int pass = 0;                     ///< from 0; of a rapid: the one that follows
 };
 
 struct NcWork {
@@ -77,6 +89,7 @@ struct CheckedProgram {
     NcPoseCheck poses;                              ///< of the printed text, read back
     NcTravelCheck travel;                           ///< of the same text
     DirectionCheck direction;                       ///< likewise
+    std::vector<FollowedMove> moves;                ///< all that `travel` went along, in their order
     std::string spindle_fault;                      ///< the text turns it the other way; empty: it does not
     double least_distance = 0.0, most_depth = 0.0;  ///< m: what `travel` asked for
     std::vector<SurfaceFinding> surfaces, roughed;  ///< at the end; after roughing alone

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "output/nc/finished_cam.hpp"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep of the cutter against the points of the wanted surface.
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "output/nc/nc_check.hpp"
 #include "output/nc/path/nc_path.hpp"
 

@@ -83,9 +83,9 @@ std::string page_data(const Solution& solution, const RunOrigin& origin, const P
     page["page"] = "report";
     page["camopt"] = version();
     page["title"] = solution.scene.title.empty() ? "Motion" : solution.scene.title;
-    page["verdict"] = verdict_part(solution);
+    page["verdict"] = options.proof ? verdict_part(solution) : open_verdict_part(solution);
     page["figures"] = figures_part(solution);
-    page["reference"] = options.reference ? reference_part(solution) : Json(nullptr);
+    page["reference"] = options.proof ? reference_part(solution, options.reference) : Json(nullptr);
     const PageRows rows = page_rows(solution);
     page["angle"] = solution.motion ? angle_part(solution, rows) : Json(nullptr);
     page["curves"] = motion_curves(solution, rows);
@@ -94,10 +94,10 @@ std::string page_data(const Solution& solution, const RunOrigin& origin, const P
     page["breakpoints"] = solution.motion ? breakpoints_part(solution) : Json::array();
     page["drawing"] = plane_drawing(solution, rows);
     page["solid"] = options.solid ? solid_drawing(solution, rows) : Json(nullptr);
-    page["tables"] = tables_part(solution);
-    page["remarks"] = solution.cam ? Json(cam_remarks(solution)) : Json::array();
+    page["tables"] = options.proof ? tables_part(solution) : Json::array();
+    page["remarks"] = options.proof && solution.cam ? Json(cam_remarks(solution)) : Json::array();
     page["notes"] = solution.notes;
-    page["appendix"] = appendix_part(solution, origin);
+    page["appendix"] = options.proof ? appendix_part(solution, origin) : Json(nullptr);
     page["scene"] = {
         {"file", origin.scene_file}, {"text", origin.scene_text}, {"lines", scene_lines(solution.scene)}};
     return page.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

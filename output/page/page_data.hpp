@@ -5,7 +5,9 @@
 //
 //   page          "report"
 //   camopt, title
-//   verdict       key (of Verdict), tone ("good", "fair", "bad"), headline, sentences[]
+//   verdict       key (of Verdict, or "open": not proved yet), tone ("good", "fair", "bad", "open"),
+//   headline,
+//                 sentences[]
 //   figures[]     name, value: what stands first, as texts
 //   reference     null without a law to compare with; title, sentences[]
 //   angle         unit, from, to, values[]: cam angles of all curves and poses, ascending. They are the rows
@@ -46,10 +48,15 @@
 
 namespace camopt {
 
+/// The reference law in the scene's place: its limits need a second look at the cam, up to some tenths of a
+/// second.
+enum class PageReference : unsigned char { compared, later };
+
 struct PageDataOptions {
-    /// The reference law in the scene's place: its limits need a second look at the cam, some milliseconds.
-    bool reference = true;
-    bool solid = true;  ///< the meshes of a three-dimensional cam
+    PageReference reference = PageReference::compared;  ///< later: only the law's title
+    bool solid = true;                                  ///< the meshes of a three-dimensional cam
+    /// false: a picture before its proof. The verdict says so, and tables, remarks and appendix are empty.
+    bool proof = true;
 };
 
 /// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.

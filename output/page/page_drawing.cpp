@@ -2,6 +2,7 @@
 // The cam and its mechanism at every cam angle, from what the leaf of its kind says of itself: points, how
 // far the cam frame has turned, parts.
 #include "core/units.hpp"
+#include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/spatial/cam_scene.hpp"
 #include "output/words/cam_words.hpp"
@@ -146,6 +147,11 @@ Json outlines_of(const PlaneCourse& course, const PageRows& rows) {
     if (cam.formulas->has_guide()) {
         all.push_back(outline(course, first, "left wall", false));
         all.push_back(outline(course, profile(1), "right wall", false));
+    } else if (cam.formulas->stations() > 1) {
+        // The first side is filled, the other one a line.
+        all.push_back(outline(course, first, cam.formulas->station_name(0).c_str(), false));
+        all.push_back(outline(course, profile(1), cam.formulas->station_name(1).c_str(), false));
+        all.back()["closed"] = false;
     } else {
         all.push_back(outline(course, first, "cam", false));
     }
@@ -183,10 +189,17 @@ Json plane_drawing(const Solution& solution, const PageRows& rows) {
                center + Eigen::Rotation2Dd(course.turned[i]) * course.points[i].contact.head<2>());
     }
     append(middle, course.length, center);
-    return {{"unit", course.length.name},    {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
-            {"center", std::move(middle)},   {"outlines", outlines_of(course, rows)},
-            {"circles", circles_of(course)}, {"turned", std::move(turned)},
-            {"contact", std::move(contact)}, {"parts", parts_of(course)}};
+    const std::optional<ProfileShape> disk = disk_shape(solution, *rows.whole);
+    const std::optional<double> rim = disk ? rim_radius(*disk) : std::nullopt;
+    return {{"rim", rim ? rounded_json(course.length.factor * *rim) : Json(nullptr)},
+            {"unit", course.length.name},
+            {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
+            {"center", std::move(middle)},
+            {"outlines", outlines_of(course, rows)},
+            {"circles", circles_of(course)},
+            {"turned", std::move(turned)},
+            {"contact", std::move(contact)},
+            {"parts", parts_of(course)}};
 }
 
 namespace {

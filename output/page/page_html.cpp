@@ -15,9 +15,8 @@ namespace camopt {
 namespace {
 
 /// In the order in which they build on one another.
-constexpr std::array page_scripts = {"assets/base.js",  "assets/charts.js", "assets/drawing.js",
-                                     "assets/solid.js", "assets/tables.js", "assets/study.js",
-                                     "assets/page.js"};
+constexpr std::array page_scripts = {"assets/charts.js", "assets/drawing.js", "assets/solid.js",
+                                     "assets/tables.js", "assets/study.js",   "assets/page.js"};
 
 /// "<" begins nothing then: no end of the script, no comment. What a terminal would obey is escaped as JSON
 /// does it.
@@ -78,7 +77,9 @@ std::string filled(std::string_view skeleton, const std::vector<PagePart>& parts
 std::string page_html(const PageHtml& page) {
     std::string styles = style(page_asset("vendor/uPlot.min.css")) + style(page_asset("assets/page.css"));
     for (const std::string& text : page.styles) styles += style(text);
-    std::string scripts = licences(page.solids) + script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
+    // The base comes before the charts' library, which asks once how many dots a pixel has.
+    std::string scripts = licences(page.solids) + script(page_asset("assets/base.js"), page.nonce) +
+                          script(page_asset("vendor/uPlot.iife.min.js"), page.nonce);
     if (page.solids) scripts += script(page_asset("vendor/three.min.js"), page.nonce);
     for (const char* const name : page_scripts) scripts += script(page_asset(name), page.nonce);
     for (const std::string& text : page.scripts) scripts += script(text, page.nonce);

@@ -42,8 +42,11 @@ struct PageRows {
 [[nodiscard]] Json solid_drawing(const Solution& solution, const PageRows& rows);
 
 [[nodiscard]] Json verdict_part(const Solution& solution);
+/// Of a picture before its proof.
+[[nodiscard]] Json open_verdict_part(const Solution& solution);
 [[nodiscard]] Json figures_part(const Solution& solution);
-[[nodiscard]] Json reference_part(const Solution& solution);
+/// null without a law to compare with.
+[[nodiscard]] Json reference_part(const Solution& solution, PageReference wish);
 [[nodiscard]] Json tables_part(const Solution& solution);
 [[nodiscard]] Json appendix_part(const Solution& solution, const RunOrigin& origin);
 [[nodiscard]] Json table_json(std::string_view key, std::string_view title, const TextTable& table,

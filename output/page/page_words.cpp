@@ -12,6 +12,7 @@
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "profiles/scene_cam.hpp"
@@ -104,6 +105,17 @@ Json verdict_part(const Solution& solution) {
             {"sentences", std::move(sentences)}};
 }
 
+Json open_verdict_part(const Solution& solution) {
+    const bool found = has_motion(solution);
+    return {
+        {"key", "open"},
+        {"tone", "open"},
+        {"headline", found ? "Not proved yet" : "No motion found yet"},
+        {"sentences",
+         Json::array({fmt::format("Solved to {} for the picture; the proof follows once the sliders rest.",
+                                  short_text(solution.scene.solver.tolerance, 1))})}};
+}
+
 Json figures_part(const Solution& solution) {
     Json all = Json::array();
     if (!solution.motion) return all;
@@ -152,11 +164,16 @@ std::string peak_changes(const Solution& solution, const ComparisonRow& law) {
 
 }  // namespace
 
-Json reference_part(const Solution& solution) {
+Json reference_part(const Solution& solution, PageReference wish) {
     if (!has_motion(solution) || solution.scene.objective.reference.numeric) return nullptr;
-    const ComparisonRow law = compare_law(solution, solution.scene.objective.reference.law);
-    const std::string name = words_of(law.key);
+    const std::string& key = solution.scene.objective.reference.law;
+    const std::string name = words_of(key);
     Json sentences = Json::array();
+    if (wish == PageReference::later) {
+        sentences.push_back("Being compared …");
+        return {{"title", name}, {"sentences", std::move(sentences)}};
+    }
+    const ComparisonRow law = compare_law(solution, key);
     if (!law.misfit.empty()) {
         sentences.push_back(fmt::format("The {} law does not fit this motion: {}.", name, law.misfit));
         return {{"title", name}, {"sentences", std::move(sentences)}};
@@ -217,9 +234,9 @@ TextTable limit_rows_of(const Solution& solution) {
     table.columns = {{"limit", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}};
     for (const ConstraintReport& row : solution.constraints)
         table.rows.push_back({key_words(row.key).words, fmt::format("{} {}", short_text(row.limit), row.unit),
-                              row.no_contact
-                                  ? std::string(no_contact_words)
-                                  : fmt::format("{} {}", short_text(row.worst, value_digits), row.unit),
+                              row.no_contact ? std::string(no_contact_words)
+                                             : fmt::format("{} {}{}", short_text(row.worst, value_digits),
+                                                           row.unit, on_side(row)),
                               degrees_at(solution, row.at), row.active ? "shapes the motion" : "kept"});
     return table;
 }
@@ -305,6 +322,7 @@ Json appendix_part(const Solution& solution, const RunOrigin& origin) {
             "certificate.json beside this page holds the proof with a recipe to check it without camopt: one "
             "sum.");
     for (const OwnTermReport& term : solution.own_terms) sentences.push_back(own_term_sentence(term));
+    for (const std::string& sentence : train_sentences(solution)) sentences.push_back(sentence);
     return {{"sentences", std::move(sentences)}, {"command", origin.command}};
 }
 

@@ -75,6 +75,14 @@ Json overlay_of(const Comparison& comparison) {
     return {{"angle", {{"unit", "deg"}, {"values", std::move(angles)}}}, {"curves", std::move(curves)}};
 }
 
+/// A word that a shell leaves as it is.
+std::string shell_word(const std::string& word) {
+    if (!word.empty() && word.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#!~") == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 const char* tone_of(Verdict verdict) {
     if (verdict == Verdict::optimal || verdict == Verdict::local) return "good";
     return verdict == Verdict::feasible ? "fair" : "bad";
@@ -96,9 +104,12 @@ std::string comparison_html(const Comparison& comparison, const RunOrigin& origi
                       row.is_optimum() ? "good"
                       : row.feasible   ? ""
                                        : "bad");
-        settings.push_back(
-            row.is_optimum() ? std::vector<std::string>{}
-                             : std::vector<std::string>{fmt::format("objective.reference=\"{}\"", row.key)});
+        // A law that does not keep the limits, or has an infinite peak that weighs, is nothing to measure by:
+        // its scene is the one it was tried on.
+        const bool measures = !row.is_optimum() && row.feasible && std::isfinite(row.objective);
+        settings.push_back(measures
+                               ? std::vector<std::string>{fmt::format("objective.reference=\"{}\"", row.key)}
+                               : std::vector<std::string>{});
     }
     const auto number = [&](const std::function<double(const ComparisonRow&)>& value) {
         return column_of(rows, [&](const ComparisonRow& row) {
@@ -195,6 +206,15 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
                   is_weight_sweep(table) ? "V" : quantities.front().symbol);
     page.set_picture(sweep_svg(picture));
     page.set_scenes({identity.scene_file, "", identity.scene_text}, settings);
+    if (!with_scenes) {
+        std::string command = fmt::format("camopt solve {}", shell_word(identity.scene_file));
+        for (const std::string& setting : identity.settings) command += " --set " + shell_word(setting);
+        page.set_without_scenes(
+            fmt::format("This page carries no scenes: the sweep has more than {} rows. The scene of a row is "
+                        "solved by the command line:",
+                        most_scenes_of_page),
+            command);
+    }
     return page.html();
 }
 
@@ -260,9 +280,11 @@ std::string pareto_html(const ParetoPicture& picture, const RunOrigin& origin) {
     for (std::size_t goal = 0; goal < 2; ++goal) {
         const bool length = std::holds_alternative<DimensionIndex>(front.request.goals[goal]);
         const std::string name = words_of(name_of(front.request.goals[goal]));
-        page.add_column(goal == 0 ? "first" : "second", length ? name + " (mm)" : name,
+        const ShownUnit shown = shown_units(picture.scene).length;
+        page.add_column(goal == 0 ? "first" : "second",
+                        length ? fmt::format("{} ({})", name, shown.name) : name,
                         number([&](const FrontPoint& point) {
-                            return point.value[goal] / (length ? units::millimetre : 1.0);
+                            return point.value[goal] * (length ? shown.factor : 1.0);
                         }));
     }
     const auto is_goal = [&](FrontFigure figure) {

@@ -49,6 +49,7 @@ StudyPage::StudyPage(std::string_view kind, std::string_view title) {
              {"picture", nullptr},
              {"overlay", nullptr},
              {"scenes", nullptr},
+             {"without_scenes", nullptr},
              {"scene", nullptr}};
 }
 
@@ -98,6 +99,10 @@ void StudyPage::set_scenes(const RunOrigin& origin,
         edits.push_back(edits_between(base, text));
     }
     if (!base.empty()) page_["scenes"]["edits"] = std::move(edits);
+}
+
+void StudyPage::set_without_scenes(std::string_view words, std::string_view command) {
+    page_["without_scenes"] = {{"words", words}, {"command", command}};
 }
 
 std::string StudyPage::html() const {

@@ -31,6 +31,9 @@ class StudyPage {
     /// none. Nothing where there is no text.
     void set_scenes(const RunOrigin& origin,
                     std::span<const std::optional<std::vector<std::string>>> settings);
+    /// Instead of scenes: what a click says, and the command that solves an item's scene but for the settings
+    /// in the item's name ("row 7: KEY=VALUE, KEY=VALUE").
+    void set_without_scenes(std::string_view words, std::string_view command);
     /// The whole page.
     [[nodiscard]] std::string html() const;
 

@@ -2,7 +2,7 @@
 #include "output/plc/cam_loss.hpp"
 
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "splines/polynomial.hpp"
 
 #include <fmt/format.h>

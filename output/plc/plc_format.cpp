@@ -37,6 +37,11 @@ const PlcFormat& plc_format(std::string_view key) {
         fmt::format("--plc: found \"{}\"; allowed: {}", key, fmt::join(plc_format_keys(), ", ")));
 }
 
+void count_from_start(PlcTable& table) {
+    table.slave_at_start = table.pieces.front().coefficients.front();
+    for (CamPiece& piece : table.pieces) piece.coefficients.front() -= table.slave_at_start;
+}
+
 PlcTable fitted_table(const MasterCurve& curve, const PlcOptions& options, const PlcFormat& format) {
     PlcTable table;
     table.pieces = fitted_pieces(

@@ -74,6 +74,9 @@ struct PlcFormat {
 [[nodiscard]] const PlcFormat& plc_format(std::string_view key);
 [[nodiscard]] std::vector<std::string> plc_format_keys();
 
+/// Of a table whose slave positions count from the first: takes that off, and remembers it.
+void count_from_start(PlcTable& table);
+
 /// FitOptions of the row, then fitted_pieces.
 [[nodiscard]] PlcTable fitted_table(const MasterCurve& curve, const PlcOptions& options,
                                     const PlcFormat& format);

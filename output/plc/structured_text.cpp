@@ -2,6 +2,7 @@
 #include "output/plc/structured_text.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/split_text.hpp"
 
 #include <fmt/format.h>
 
@@ -17,13 +18,6 @@ std::string with_point(std::string digits) {
     if (digits.find('.') != std::string::npos) return digits;
     const std::size_t exponent = digits.find('e');
     return digits.insert(exponent == std::string::npos ? digits.size() : exponent, ".0");
-}
-
-std::string trimmed_text(std::string_view text) {
-    constexpr const char* blanks = " \t\r\n";
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return "";
-    return std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
 }
 
 std::string without_comments(std::string_view text) {
@@ -103,18 +97,14 @@ const std::string& StElements::word(int index, const std::string& field) const {
 StElements read_assignments(std::string_view text) {
     StElements read;
     const std::string code = without_comments(text);
-    std::size_t begin = 0;
-    while (begin < code.size()) {
-        const std::size_t end = std::min(code.find(';', begin), code.size());
-        const std::string statement = trimmed_text(std::string_view(code).substr(begin, end - begin));
-        begin = end + 1;
+    for (const std::string_view statement : split_text(code, ';')) {
         const std::size_t sign = statement.find(":=");
-        if (sign == std::string::npos) continue;  // a declaration, a call
-        std::string target = trimmed_text(statement.substr(0, sign));
+        if (sign == std::string_view::npos) continue;  // a declaration, a call
+        std::string target(trimmed(statement.substr(0, sign)));
         // END_VAR and the like end without a semicolon.
         if (const std::size_t blank = target.find_last_of(" \t\r\n"); blank != std::string::npos)
             target.erase(0, blank + 1);
-        assign(read, target, trimmed_text(statement.substr(sign + 2)));
+        assign(read, target, std::string(trimmed(statement.substr(sign + 2))));
     }
     return read;
 }
@@ -128,13 +118,9 @@ float real_of(std::string_view text) {
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(trimmed_text(text.substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    const std::vector<std::string_view> parts = split_text(text, '\n');
+    std::vector<std::string> lines(parts.begin(), parts.end());
+    if (text.empty() || text.ends_with('\n')) lines.pop_back();  // nothing follows the last line's end
     return lines;
 }
 

@@ -28,8 +28,14 @@ struct KindFiles {
 };
 
 /// The first that fits.
-const std::array<KindFiles, 3>& kinds() {
-    static const std::array<KindFiles, 3> all = {{
+const std::array<KindFiles, 4>& kinds() {
+    static const std::array<KindFiles, 4> all = {{
+        {[](const CamMechanism& cam) { return cam.is_direct() && cam.stations() > 1; },
+         {{table, "profile.csv", "", ""},
+          {picture, "profile.svg", "The cam to scale", ""},
+          {diagram, "profile_diagrams.svg", "Pressure angle and curvature", ""},
+          {table, "second_profile.csv", "", ""}},
+         disk_texts},
         {[](const CamMechanism& cam) { return cam.is_direct(); },
          {{table, "profile.csv", "", ""},
           {picture, "profile.svg", "The cam to scale", ""},

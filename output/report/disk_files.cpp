@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/infinity.hpp"
 #include "output/chart/limit_spans.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
 #include "output/csv/profile_csv.hpp"
@@ -7,8 +6,10 @@
 #include "output/report/cam_texts.hpp"
 #include "output/words/cam_words.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,38 +24,37 @@ std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
     return limit->value;
 }
 
-/// Of each point; none where the scene has no forces. What does not exist is not finite.
-std::vector<FollowerLoads> loads_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
-                                    const MechanismProfile& profile) {
-    if (!solution.cam->summary.forces) return {};
-    const MotionScale scale = motion_scale(solution.scene);
+/// Of each point; none where the scene has no forces. Of a cam that drives both ways those of one side: 0
+/// along the normal where the other one carries.
+std::vector<FollowerLoads> loads_of(const Solution& solution, const Motion& motion,
+                                    const MechanismProfile& profile, int side) {
+    const LoadsAt loads = delivered_loads(solution);
+    if (!loads) return {};
+    const double unit_angle = motion_scale(solution.scene).unit_angle;
     std::vector<FollowerLoads> all;
     for (const MechanismPoint& point : profile.points) {
-        const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
-        const FollowerState state =
-            state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
-        all.push_back(
-            follower_loads(cam, *solution.scene.forces, *solution.scene.motion.speed, state, point));
-        if (!solution.cam->summary.no_contact) continue;
-        all.back().normal_force = infinity;
-        all.back().hertz_pressure = std::nullopt;
+        const double x = std::clamp(point.theta / unit_angle, motion.begin(), motion.end());
+        all.push_back(loads(motion.at(x, x < motion.end() ? Side::right : Side::left), point));
+        if (all.back().side == side || solution.cam->summary.no_contact) continue;
+        all.back().normal_force = 0.0;
+        if (all.back().hertz_pressure) all.back().hertz_pressure = 0.0;
     }
     return all;
 }
 
 std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
-                   const CamFileOptions& options) {
+                   const CamFileOptions& options, int side) {
     const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
     for (const ProfilePoint& point :
-         sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance})) {
+         sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance}, side)) {
         const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
         profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
     ProfileColumns columns{
         .swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower), .loads = {}};
-    columns.loads = loads_of(solution, cam, motion, profile);
+    columns.loads = loads_of(solution, motion, profile, side);
     columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
     return profile_csv(profile, columns);
 }
@@ -72,6 +72,7 @@ ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summar
     add_pressure(summary.pressure_angle);
     add_pressure(summary.rise_pressure_angle);
     add_pressure(summary.return_pressure_angle);
+    if (!summary.sides.empty()) return marks;  // its panels are the sides', which find their own
     if (const std::optional<CamExtreme> convex = convex_radius(summary))
         marks.curvature.push_back({unit_angle * convex->at, 1.0 / convex->value});
     if (summary.concave_radius)
@@ -94,8 +95,11 @@ std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptio
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    return {csv_of(solution, shape.cam, drawn, options), profile_svg(whole, title),
-            profile_diagrams_svg(shape, limits, title, marks)};
+    std::vector<std::string> texts = {csv_of(solution, shape.cam, drawn, options, 0),
+                                      profile_svg(whole, title),
+                                      profile_diagrams_svg(shape, limits, title, marks)};
+    if (side_count(shape.cam) > 1) texts.push_back(csv_of(solution, shape.cam, drawn, options, 1));
+    return texts;
 }
 
 }  // namespace camopt

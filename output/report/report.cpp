@@ -10,9 +10,9 @@
 #include "output/words/scene_words.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/set_point_table.hpp"
-#include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -57,8 +57,9 @@ std::string verdict_section(const Solution& solution) {
     const bool searched = !solution.solver.convex && solution.solver.starts > 0;
     if (certificate.lower_bound)
         line(certificate.proof_kind == ProofKind::any_curve_limit ? "No curve of any kind is better than this"
-             : searched ? "No curve of this spline space is better than this (bound of the convex relaxation)"
-                        : "Proved lower bound",
+             : searched && certificate.proof_kind != ProofKind::boxes
+                 ? "No curve of this spline space is better than this (bound of the convex relaxation)"
+                 : "Proved lower bound",
              *certificate.lower_bound, 10);
     if (certificate.gap) line("Relative gap between them", *certificate.gap, 3);
     if (solution.any_curve_limit)
@@ -68,28 +69,28 @@ std::string verdict_section(const Solution& solution) {
 }
 
 std::string peak_table(const Solution& solution) {
-    const ReferenceMotion reference = reference_motion(solution.scene);
-    const ShownUnits shown = shown_units(solution.scene);
-    TextTable table;
-    table.columns = {{"", true}, {"peak"}};
-    if (shown.in_time) table.columns.push_back({"by the cam angle"});
-    for (const std::string& title :
-         {std::string("normalised"), std::string("at (deg)"), reference_title(reference),
-          std::string("change"), std::string("curve of least objective")})
-        table.columns.push_back({title});
-    for (const PeakRow& row : peak_comparison(solution, reference)) {
-        std::vector<std::string> cells = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
-        if (shown.in_time) cells.push_back(row.beside_text());
-        cells.insert(cells.end(),
-                     {short_text(row.optimum.value), short_text(row.optimum.at * shown.degrees_per_x),
-                      optional_text(row.reference),
-                      row.reference ? change_text(row.optimum.value, *row.reference) : "–",
-                      optional_text(row.any_curve)});
-        table.rows.push_back(std::move(cells));
-    }
+    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
+    const TextTable table =
+        peak_rows(solution, "peak",
+                  {"normalised", "at (deg)", reference_title(reference_motion(solution.scene)), "change",
+                   "curve of least objective"},
+                  [&](const PeakRow& row) -> std::vector<std::string> {
+                      return {short_text(row.optimum.value), short_text(row.optimum.at * degrees_per_x),
+                              optional_text(row.reference),
+                              row.reference ? change_text(row.optimum.value, *row.reference) : "–",
+                              optional_text(row.any_curve)};
+                  });
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
            any_curve_note(solution);
+}
+
+std::string dynamics_section(const Solution& solution) {
+    const std::vector<std::string> sentences = train_sentences(solution);
+    if (sentences.empty()) return {};
+    std::string text = "## Dynamics\n\n";
+    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", sentence);
+    return text + "\n";
 }
 
 std::string own_terms_section(const Solution& solution) {
@@ -106,10 +107,11 @@ std::string limits_section(const Solution& solution) {
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
     const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format(
-            "| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
-            row.no_contact ? std::string(no_contact_words) : short_text(row.worst, 9) + " " + row.unit,
-            short_text(row.at * degrees_per_x), row.active ? "active: it shapes the motion" : "not active");
+        text += fmt::format("| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
+                            row.no_contact ? std::string(no_contact_words)
+                                           : short_text(row.worst, 9) + " " + row.unit + on_side(row),
+                            short_text(row.at * degrees_per_x),
+                            row.active ? "active: it shapes the motion" : "not active");
     return text;
 }
 
@@ -183,6 +185,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
     text += own_terms_section(solution);
+    text += dynamics_section(solution);
     text += limits_section(solution) + set_point_section(solution);
     if (solution.measured) text += fmt::format("\n## Measured motion\n\n{}.\n", measured_sentence(solution));
     if (solution.motion) text += "\n![Displacement, velocity, acceleration and jerk](motion.svg)\n";

@@ -10,9 +10,7 @@
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
-#include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
-#include "output/words/tables/text_table.hpp"
 #include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
@@ -49,26 +47,36 @@ std::string cam_section(const Solution& solution) {
                        pictures_of(solution));
 }
 
-std::string program_peak_section(const Solution& solution) {
-    const ReferenceMotion reference = reference_motion(solution.scene);
-    const ShownUnits shown = shown_units(solution.scene);
+TextTable peak_rows(const Solution& solution, const std::string& first_title,
+                    const std::vector<std::string>& titles,
+                    const std::function<std::vector<std::string>(const PeakRow&)>& cells) {
+    const bool in_time = shown_units(solution.scene).in_time;
     TextTable table;
-    table.columns = {{"", true}, {"whole motion"}};
-    if (shown.in_time) table.columns.push_back({"by the cam angle"});
-    for (const std::string& title :
-         {std::string("at (deg)"), std::string("spline segments"), std::string("at (deg)"),
-          reference_title(reference), std::string("change")})
-        table.columns.push_back({title});
-    for (const PeakRow& row : peak_comparison(solution, reference)) {
-        std::vector<std::string> cells = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
-        if (shown.in_time) cells.push_back(row.beside_text());
-        cells.insert(cells.end(),
-                     {row.shown ? short_text(row.motion.at * shown.degrees_per_x) : std::string{},
-                      short_text(row.optimum.value), short_text(row.optimum.at * shown.degrees_per_x),
-                      row.reference ? short_text(*row.reference) : "–",
-                      row.reference ? change_text(row.optimum.value, *row.reference) : "–"});
-        table.rows.push_back(std::move(cells));
+    table.columns = {{"", true}, {first_title}};
+    if (in_time) table.columns.push_back({"by the cam angle"});
+    for (const std::string& title : titles) table.columns.push_back({title});
+    for (const PeakRow& row : peak_comparison(solution, reference_motion(solution.scene))) {
+        std::vector<std::string> all = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
+        if (in_time) all.push_back(row.beside_text());
+        const std::vector<std::string> further = cells(row);
+        all.insert(all.end(), further.begin(), further.end());
+        table.rows.push_back(std::move(all));
     }
+    return table;
+}
+
+std::string program_peak_section(const Solution& solution) {
+    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
+    const TextTable table =
+        peak_rows(solution, "whole motion",
+                  {"at (deg)", "spline segments", "at (deg)",
+                   reference_title(reference_motion(solution.scene)), "change"},
+                  [&](const PeakRow& row) -> std::vector<std::string> {
+                      return {row.shown ? short_text(row.motion.at * degrees_per_x) : std::string{},
+                              short_text(row.optimum.value), short_text(row.optimum.at * degrees_per_x),
+                              row.reference ? short_text(*row.reference) : "–",
+                              row.reference ? change_text(row.optimum.value, *row.reference) : "–"};
+                  });
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
            "segment's "

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "output/json/run_origin.hpp"
+#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/tables/text_table.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -14,6 +18,11 @@ namespace camopt {
 
 /// "Peaks" of a program: normalised ones of the spline segments, physical ones of the whole motion.
 [[nodiscard]] std::string program_peak_section(const Solution& solution);
+
+/// The peaks of a scene's motion, one a row, with further columns behind: their titles, and their cells.
+[[nodiscard]] TextTable peak_rows(const Solution& solution, const std::string& first_title,
+                                  const std::vector<std::string>& titles,
+                                  const std::function<std::vector<std::string>(const PeakRow&)>& cells);
 
 /// "Segments": the table of a program.
 [[nodiscard]] std::string segment_section(const Solution& solution);

@@ -79,11 +79,15 @@ DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, cons
     if (options.bore) drawing.bore = options.bore;
     if (options.thickness) drawing.thickness = options.thickness;
     if (!drawing.thickness) drawing.thickness = default_thickness;
+    if (shape.cam.form.is_grooved() && !drawing.groove_depth) drawing.groove_depth = 0.5 * *drawing.thickness;
     const double least = least_radius(shape);
     const auto mm = [](double length) { return fmt::format("{:.6g} mm", length / units::millimetre); };
     if (drawing.keyway && drawing.bore && !(drawing.keyway->width < *drawing.bore))
         throw InputError(fmt::format("drawing.keyway.width: found {}; allowed: less than the bore's {}",
                                      mm(drawing.keyway->width), mm(*drawing.bore)));
+    if (drawing.groove_depth && !(*drawing.groove_depth < *drawing.thickness))
+        throw InputError(fmt::format("drawing.groove_depth: found {}; allowed: less than the thickness, {}",
+                                     mm(*drawing.groove_depth), mm(*drawing.thickness)));
     if (!(drawing.reach() < least))
         throw InputError(
             fmt::format("drawing.{}: found {} from the centre; allowed: less than {}, the least radius of "

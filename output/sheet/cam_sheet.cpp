@@ -6,6 +6,7 @@
 #include "output/drawing/dxf/profile_dxf.hpp"
 #include "output/sheet/sheet_furniture.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace camopt {
 
@@ -33,7 +35,7 @@ constexpr double leader_reach = 4e-3, datum_reach = 3e-3, rotation_distance = 3.
                  thickness_line = 6e-3, bore_line = 7e-3, depth_line = 15e-3, hatch_step = 2.5e-3,
                  center_overhang = 3e-3;
 constexpr double rotation_head = 3.0e-3, rotation_half_width = 0.8e-3, rotation_angle = 26 * degree;
-constexpr double direction_step = 15 * degree;
+constexpr double direction_step = 15 * degree, datum_apart = 15 * degree;
 
 Vector2d unit_vector(double angle) {
     return {std::cos(angle), std::sin(angle)};
@@ -90,8 +92,15 @@ class FreeDirections {
 
 class CamSheetMaker {
  public:
-    CamSheetMaker(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing)
-        : solution_(solution), shape_(shape), cam_(shape.cam), drawing_(drawing) {
+    /// piece: "second disk"; empty: the cam is one piece.
+    CamSheetMaker(const Solution& solution, const ProfileShape& shape, const DrawingSpec& drawing,
+                  std::string piece)
+        : solution_(solution),
+          shape_(shape),
+          cam_(shape.cam),
+          drawing_(drawing),
+          piece_(std::move(piece)),
+          disk_(rim_radius(shape)) {
         base_ = cam_[DimensionIndex::base_radius];
         prime_ = base_ + (has_roller(cam_.follower) ? cam_[DimensionIndex::roller_radius] : 0.0);
         for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, 1440))
@@ -102,6 +111,12 @@ class CamSheetMaker {
                 rim_.push_back(point.contact);
                 if (has_roller(cam_.follower)) rim_.push_back(point.pitch);
             }
+        if (disk_) {
+            box_.add(Vector2d::Constant(*disk_));
+            box_.add(Vector2d::Constant(-*disk_));
+            rim_.push_back(*disk_ * ray_at(cam_, drawing.datum));
+            farthest_ = other_side_farthest();
+        }
         box_.add(Vector2d::Constant(prime_));
         box_.add(Vector2d::Constant(-prime_));
         datum_ = ray_at(cam_, drawing.datum);
@@ -126,6 +141,8 @@ class CamSheetMaker {
     const ProfileShape& shape_;
     const DiskCam& cam_;
     const DrawingSpec& drawing_;
+    std::string piece_;
+    std::optional<double> disk_;  ///< radius of the disk that a groove is cut into
     double base_ = 0.0, prime_ = 0.0;
     ModelBox box_;
     Vector2d farthest_ = Vector2d::Zero(), datum_, cut_;
@@ -135,6 +152,13 @@ class CamSheetMaker {
     double section_left_ = 0.0;  ///< model
     Sheet sheet_;
 
+    [[nodiscard]] Vector2d other_side_farthest() const {
+        Vector2d farthest = Vector2d::Zero();
+        for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape_), 1440))
+            for (const ProfilePoint& point : piece)
+                if (point.contact.norm() > farthest.norm()) farthest = point.contact;
+        return farthest;
+    }
     [[nodiscard]] double thickness() const { return *drawing_.thickness; }
     /// m of the model in so much on the paper.
     [[nodiscard]] double paper(double length) const { return length / sheet_.view.scale; }
@@ -144,6 +168,7 @@ class CamSheetMaker {
         SheetTable table;
         const bool rollers = has_roller(cam_.follower);
         table.head = rollers ? std::vector<std::string>{"α", "R", "Rc"} : std::vector<std::string>{"α", "R"};
+        if (disk_) table.head.emplace_back("Ro");
         const int step = format.width > 0.3 ? 5 : 10;
         const auto shown = [](const std::optional<double>& radius) {
             return radius ? fmt::format("{:.3f}", *radius / millimetre) : std::string("open");
@@ -152,6 +177,7 @@ class CamSheetMaker {
             const Vector2d ray = ray_at(cam_, drawing_.datum + alpha * degree);
             table.rows.push_back({fmt::format("{}°", alpha), shown(radius_along(shape_, ray, true))});
             if (rollers) table.rows.back().push_back(shown(radius_along(shape_, ray, false)));
+            if (disk_) table.rows.back().push_back(shown(radius_along(other_side(shape_), ray, true)));
         }
         return table;
     }
@@ -177,6 +203,7 @@ class CamSheetMaker {
         sheet_.view.scale = chosen->value;
         sheet_.scale_words = chosen->words;
         sheet_.title = solution_.scene.title.empty() ? "Cam" : solution_.scene.title;
+        if (!piece_.empty()) sheet_.title += ", " + piece_;
     }
     void place_views() {
         const double scale = sheet_.view.scale;
@@ -191,7 +218,13 @@ class CamSheetMaker {
 
     void add_outline() {
         const ArcChain outline = outline_chain(shape_, true, outline_tolerance);
-        sheet_.paths.push_back({"CAM", SheetPen::thick, outline.vertices, outline.closed});
+        sheet_.paths.push_back(
+            {disk_ ? "INNER_FLANK" : "CAM", SheetPen::thick, outline.vertices, outline.closed});
+        if (disk_) {
+            const ArcChain outer = outline_chain(other_side(shape_), true, outline_tolerance);
+            sheet_.paths.push_back({"OUTER_FLANK", SheetPen::thick, outer.vertices, outer.closed});
+            sheet_.circles.push_back({"CAM", SheetPen::thick, {0.0, 0.0}, *disk_});
+        }
         sheet_.circles.push_back({"BASE_CIRCLE", SheetPen::chain, {0.0, 0.0}, base_});
         if (has_roller(cam_.follower)) {
             const ArcChain pitch = outline_chain(shape_, false, outline_tolerance);
@@ -214,14 +247,31 @@ class CamSheetMaker {
     }
     void add_datum() {
         const double reach = box_.exit(datum_) + paper(datum_reach);
-        const double rim = radius_along(shape_, datum_, true).value_or(base_);
+        const double rim = disk_ ? *disk_ : radius_along(shape_, datum_, true).value_or(base_);
         sheet_.line("DATUM", SheetPen::thin, drawing_.reach() * datum_, reach * datum_);
         sheet_.line("DATUM", SheetPen::thick, (rim - paper(4e-3)) * datum_, rim * datum_);
         add_word("DATUM", "datum, α = 0", reach, datum_);
+        make_way_for_radius();
         free_.take(direction_angle(datum_));
         for (const double axis : {0.0, 90.0, 180.0, 270.0})
             if (std::abs(std::remainder(axis * degree - direction_angle(datum_), units::turn)) > 20 * degree)
                 free_.take(axis * degree);
+    }
+    /// The largest radius has its words beside those of the datum where both point nearly the same way: the
+    /// datum's step aside, away from it.
+    void make_way_for_radius() {
+        const double apart =
+            std::remainder(direction_angle(farthest_) - direction_angle(datum_), units::turn);
+        if (std::abs(apart) > datum_apart) return;
+        SheetText& word = sheet_.texts.back();
+        const Vector2d left(-datum_.y(), datum_.x());
+        const Vector2d away = apart < 0.0 ? left : Vector2d(-left);
+        if (word.anchor == TextAnchor::middle) {
+            word.anchor = away.x() > 0.0 ? TextAnchor::start : TextAnchor::end;
+            word.at.x() += (away.x() > 0.0 ? 1.0 : -1.0) * 1e-3;
+        } else {
+            word.at.y() += (away.y() > 0.0 ? 1.0 : -1.0) * 3.5e-3;
+        }
     }
     /// At so much of the model along a ray, outside of its end.
     void add_word(const char* layer, const std::string& words, double reach, const Vector2d& ray) {
@@ -244,16 +294,45 @@ class CamSheetMaker {
                 sheet_.line("HATCH", SheetPen::thin, {from, from + c}, {to, to + c});
         }
     }
+    /// On one side of the axis, from the bore to the rim: the upper face is on the right.
+    void add_groove_section(double sense, double bore, double rim) {
+        const Vector2d ray = sense * cut_;
+        const double inner = radius_along(shape_, ray, true).value_or(base_),
+                     outer = radius_along(other_side(shape_), ray, true).value_or(inner);
+        const double left = section_left_, right = left + thickness(), floor = right - *drawing_.groove_depth;
+        const auto part = [&](double from, double to, double side) {
+            hatch({left, std::min(sense * from, sense * to)}, {side, std::max(sense * from, sense * to)});
+        };
+        part(bore, inner, right);
+        part(inner, outer, floor);
+        part(outer, rim, right);
+        for (const double flank : {inner, outer})
+            sheet_.line("SECTION", SheetPen::thick, {floor, sense * flank}, {right, sense * flank});
+        sheet_.line("SECTION", SheetPen::thick, {floor, sense * inner}, {floor, sense * outer});
+        if (sense > 0.0) return;
+        SheetDimension depth;
+        depth.direction = 0.0;
+        depth.first = {floor, -rim};
+        depth.second = {right, -rim};
+        depth.place = sheet_.view.on_paper({floor, -rim}) - Vector2d(0.0, thickness_line);
+        sheet_.dimensions.push_back(depth);
+    }
     /// Through the middle of the keyway, or through the datum; seen from the right.
     void add_section() {
-        const double up = radius_along(shape_, cut_, true).value_or(base_),
-                     down = radius_along(shape_, -cut_, true).value_or(base_), left = section_left_,
-                     right = left + thickness();
+        const auto reach = [&](const Vector2d& ray) {
+            return disk_ ? *disk_ : radius_along(shape_, ray, true).value_or(base_);
+        };
+        const double up = reach(cut_), down = reach(-cut_), left = section_left_, right = left + thickness();
         sheet_.rectangle("SECTION", SheetPen::thick, {left, -down}, {right, up});
         const double radius = 0.5 * drawing_.bore.value_or(0.0);
         const double top = drawing_.keyway ? radius + drawing_.keyway->depth : radius;
-        hatch({left, top}, {right, up});
-        hatch({left, -down}, {right, -radius});
+        if (disk_) {
+            add_groove_section(1.0, top, up);
+            add_groove_section(-1.0, radius, down);
+        } else {
+            hatch({left, top}, {right, up});
+            hatch({left, -down}, {right, -radius});
+        }
         sheet_.line("AXES", SheetPen::chain, {left - paper(center_overhang), 0.0},
                     {right + paper(center_overhang), 0.0});
         SheetDimension dimension;
@@ -295,6 +374,7 @@ class CamSheetMaker {
         if (drawing_.keyway) add_keyway();
         free_.take(far);
         add_leader(SheetDimension::Kind::radius, farthest_.norm(), far);
+        if (disk_) add_leader(SheetDimension::Kind::diameter, *disk_, free_.next());
         add_leader(SheetDimension::Kind::diameter, base_, free_.next());
         if (prime_ > base_) add_leader(SheetDimension::Kind::diameter, prime_, free_.next());
     }
@@ -329,7 +409,7 @@ class CamSheetMaker {
         for (const Vector2d& point : rim_)
             if (std::abs(std::remainder(direction_angle(point) - middle, units::turn)) < rotation_angle)
                 radius = std::max(radius, point.norm());
-        radius = std::max(radius, prime_) + paper(rotation_distance);
+        radius = std::max({radius, prime_, disk_.value_or(0.0)}) + paper(rotation_distance);
         const double half = 0.5 * rotation_angle, tip = middle + sense * half;
         sheet_.arc("ROTATION", SheetPen::thick, {"", SheetPen::thick, {0.0, 0.0}, radius}, middle - half,
                    middle + half);
@@ -360,10 +440,15 @@ class CamSheetMaker {
                 follower += fmt::format(", {} {}", words_of(name_of(index)), drawn_length(cam_[index]));
         }
         notes.push_back("Follower: " + follower + ".");
+        if (disk_)
+            notes.push_back(fmt::format("Groove: {} wide, {} deep in the upper face.",
+                                        drawn_length(2.0 * surface_offset(cam_, 1)),
+                                        drawn_length(*drawing_.groove_depth)));
         notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation)));
         std::string limits;
         for (const LimitRow& row : limit_rows())
-            if (const auto& limit = row.in(solution_.scene.limits); limit && !row.needs_forces)
+            if (const auto& limit = row.in(solution_.scene.limits);
+                limit && !row.needs_forces && !row.needs_dynamics)
                 limits += fmt::format("{}{} {} {}{}", limits.empty() ? "" : ", ", limit_words(row),
                                       row.is_least() ? "≥" : "≤", short_text(limit->given()),
                                       limit->unit.empty() ? "" : " " + limit->unit);
@@ -375,18 +460,24 @@ class CamSheetMaker {
         if (summary.concave_radius)
             radii += fmt::format("{}concave {}", radii.empty() ? "" : ", ",
                                  drawn_length(summary.concave_radius->value));
-        if (!radii.empty()) notes.push_back("Least radii of curvature: " + radii + ".");
-        notes.push_back(
-            fmt::format("α from the datum mark, {} as drawn. R to the cam{}.",
-                        cam_.rotation == Rotation::counterclockwise ? "clockwise" : "counterclockwise",
-                        has_roller(cam_.follower) ? ", Rc to the roller's centre, along the same ray" : ""));
+        if (!radii.empty())
+            notes.push_back(fmt::format("Least radii of curvature{}: {}.",
+                                        piece_.empty() ? "" : " of both disks", radii));
+        const char* const radii_words =
+            disk_ ? "R, Ro to the inner and the outer flank, Rc to the roller's centre, along one ray"
+            : has_roller(cam_.follower) ? "R to the cam, Rc to the roller's centre, along the same ray"
+                                        : "R to the cam";
+        notes.push_back(fmt::format(
+            "α from the datum mark, {} as drawn. {}.",
+            cam_.rotation == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
         notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
         return notes;
     }
     void add_furniture() {
         const TitleBlock& title = drawing_.title_block;
-        add_frame(sheet_, {title.part.empty() ? sheet_.title : title.part, title.material, title.tolerance,
-                           title.drawn_by});
+        std::string part = title.part.empty() ? sheet_.title : title.part;
+        if (!title.part.empty() && !piece_.empty()) part += ", " + piece_;
+        add_frame(sheet_, {part, title.material, title.tolerance, title.drawn_by});
         const double right = sheet_.width - sheet_margin, top = sheet_.height - sheet_margin;
         add_table(sheet_, table_, {right - table_.width(), top});
         const double left = sheet_left_margin + 2e-3;
@@ -397,13 +488,27 @@ class CamSheetMaker {
 
 }  // namespace
 
-Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options) {
+std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options) {
     if (!solution.cam) throw InputError("a workshop drawing needs a disk cam, and this solution has none");
     const MotionChain motion = drawn_motion(solution);
     const std::optional<ProfileShape> shape = disk_shape(solution, motion);
     if (!shape) throw InputError("a workshop drawing needs a disk cam, and this solution has another kind");
-    const DrawingSpec drawing = drawing_of(solution, *shape, options);
-    return CamSheetMaker(solution, *shape, drawing).make();
+    std::vector<Sheet> sheets;
+    const std::vector<ProfileShape> pieces = made_pieces(*shape);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const DrawingSpec drawing = drawing_of(solution, pieces[i], options);
+        const std::string name = pieces.size() > 1 ? side_name(shape->cam.form, static_cast<int>(i)) : "";
+        sheets.push_back(CamSheetMaker(solution, pieces[i], drawing, name).make());
+    }
+    return sheets;
+}
+
+Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options) {
+    std::vector<Sheet> sheets = cam_sheets(solution, options);
+    if (sheets.size() > 1)
+        throw InputError(
+            "a workshop drawing: found two disks, which have a drawing each; allowed: cam_sheets");
+    return std::move(sheets.front());
 }
 
 }  // namespace camopt

@@ -5,7 +5,9 @@
 // On A4, or on A3 where A4 would make it smaller than it is, at the largest scale of ISO 5455 that fits. The
 // model is the cam frame of profiles/disk/disk_cam.hpp; the section lies beside it. The table counts its
 // angle from the datum mark, as the cam angle grows: the ray at α is the one that points along +y at the cam
-// angle datum + α. R: from the centre to the cam along that ray, the outermost where there are several.
+// angle datum + α. R: from the centre to the cam along that ray, the outermost where there are several. Of a
+// grooved cam the outline is the rim of its disk; R and Ro are the radii of the inner and the outer flank,
+// the section shows the groove in the upper face.
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"
@@ -13,6 +15,7 @@
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace camopt {
 
@@ -27,7 +30,11 @@ struct CamSheetOptions {
 [[nodiscard]] DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape,
                                      const CamSheetOptions& options);
 
-/// Throws InputError as above, for a solution without a disk cam, and for a cam too large for any sheet.
+/// One for each piece (made_pieces): two of a conjugate cam, else one. Throws InputError as above, for a
+/// solution without a disk cam, and for a cam too large for any sheet.
+[[nodiscard]] std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options = {});
+
+/// Of a cam of one piece. Throws as cam_sheets, and for a conjugate cam.
 [[nodiscard]] Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options = {});
 
 /// Unit vector of the cam frame that points along +y when the cam has turned by this cam angle.

@@ -94,20 +94,12 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
 
     NcWork work;
     NcJob& job = work.job;
-    job.title = options.title;
-    job.tool = fmt::format("cylindrical end mill, diameter {:g} mm, working length {:g} mm or more",
-                           location.diameter / units::millimetre, working_length / units::millimetre);
+    job = milling_job(options, blank_of(cam, motion, options.blank), location.diameter, working_length);
     job.remarks = {"origin: the centre of the cam; turn 0: its cam angle 0"};
-    job.feed = options.feed;
     job.rotary_speed = options.rotary_speed;
-    job.spindle_rpm = options.spindle_rpm;
-    job.blank = blank_of(cam, motion, options.blank);
-    job.clearance = options.clearance;
-    job.safe_distance = options.safe_distance;
-    set_words(job, options.milling);
 
     CuttingTask& task = work.task;
-    GroovePasses milled =
+    MillingPasses milled =
         groove_passes({roller, motion.breakpoints, location, flanks_cut(cam, options, location.diameter),
                        job.blank, options.milling});
     task.passes = std::move(milled.passes);
@@ -124,6 +116,12 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
         task.surfaces.push_back({fmt::format("both flanks, {:.3f} mm from the near end of the roller",
                                              height / units::millimetre),
                                  flank_points(roller, location.roller_radius, height, motion)});
+        if (i > 0 && i + 1 < checked_heights) continue;
+        for (const std::size_t flank : {std::size_t{0}, std::size_t{1}}) {
+            std::vector<Eigen::Vector3d>& line = task.outlines.emplace_back();
+            for (std::size_t k = flank; k < task.surfaces.back().points.size(); k += 2)
+                line.push_back(task.surfaces.back().points[k]);
+        }
     }
     return work;
 }

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/cam_remarks.hpp"
 
+#include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
 #include "output/words/angle_words.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
+#include "profiles/sampling.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace camopt {
 
@@ -101,7 +106,58 @@ std::string rest_of_the_turn(const Solution& solution) {
                        short_text(angle / degree));
 }
 
+constexpr int force_samples = 3600;  // over the motion, for changes of sign
+constexpr int force_bisections = 50;
+constexpr double no_force = 1e-9;       // of the largest
+constexpr std::size_t most_places = 8;  // that a sentence names
+
+/// Where the force on the follower changes its sign: x, ascending. A force that is rounding has none.
+std::vector<double> force_changes(const Solution& solution) {
+    const Motion& motion = *solution.motion;
+    const ForceSummary& forces = *solution.cam->summary.forces;
+    const MotionScale scale{solution.scene.motion.lift, solution.scene.motion.unit_angle()};
+    const auto force = [&](double x) {
+        const FollowerState state =
+            state_of(motion.at(x, x < motion.end() ? Side::right : Side::left), scale);
+        return solution.scene.forces->force(*solution.scene.motion.speed, state.s, state.acceleration);
+    };
+    const double none =
+        no_force * std::max(std::abs(forces.least_force.value), std::abs(forces.largest_force.value));
+    std::vector<double> places;
+    const double length = motion.end() - motion.begin();
+    std::optional<double> last;  // where it was something
+    for (int i = 0; i <= force_samples; ++i) {
+        const double here = motion.begin() + length * i / force_samples;
+        if (std::abs(force(here)) <= none) continue;
+        const bool before = last && force(*last) > 0.0;
+        if (last && before != (force(here) > 0.0))
+            places.push_back(bisected([&](double x) { return (force(x) > 0.0) == before; }, {*last, here},
+                                      force_bisections)
+                                 .without);
+        last = here;
+    }
+    return places;
+}
+
+/// Of a cam that drives both ways: where the roller goes from one side to the other.
+std::string crossover_remark(const Solution& solution) {
+    const std::vector<SideSummary>& sides = solution.cam->summary.sides;
+    const std::vector<double> places = force_changes(solution);
+    if (places.empty())
+        return fmt::format("The force on the follower never changes its sign: the {} carries all of it.",
+                           sides[solution.cam->summary.forces->least_force.value >= 0.0 ? 0 : 1].name);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
+        text += (i == 0 ? "" : ", ") + degrees_at(solution, places[i]);
+    if (places.size() > most_places) text += ", …";
+    return fmt::format(
+        "The load goes over between {} and {} {} times in the motion, at {} deg: the play between "
+        "them is heard there.",
+        sides[0].name, sides[1].name, places.size(), text);
+}
+
 std::string lift_off_remark(const Solution& solution, const ForceSummary& forces) {
+    if (!solution.cam->summary.sides.empty()) return crossover_remark(solution);
     if (forces.least_force.value > 0.0) return {};
     // Where the follower is down a stiffer spring presses no harder.
     const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
@@ -127,6 +183,27 @@ std::string check_remark(const Solution& solution, const ForwardCheckReport& che
     return fmt::format("Forward check: {}, and nothing else: the output {} (at {} deg).", run, found, where);
 }
 
+/// Of a cam that drives both ways.
+std::string play_remark(const Solution& solution, const ForwardCheckReport::Play& play) {
+    const ShownUnits shown = shown_units(solution.scene);
+    if (!std::isfinite(play.least)) return {};
+    const std::string range = fmt::format(
+        "{} (at {} deg) to {} (at {} deg)", shown.motion[0].first.text(play.least, check_digits),
+        degrees_at(solution, play.least_at), shown.motion[0].first.text(play.largest, check_digits),
+        degrees_at(solution, play.largest_at));
+    if (!play.least_groove_width)
+        return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
+    const double clearance = solution.scene.cam->form.groove_clearance;
+    const double roller =
+        solution.cam->cam.dimensions[static_cast<std::size_t>(solution.cam->cam.formulas->roller_radius())];
+    const bool fits = *play.least_groove_width >= 2.0 * roller * (1.0 - moves_as_designed);
+    return fmt::format(
+        "The groove is {} wide where it is narrowest, the roller {}: it {}. Play of the follower, "
+        "{} of clearance: {}.",
+        shown.length.text(*play.least_groove_width, 7), shown.length.text(2.0 * roller),
+        fits ? "fits all round" : "DOES NOT FIT", shown.length.text(clearance), range);
+}
+
 }  // namespace
 
 std::vector<std::string> cam_remarks(const Solution& solution) {
@@ -136,6 +213,8 @@ std::vector<std::string> cam_remarks(const Solution& solution) {
     all.push_back(rest_of_the_turn(solution));
     if (cam.summary.forces) all.push_back(lift_off_remark(solution, *cam.summary.forces));
     if (cam.forward_check) all.push_back(check_remark(solution, *cam.forward_check));
+    if (cam.forward_check && cam.forward_check->play)
+        all.push_back(play_remark(solution, *cam.forward_check->play));
     std::erase(all, std::string{});
     return all;
 }

@@ -35,6 +35,19 @@ std::optional<double> prime_radius(const std::vector<DimensionValue>& dimensions
     return sum;
 }
 
+/// What is straighter than any radius is none.
+std::optional<CamExtreme> drawn_radius(const std::optional<CamExtreme>& radius) {
+    if (radius && std::abs(radius->value) < no_radius) return radius;
+    return {};
+}
+
+/// " in a groove"; empty: the cam is open.
+std::string form_words(const MechanismSpec& cam) {
+    const auto form = cam.choices.find("form");
+    if (form == cam.choices.end() || form->second == name_of(CamForm::open)) return {};
+    return form->second == name_of(CamForm::grooved) ? " in a groove" : " on conjugate disks";
+}
+
 /// Collects figures of one solution.
 class Figures {
  public:
@@ -64,6 +77,21 @@ void add_geometry(Figures& figures, const CamReport& cam, const ShownUnits& show
     figures.add("largest contact offset on the face", summary.contact_offset, shown.length);
     if (!cam.cam.formulas->undercut_words().empty())
         figures.add("least regularity (0: undercut)", summary.regularity, ShownUnit{});
+}
+
+/// Each side by itself, where there are two; what is common stands above.
+void add_sides(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
+    const bool one_normal = !cam.summary.sides.empty() && cam.summary.sides.front().pressure_angle.value ==
+                                                              cam.summary.sides.back().pressure_angle.value;
+    for (const SideSummary& side : cam.summary.sides) {
+        const auto name = [&](const char* what) { return fmt::format("{}: {}", side.name, what); };
+        if (!one_normal) figures.add(name("largest pressure angle"), side.pressure_angle, shown.angle);
+        figures.add(name("least convex radius"), drawn_radius(side.convex_radius), shown.length);
+        figures.add(name("least concave radius"), drawn_radius(side.concave_radius), shown.length);
+        figures.add(name("least regularity"), side.regularity, ShownUnit{});
+        figures.add(name("largest force along the normal"), side.normal_force, shown.force);
+        figures.add(name("largest Hertz pressure"), side.hertz_pressure, shown.pressure);
+    }
 }
 
 void add_forces(Figures& figures, const CamReport& cam, const ShownUnits& shown) {
@@ -115,7 +143,8 @@ std::string dimensions_text(const Solution& solution) {
 std::string cam_text(const MechanismSpec& cam) {
     const auto follower = cam.choices.find("follower");
     if (cam.formulas && cam.formulas->is_direct())
-        return fmt::format("{}, the cam turning {}", words_of(follower->second), name_of(cam.rotation));
+        return fmt::format("{}{}, the cam turning {}", words_of(follower->second), form_words(cam),
+                           name_of(cam.rotation));
     const auto linkage = cam.choices.find("linkage");
     std::string parts = linkage == cam.choices.end() ? std::string{} : words_of(linkage->second);
     std::ranges::replace(parts, ' ', '-');
@@ -125,9 +154,7 @@ std::string cam_text(const MechanismSpec& cam) {
 }
 
 std::optional<CamExtreme> convex_radius(const CamSummary& summary) {
-    if (summary.convex_radius && std::abs(summary.convex_radius->value) < no_radius)
-        return summary.convex_radius;
-    return {};
+    return drawn_radius(summary.convex_radius);
 }
 
 std::vector<CamFigure> cam_figures(const Solution& solution) {
@@ -135,6 +162,7 @@ std::vector<CamFigure> cam_figures(const Solution& solution) {
     const ShownUnits shown = shown_units(solution.scene);
     add_geometry(figures, *solution.cam, shown);
     add_forces(figures, *solution.cam, shown);
+    add_sides(figures, *solution.cam, shown);
     return figures.take();
 }
 

@@ -14,14 +14,15 @@ namespace camopt {
 namespace {
 
 // Endings of the keys and what they say; a longer one stands before those it ends in.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 28> units_of_keys = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 29> units_of_keys = {{
     {"_mm_s3", "mm/s³"},   {"_mm_s2", "mm/s²"},   {"_mm_s", "mm/s"},     {"_in_s3", "in/s³"},
     {"_in_s2", "in/s²"},   {"_in_s", "in/s"},     {"_m_s3", "m/s³"},     {"_m_s2", "m/s²"},
     {"_m_s", "m/s"},       {"_deg_s3", "deg/s³"}, {"_deg_s2", "deg/s²"}, {"_deg_s", "deg/s"},
     {"_rad_s3", "rad/s³"}, {"_rad_s2", "rad/s²"}, {"_rad_s", "rad/s"},   {"_nm_rad", "N m/rad"},
     {"_n_mm", "N/mm"},     {"_rpm", "rpm"},       {"_deg", "deg"},       {"_rad", "rad"},
-    {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},       {"_gpa", "GPa"},
-    {"_nm", "N m"},        {"_n", "N"},           {"_pa", "Pa"},         {"_m", "m"},
+    {"_um", "µm"},         {"_mm", "mm"},         {"_in", "in"},         {"_mpa", "MPa"},
+    {"_gpa", "GPa"},       {"_nm", "N m"},        {"_n", "N"},           {"_pa", "Pa"},
+    {"_m", "m"},
 }};
 // The limits whose names end so say the rest by ">=" and "<=".
 constexpr std::array<std::string_view, 2> bounds = {"_min", "_max"};

@@ -10,6 +10,8 @@ namespace camopt {
 
 namespace {
 
+constexpr double plain_below = 1e7;  // a larger number is read more easily with its power of ten
+
 /// A typographic minus sign: as wide as a digit, never broken from its number.
 std::string with_minus_sign(std::string text) {
     if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
@@ -26,6 +28,9 @@ std::string round_trip_text(double value) {
 std::string short_text(double value, int digits) {
     if (std::isnan(value)) return "–";
     if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+    if (unit >= 1.0 && std::abs(value) < plain_below)
+        return with_minus_sign(fmt::format("{:.0f}", unit * std::round(value / unit)));
     return with_minus_sign(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits));
 }
 

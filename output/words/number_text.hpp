@@ -13,7 +13,8 @@ inline constexpr const char* no_contact_words = "undercut, no contact";
 /// The shortest decimal text that reads back as the same double. Empty for a value that is not finite.
 [[nodiscard]] std::string round_trip_text(double value);
 
-/// `digits` significant digits, without trailing zeros; "∞" or "–" for what is not finite.
+/// `digits` significant digits, without trailing zeros behind the point; no power of ten below 1e7: "134150",
+/// not "1.3415e+05". "∞" or "–" for what is not finite.
 [[nodiscard]] std::string short_text(double value, int digits = 6);
 
 /// Relative change in percent, signed: "−2.6 %". "–" where it does not exist.

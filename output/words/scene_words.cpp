@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -179,6 +180,11 @@ std::string material_text(const char* part, double modulus, double poisson) {
                        short_text(modulus / gigapascal), short_text(poisson));
 }
 
+std::string damping_text(const Scene& scene, double damping) {
+    return fmt::format("damping {} {}", short_text(damping),
+                       scene.motion.lift_is_angle ? "N m s/rad" : "N s/m");
+}
+
 std::string force_line(const Scene& scene) {
     const ForceSpec& forces = *scene.forces;
     const ShownUnits shown = shown_units(scene);
@@ -190,6 +196,32 @@ std::string force_line(const Scene& scene) {
     append(text, fmt::format("contact width {}", shown.length.text(*forces.contact_width)));
     append(text, material_text("cam", forces.cam_modulus, forces.cam_poisson));
     append(text, material_text("follower", forces.follower_modulus, forces.follower_poisson));
+    return text;
+}
+
+/// What stands between the cam and the output, from the output back to the cam.
+std::string train_line(const Scene& scene) {
+    const DynamicsSpec& train = *scene.dynamics;
+    const ShownUnits shown = shown_units(scene);
+    std::string text = fmt::format("Elastic follower: {} {}", scene.motion.lift_is_angle ? "inertia" : "mass",
+                                   shown.mass.text(train.mass));
+    if (train.natural_frequency)
+        append(text, fmt::format("natural frequency {} Hz",
+                                 short_text(*train.natural_frequency / (2.0 * std::numbers::pi))));
+    if (train.stiffness) append(text, "stiffness " + shown.spring_rate.text(*train.stiffness));
+    if (train.damping_ratio) append(text, "damping ratio " + short_text(*train.damping_ratio));
+    if (train.damping) append(text, damping_text(scene, *train.damping));
+    for (const TrainStage& stage : train.stages)
+        append(text, fmt::format("a stage before it of {} on {}{}", shown.mass.text(stage.mass),
+                                 shown.spring_rate.text(stage.stiffness),
+                                 stage.damping > 0.0 ? " and " + damping_text(scene, stage.damping) : ""));
+    if (train.return_stiffness > 0.0)
+        append(text, "return spring " + shown.spring_rate.text(train.return_stiffness));
+    if (train.preload > 0.0) append(text, "preload " + shown.load.text(train.preload));
+    if (train.speed_range)
+        append(text, fmt::format("from {} to {} rpm",
+                                 short_text((*train.speed_range)[0] / units::revolution_per_minute),
+                                 short_text((*train.speed_range)[1] / units::revolution_per_minute)));
     return text;
 }
 
@@ -217,6 +249,9 @@ std::string reference_text(const Reference& reference) {
     for (const CostTerm& term : cost_terms())
         if (const std::optional<double>& value = reference.*term.reference)
             append(numbers, fmt::format("{} {}", words_of(term.name()), short_text(*value)));
+    for (const ResponseTerm& term : response_terms())
+        if (const std::optional<double>& value = reference.*term.reference)
+            append(numbers, fmt::format("{} {}", words_of(term.name), short_text(*value)));
     return fmt::format("that of the reference given as numbers{}", numbers.empty() ? "" : ": " + numbers);
 }
 
@@ -227,6 +262,7 @@ std::string objective_line(const ObjectiveSpec& objective) {
             terms += fmt::format("{}{} × {}", terms.empty() ? "" : " + ", short_text(weight), name);
     };
     for (const CostTerm& row : cost_terms()) term(row.weight_in(objective), words_of(row.name()));
+    for (const ResponseTerm& row : response_terms()) term(row.weight_in(objective), words_of(row.name));
     const std::size_t of_motion = terms.size();
     for (int i = 0; i < dimension_count; ++i)
         term(objective.dimensions[static_cast<std::size_t>(i)],
@@ -249,9 +285,12 @@ std::string option_text(const OptionValue& value) {
 }
 
 std::string solver_line(const SolverSpec& solver) {
-    std::string text =
-        fmt::format("Solver: {}, tolerance {}, gap {}, at most {} s", solver.name,
-                    short_text(solver.tolerance), short_text(solver.gap), short_text(solver.max_seconds));
+    std::string text = fmt::format(
+        "Solver: {}, tolerance {}, gap {}, at most {} s", solver.name, short_text(solver.tolerance),
+        solver.gap ? short_text(*solver.gap)
+                   : fmt::format("{} ({} where not convex)", short_text(solver.wanted_gap()),
+                                 short_text(solver.wanted_gap(false))),
+        short_text(solver.max_seconds));
     if (solver.starts) append(text, fmt::format("{} starts", *solver.starts));
     append(text, fmt::format("seed {}", solver.seed));
     for (const auto& [name, value] : solver.options)
@@ -271,6 +310,7 @@ std::vector<std::string> scene_lines(const Scene& given) {
     lines.push_back(spline_line(scene));
     if (has_cam(scene)) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
+    if (scene.dynamics) lines.push_back(train_line(scene));
     if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);
     lines.push_back(objective_line(scene.objective));
     lines.push_back(solver_line(scene.solver));

@@ -7,11 +7,13 @@
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
+#include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/set_point_table.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/scene_cam.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +72,12 @@ bool searched(const Solution& solution) {
 /// A motion that was found, and then did not stand the audit of what is delivered.
 bool was_found_wanting(const Solution& solution) {
     return solution.certificate.verdict == Verdict::failed && solution.motion != nullptr;
+}
+
+/// A motion was found that doubles do not hold: it is not delivered.
+bool is_beyond_doubles(const Solution& solution) {
+    return solution.certificate.verdict == Verdict::failed && solution.motion == nullptr &&
+           is_no_motion(solution.certificate.reason);
 }
 
 /// "8 starts" or "from one start"
@@ -149,6 +157,11 @@ std::string verdict_sentence(const Solution& solution) {
         return fmt::format(
             "Failed: the motion that was found is not what the scene asks for{}, see the notes.",
             because(certificate));
+    if (is_beyond_doubles(solution))
+        return fmt::format(
+            "Failed: double precision does not hold the motion that was found{}, see the notes. Other "
+            "breakpoints may.",
+            because(certificate));
     if (was_interrupted(certificate)) return interrupted_sentence(solution);
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
@@ -206,8 +219,9 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     if (std::isfinite(certificate.objective)) add("objective", certificate.objective, figures);
     if (certificate.lower_bound)
         add(certificate.proof_kind == ProofKind::any_curve_limit ? "no curve below"
-            : searched(solution)                                 ? "bound of the convex relaxation"
-                                                                 : "proved bound",
+            : searched(solution) && certificate.proof_kind != ProofKind::boxes
+                ? "bound of the convex relaxation"
+                : "proved bound",
             *certificate.lower_bound, figures);
     if (certificate.gap) add("gap", *certificate.gap, 2);
     if (solution.any_curve_limit)
@@ -215,13 +229,18 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     return line;
 }
 
+std::string on_side(const ConstraintReport& row) {
+    return row.side.empty() ? row.side : " on the " + row.side;
+}
+
 std::string constraint_sentence(const ConstraintReport& row) {
     if (row.no_contact)
         return fmt::format("{} = {}: {} does not exist: {}", row.key, short_text(row.limit), row.name,
                            no_contact_words);
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    return fmt::format("{} = {}: {} reaches {}{} ({})", row.key, short_text(row.limit), row.name,
-                       short_text(row.worst, figures), unit, row.active ? "active" : "not active");
+    return fmt::format("{} = {}: {} reaches {}{}{} ({})", row.key, short_text(row.limit), row.name,
+                       short_text(row.worst, figures), unit, on_side(row),
+                       row.active ? "active" : "not active");
 }
 
 std::string own_term_sentence(const OwnTermReport& term) {
@@ -251,6 +270,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
     for (const OwnTermReport& term : solution.own_terms)
         text += fmt::format("  term: {}\n", own_term_sentence(term));
+    for (const std::string& sentence : train_sentences(solution)) text += fmt::format("  {}\n", sentence);
     if (solution.motion)
         for (const ConstraintReport& row : solution.constraints)
             text += fmt::format("  limit: {}\n", constraint_sentence(row));

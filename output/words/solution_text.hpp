@@ -23,6 +23,8 @@ namespace camopt {
 /// "limits.velocity = 1.8 is kept: at most 1.79 …"
 /// "speed reaches 1.7, 0.4 in the objective (weight …)"
 [[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
+/// " on the outer flank": where a cam with two sides is at its worst; empty: it has one side.
+[[nodiscard]] std::string on_side(const ConstraintReport& row);
 [[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
 
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/studies/pareto_svg.hpp"
 
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/csv/pareto_csv.hpp"
 #include "output/words/number_text.hpp"
@@ -17,6 +18,7 @@ namespace camopt {
 namespace {
 
 constexpr double margin = 40, top = 118, main_left = 100, main_width = 560, main_height = 470;
+constexpr double law_size = 10.5, law_column = 228, diamond = 3.0;  // of the laws' numbers, names, marks
 constexpr double side_left = 780, side_width = 400, side_height = 190, page_width = 1220;
 
 /// How a goal is shown: its name, and what its value in the front (normalised, m) is multiplied by. With a
@@ -114,20 +116,19 @@ void draw_law_marks(SvgCanvas& canvas, const PlotFrame& frame, std::vector<LawMa
         return !frame.horizontal.holds(mark.x) || !frame.vertical.holds(mark.y);
     });
     std::ranges::stable_sort(marks, {}, &LawMark::x);
-    std::vector<std::array<double, 2>> taken;
+    PlacedTexts numbers(frame.horizontal.begin, frame.vertical.end, frame.horizontal.end,
+                        frame.vertical.begin);
+    for (const LawMark& mark : marks)
+        numbers.keep_free(frame.horizontal.place(mark.x), frame.vertical.place(mark.y), diamond);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const LawMark& mark = marks[i];
         const double x = frame.horizontal.place(mark.x), y = frame.vertical.place(mark.y);
         canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
-        std::array<double, 2> at{x + 6, y - 3};
-        const auto hits = [&](const std::array<double, 2>& other) {
-            return std::abs(at[0] - other[0]) < 14.0 && std::abs(at[1] - other[1]) < 10.0;
-        };
-        while (std::ranges::any_of(taken, hits)) at[1] -= 3.0;
-        taken.push_back(at);
-        canvas.text(at[0], at[1], std::to_string(i + 1), "law-number");
+        const std::string number = std::to_string(i + 1);
+        numbers.draw(canvas, number, places_around(x, y, text_width(number, law_size), law_size),
+                     "law-number", law_size);
         const std::size_t rows = (marks.size() + 1) / 2;
-        canvas.text(side_left - 20 + 215.0 * static_cast<double>(i / rows),
+        canvas.text(side_left - 20 + law_column * static_cast<double>(i / rows),
                     top + side_height + 70 + 17.0 * static_cast<double>(i % rows),
                     fmt::format("{}  {}", i + 1, mark.title), "law-number");
     }

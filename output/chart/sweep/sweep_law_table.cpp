@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the classical laws lie above the trade-off, as lines of the picture.
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/text_table.hpp"
@@ -25,10 +26,19 @@ std::string percent_words(const std::optional<double>& percent) {
     return percent ? change_text(100.0 + *percent, 100.0) : "–";
 }
 
-void draw_heads(SvgCanvas& canvas, double left, double top) {
+/// Before the column of V; long names are set smaller.
+void draw_name(SvgCanvas& canvas, double left, double y, const LawLoss& law) {
+    constexpr double room = 232.0, size = 12.0;
+    const std::string name = law.title + (law.feasible ? "" : " *");
+    canvas.text(left, y, name,
+                fmt::format("value{}{}", law.feasible ? "" : " faint",
+                            text_width(name, size) > room ? " tight" : ""));
+}
+
+void draw_heads(SvgCanvas& canvas, double left, double top, bool all_feasible) {
     canvas.text(left, top, "Laws above the trade-off", "panel-title");
     const double y = top + 36;
-    canvas.text(left + 26, y, "law", "head left");
+    canvas.text(left + 26, y, all_feasible ? "law" : "law (* breaks a limit)", "head left");
     for (const auto& [x, words] : {std::pair{304.0, "V"}, {364.0, "A"}, {430.0, "J"}})
         canvas.text(left + x, y, words, "head");
     canvas.text(left + 552, y - 15, "loss at the", "head");
@@ -62,16 +72,15 @@ double law_table_height(const LawLosses& losses) {
 }
 
 double draw_law_table(SvgCanvas& canvas, double left, double top, const LawLosses& losses) {
-    draw_heads(canvas, left, top);
+    draw_heads(canvas, left, top, std::ranges::all_of(losses.laws, &LawLoss::feasible));
     double longest = 0.0;
     for (const LawLoss& law : losses.laws)
         if (law.closest) longest = std::max(longest, law.closest->loss_percent);
     double y = top + head_height + 6;
     for (std::size_t i = 0; i < losses.laws.size(); ++i) {
         const LawLoss& law = losses.laws[i];
-        const char* look = law.feasible ? "value" : "value faint";
         canvas.text(left, y, std::to_string(i + 1), "value");
-        canvas.text(left + 26, y, law.title + (law.feasible ? "" : " (breaks a limit)"), look);
+        draw_name(canvas, left + 26, y, law);
         canvas.text(left + 304, y, fixed_text(law.peaks[0], 3), "value right");
         canvas.text(left + 364, y, fixed_text(law.peaks[1], 3), "value right");
         canvas.text(left + 430, y, fixed_text(law.peaks[2], 2), "value right");

@@ -99,7 +99,8 @@ void draw_head(SvgCanvas& canvas, const SweepPicture& picture, const std::string
 std::string sweep_panel_style() {
     return ".panel-title{font-size:14px;font-weight:600;fill:#222}"
            ".corner{font-size:13px;font-weight:600;fill:#333;text-anchor:middle}.law-bar{fill:#8c8c8c}"
-           ".law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10.5px;fill:#111}"
+           ".value.tight{font-size:9px}.law{fill:#fff;stroke:#111;stroke-width:1.3}.law-number{font-size:10."
+           "5px;fill:#111}"
            ".law-number.right{text-anchor:end}.dot{stroke:#222;stroke-width:.4}.off-front{fill:#c4c4c4}"
            ".shut{fill:#e4e4e4}.failed{fill:#f4c7c3}.cross{fill:none;stroke:#b3261e;stroke-width:2}"
            ".row-line{fill:none;stroke:#0072b2;stroke-width:1.8}.row-dot{fill:#0072b2;stroke:#0072b2}"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The triangle of weights and the planes of two peaks: the trade-off of a weight sweep.
 #include "output/chart/colour_scale.hpp"
+#include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_panels.hpp"
 #include "output/words/number_text.hpp"
 
@@ -15,6 +16,7 @@ namespace camopt {
 namespace {
 
 constexpr double bar_room = 40;  // px below a triangle
+constexpr double law_number_size = 10.5, diamond = 3.0;
 
 /// Shares of V, A, J in the weights of a row; none where they are all 0.
 std::optional<std::array<double, 3>> shares_of(const SweepTable& table, const SweepRow& row) {
@@ -73,8 +75,8 @@ void draw_weight_triangle(SvgCanvas& canvas, const PanelFrame& place, const Swee
             canvas.circle(at[0], at[1], radius,
                           row_class(row.verdict == Verdict::failed ? "failed" : "shut", "", row));
     }
-    canvas.text(a[0] - 4, a[1] + 17, "V", "corner");
-    canvas.text(b[0] + 4, b[1] + 17, "A", "corner");
+    canvas.text(a[0] - 4, a[1] + radius + 14, "V", "corner");
+    canvas.text(b[0] + 4, b[1] + radius + 14, "A", "corner");
     canvas.text(c[0] + radius + 10, c[1] + 4, "J", "corner");
     if (!range.empty())
         draw_colour_bar(canvas, scale, triangle.left + 0.2 * side, place.top + place.height - 24, 0.6 * side);
@@ -94,21 +96,34 @@ ValueRange plane_range(const SweepPicture& picture, std::size_t peak) {
 }
 
 void draw_laws(SvgCanvas& canvas, const PlotFrame& frame, const LawLosses& losses, const PlanePeaks& peaks) {
-    std::string outside;
-    for (std::size_t i = 0; i < losses.laws.size(); ++i) {
-        const LawLoss& law = losses.laws[i];
+    const auto place_of = [&](const LawLoss& law) -> std::optional<std::array<double, 2>> {
         const double across = law.peaks[peaks.across], up = law.peaks[peaks.up];
-        if (!frame.horizontal.holds(across) || !frame.vertical.holds(up)) {
-            outside += fmt::format("{}{}", outside.empty() ? "" : ", ", i + 1);
-            continue;
-        }
-        const double x = frame.horizontal.place(across), y = frame.vertical.place(up);
-        canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
-        canvas.text(x + 6, y - 4, std::to_string(i + 1), "law-number");
+        if (!frame.horizontal.holds(across) || !frame.vertical.holds(up)) return {};
+        return std::array{frame.horizontal.place(across), frame.vertical.place(up)};
+    };
+    PlacedTexts numbers(frame.horizontal.begin, frame.vertical.end, frame.horizontal.end,
+                        frame.vertical.begin);
+    std::string outside;
+    for (std::size_t i = 0; i < losses.laws.size(); ++i)
+        if (!place_of(losses.laws[i])) outside += fmt::format("{}{}", outside.empty() ? "" : ", ", i + 1);
+    if (!outside.empty()) {
+        const std::string words = "outside: laws " + outside;
+        const std::array place = {TextPlace{frame.horizontal.end - 6 - text_width(words, law_number_size),
+                                            frame.vertical.end + 15}};
+        numbers.draw(canvas, words, place, "law-number", law_number_size);
     }
-    if (!outside.empty())
-        canvas.text(frame.horizontal.end - 6, frame.vertical.end + 15, "outside: laws " + outside,
-                    "law-number right");
+    for (const LawLoss& law : losses.laws)
+        if (const auto at = place_of(law)) numbers.keep_free((*at)[0], (*at)[1], diamond);
+    for (std::size_t i = 0; i < losses.laws.size(); ++i) {
+        const auto at = place_of(losses.laws[i]);
+        if (!at) continue;
+        const auto [x, y] = *at;
+        canvas.path(fmt::format("M{0} {1}l4 4l-4 4l-4 -4Z", svg_number(x), svg_number(y - 4)), "law");
+        const std::string number = std::to_string(i + 1);
+        numbers.draw(canvas, number,
+                     places_around(x, y, text_width(number, law_number_size), law_number_size), "law-number",
+                     law_number_size);
+    }
 }
 
 }  // namespace

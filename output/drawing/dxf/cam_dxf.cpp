@@ -2,7 +2,7 @@
 #include "output/drawing/dxf/cam_dxf.hpp"
 
 #include "core/errors.hpp"
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "output/drawing/arc_chain.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"

@@ -3,6 +3,7 @@
 
 #include "output/drawing/arc_chain.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
+#include "profiles/disk/disk_sides.hpp"
 
 #include <algorithm>
 
@@ -14,11 +15,28 @@ using Eigen::Vector2d;
 
 constexpr double pivot_size = 0.05, opening_text = 0.05;  // of the base radius
 
-std::vector<DxfLayer> layers() {
-    return {{"CAM", 7, DxfLine::continuous},     {"PITCH", 5, DxfLine::dashed},
-            {"BASE_CIRCLE", 8, DxfLine::dashed}, {"PRIME_CIRCLE", 8, DxfLine::dashed},
-            {"ROLLER", 3, DxfLine::continuous},  {"FACE", 3, DxfLine::continuous},
-            {"AXES", 1, DxfLine::center}};
+/// Where the outline of a side lies: an open cam, or the first disk, is the CAM.
+const char* outline_layer(const ProfileShape& shape, int side) {
+    if (shape.cam.form.is_grooved()) return side == 0 ? "INNER_FLANK" : "OUTER_FLANK";
+    return side == 0 ? "CAM" : "SECOND_CAM";
+}
+
+std::vector<DxfLayer> layers(const ProfileShape& shape) {
+    std::vector<DxfLayer> all = {{outline_layer(shape, 0), 7, DxfLine::continuous},
+                                 {"PITCH", 5, DxfLine::dashed},
+                                 {"BASE_CIRCLE", 8, DxfLine::dashed},
+                                 {"PRIME_CIRCLE", 8, DxfLine::dashed},
+                                 {"ROLLER", 3, DxfLine::continuous},
+                                 {"FACE", 3, DxfLine::continuous},
+                                 {"AXES", 1, DxfLine::center}};
+    if (!shape.other) return all;
+    all.push_back({outline_layer(shape, 1), 7, DxfLine::continuous});
+    if (shape.cam.form.is_grooved()) all.push_back({"RIM", 8, DxfLine::continuous});
+    if (shape.cam.form.is_conjugate()) {
+        all.push_back({"SECOND_PITCH", 5, DxfLine::dashed});
+        all.push_back({"SECOND_ROLLER", 3, DxfLine::continuous});
+    }
+    return all;
 }
 
 /// The cam's direction of travel reverses at its cusps, the pitch curve's does not.
@@ -31,8 +49,9 @@ std::vector<double> knots_with_cusps(const ProfileShape& shape) {
     return knots;
 }
 
-ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape& shape, double tolerance) {
-    ArcChain chain = outline_chain(shape, std::string_view(layer) == "CAM", tolerance);
+ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape& shape, double tolerance,
+                     bool of_cam) {
+    ArcChain chain = outline_chain(shape, of_cam, tolerance);
     drawing.polyline(layer, chain.vertices, chain.closed);
     return chain;
 }
@@ -67,6 +86,23 @@ void draw_opening(DxfDrawing& drawing, const ProfileShape& shape, double size) {
                  {1.1 * to, opening_text * size, "OPEN: " + shape.open_because, DxfText::Anchor::start, 0.0});
 }
 
+/// Its greatest radius, that of a groove's rim included.
+double draw_other_side(DxfDrawing& drawing, const ProfileShape& shape, double tolerance, ProfileDxf& result) {
+    const ProfileShape other = other_side(shape);
+    const ArcChain outline = drawn_chain(drawing, outline_layer(shape, 1), other, tolerance, true);
+    result.arcs += outline.arcs;
+    result.deviation = std::max(result.deviation, outline.deviation);
+    if (const std::optional<double> rim = rim_radius(shape)) {
+        drawing.circle("RIM", {0.0, 0.0}, *rim);
+        return *rim;
+    }
+    const ArcChain pitch = drawn_chain(drawing, "SECOND_PITCH", other, tolerance, false);
+    result.pitch_arcs += pitch.arcs;
+    result.pitch_deviation = std::max(result.pitch_deviation, pitch.deviation);
+    drawing.circle("SECOND_ROLLER", other.at(shape.start).pitch, roller_radius_of(shape.cam, 1));
+    return largest_radius(outline);
+}
+
 }  // namespace
 
 ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance) {
@@ -80,22 +116,24 @@ ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance)
 }
 
 ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
-    std::vector<DxfLayer> used = layers();
+    std::vector<DxfLayer> used = layers(shape);
     if (!shape.closed && !shape.open_because.empty()) used.push_back({"OPEN", 1, DxfLine::dashed});
     DxfDrawing drawing(std::move(used));
     ProfileDxf result;
-    const ArcChain outline = drawn_chain(drawing, "CAM", shape, tolerance);
+    const ArcChain outline = drawn_chain(drawing, outline_layer(shape, 0), shape, tolerance, true);
     result.arcs = outline.arcs;
     result.deviation = outline.deviation;
     const double base = shape.cam[DimensionIndex::base_radius];
     drawing.circle("BASE_CIRCLE", {0.0, 0.0}, base);
     if (has_roller(shape.cam.follower)) {
-        const ArcChain pitch = drawn_chain(drawing, "PITCH", shape, tolerance);
+        const ArcChain pitch = drawn_chain(drawing, "PITCH", shape, tolerance, false);
         result.pitch_arcs = pitch.arcs;
         result.pitch_deviation = pitch.deviation;
         drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius]);
     }
-    const double reach = axis_overhang * largest_radius(outline);
+    double greatest = largest_radius(outline);
+    if (shape.other) greatest = std::max(greatest, draw_other_side(drawing, shape, tolerance, result));
+    const double reach = axis_overhang * greatest;
     drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
     drawing.line("AXES", {0.0, -reach}, {0.0, reach});
     draw_follower(drawing, shape, reach);

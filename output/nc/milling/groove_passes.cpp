@@ -99,8 +99,8 @@ class GroovePassMaker {
         }
     }
 
-    [[nodiscard]] GroovePasses made() {
-        GroovePasses result;
+    [[nodiscard]] MillingPasses made() {
+        MillingPasses result;
         double cut_to = HUGE_VAL;  // lift of the deepest layer in the middle of the groove
         if (milling_.choice.roughs()) cut_to = add_roughing(result);
         for (const Groove& groove : grooves_) {
@@ -128,7 +128,7 @@ class GroovePassMaker {
     }
 
     /// Lift of the last layer.
-    [[nodiscard]] double add_roughing(GroovePasses& result) const {
+    [[nodiscard]] double add_roughing(MillingPasses& result) const {
         const MillingChoice& choice = milling_.choice;
         const Groove& middle = grooves_.front();
         double height = 0.0;
@@ -258,7 +258,7 @@ void check_groove(const GrooveMilling& milling) {
 
 }  // namespace
 
-GroovePasses groove_passes(const GrooveMilling& milling) {
+MillingPasses groove_passes(const GrooveMilling& milling) {
     milling.location.validate();
     check_groove(milling);
     return GroovePassMaker(milling).made();

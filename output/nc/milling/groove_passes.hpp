@@ -11,7 +11,6 @@
 // climbing. m, rad.
 #pragma once
 
-#include "output/nc/checked_program.hpp"
 #include "output/nc/cutter_location.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 
@@ -29,13 +28,8 @@ struct GrooveMilling {
     MillingChoice choice;
 };
 
-struct GroovePasses {
-    std::vector<CuttingPass> passes;   ///< roughing first
-    std::vector<std::string> remarks;  ///< for the program's header
-};
-
 /// Throws InputError for numbers that are not valid, a direction where both flanks are cut at once, an
 /// allowance that the cutter is too large for, and for compensation, which is for plane cams.
-[[nodiscard]] GroovePasses groove_passes(const GrooveMilling& milling);
+[[nodiscard]] MillingPasses groove_passes(const GrooveMilling& milling);
 
 }  // namespace camopt

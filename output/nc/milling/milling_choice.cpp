@@ -39,10 +39,21 @@ void MillingChoice::validate(double cutter_diameter) const {
                         ramp_angle / units::degree));
 }
 
-void set_words(NcJob& job, const MillingChoice& choice) {
+NcJob milling_job(const MillingOptions& options, const Blank& blank, double diameter, double working_length) {
+    NcJob job;
+    job.title = options.title;
+    job.tool = fmt::format("cylindrical end mill, diameter {:g} mm, working length {:g} mm or more",
+                           diameter / units::millimetre, working_length / units::millimetre);
+    job.feed = options.feed;
+    job.spindle_rpm = options.spindle_rpm;
+    job.blank = blank;
+    job.clearance = options.clearance;
+    job.safe_distance = options.safe_distance;
+    const MillingChoice& choice = options.milling;
     job.spindle = choice.spindle;
     job.tool_number = choice.tool_number;
     job.compensation_register = choice.compensation_register.value_or(choice.tool_number.value_or(1));
+    return job;
 }
 
 std::string roughing_words(const MillingChoice& choice, double step_over, int layers) {

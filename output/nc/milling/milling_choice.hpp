@@ -4,7 +4,7 @@
 // Lengths m, angles rad.
 #pragma once
 
-#include "output/nc/nc_program.hpp"
+#include "output/nc/checked_program.hpp"
 
 #include <optional>
 #include <string>
@@ -42,8 +42,29 @@ struct MillingChoice {
     void validate(double cutter_diameter) const;
 };
 
-/// The job's words for spindle, tool and register.
-void set_words(NcJob& job, const MillingChoice& choice);
+/// What programs that mill cams of any kind may be asked for.
+struct MillingOptions {
+    double stock = 0.0;             ///< m, left on the cam
+    double feed = 5e-3;             ///< m/s
+    double spindle_rpm = 0.0;       ///< rev/min; 0: no word
+    double chord_tolerance = 1e-6;  ///< m
+    double gouge_tolerance = 1e-5;  ///< m: checked_program.hpp
+    BlankChoice blank;              ///< what is left out: the cam's extent and the allowance
+    double clearance = 0.02;        ///< m: of the clearance plane above the blank
+    double safe_distance = 2e-3;    ///< m: rapids keep so far from the blank
+    MillingChoice milling;
+    std::string title = "cam";
+};
+
+/// The program's words, of an end mill of that diameter and working length (m); no passes yet.
+[[nodiscard]] NcJob milling_job(const MillingOptions& options, const Blank& blank, double diameter,
+                                double working_length);
+
+/// The passes that mill a cam.
+struct MillingPasses {
+    std::vector<CuttingPass> passes;   ///< roughing first
+    std::vector<std::string> remarks;  ///< for the program's header
+};
 
 /// For the program's header: roughing, one line; empty where there is none.
 [[nodiscard]] std::string roughing_words(const MillingChoice& choice, double step_over, int layers);

@@ -83,8 +83,8 @@ class PlanePassMaker {
           radius_(0.5 * milling.cutter.diameter),
           lead_(milling.choice.lead_radius.value_or(radius_)) {}
 
-    [[nodiscard]] PlanePasses made() {
-        PlanePasses result;
+    [[nodiscard]] MillingPasses made() {
+        MillingPasses result;
         if (milling_.choice.roughs()) add_roughing(result);
         CuttingPass finish = pass("around the cam", milling_.cutter.stock, milling_.cutter.bottom,
                                   milling_.choice.compensation == CompensationWords::control);
@@ -130,7 +130,7 @@ class PlanePassMaker {
         return milling_.cam->depth({{center.x(), center.y(), far_below}, -Eigen::Vector3d::UnitZ()}, radius);
     }
 
-    void add_roughing(PlanePasses& result) {
+    void add_roughing(MillingPasses& result) {
         const MillingChoice& choice = milling_.choice;
         const double innermost = milling_.cutter.stock + choice.finish_allowance;
         const double width = std::max(widest() - innermost, 0.0), wanted = choice.step_over.value_or(radius_);
@@ -212,7 +212,7 @@ class PlanePassMaker {
 
 }  // namespace
 
-PlanePasses plane_passes(const PlaneMilling& milling) {
+MillingPasses plane_passes(const PlaneMilling& milling) {
     milling.cutter.validate();
     milling.choice.validate(milling.cutter.diameter);
     return PlanePassMaker(milling).made();

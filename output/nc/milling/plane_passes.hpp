@@ -11,7 +11,6 @@
 // spindle turns clockwise. m, rad; frame of tool_pose.hpp, the cam's upper face at z = 0.
 #pragma once
 
-#include "output/nc/checked_program.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 #include "output/nc/plane_cutter_path.hpp"
 
@@ -31,12 +30,7 @@ struct PlaneMilling {
     MillingChoice choice;
 };
 
-struct PlanePasses {
-    std::vector<CuttingPass> passes;   ///< roughing first
-    std::vector<std::string> remarks;  ///< for the program's header
-};
-
 /// Throws InputError for numbers that are not valid.
-[[nodiscard]] PlanePasses plane_passes(const PlaneMilling& milling);
+[[nodiscard]] MillingPasses plane_passes(const PlaneMilling& milling);
 
 }  // namespace camopt

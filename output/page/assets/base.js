@@ -4,6 +4,11 @@
 'use strict';
 window.Camopt = window.Camopt || {};
 (function (camopt) {
+  // Charts are canvases, drawn once for screen and paper: at least two dots a pixel, or letters blur in print.
+  const dots = Object.getOwnPropertyDescriptor(window, 'devicePixelRatio');
+  camopt.screenDots = () => dots.get.call(window);
+  Object.defineProperty(window, 'devicePixelRatio', { configurable: true, get: () => Math.max(2, camopt.screenDots()) });
+
   /** element('p', {class: 'note'}, 'text', child): text is text, never markup. */
   camopt.element = function (tag, attributes, ...children) {
     const svg = ['svg', 'g', 'path', 'circle', 'line', 'polyline', 'rect', 'text', 'title', 'desc'].includes(tag);

@@ -6,6 +6,8 @@
   const chartHeight = 168, printHeight = 128, printWidth = 322, labelRoom = 15, frameWidth = 18;  // px; the last: padding and border of a chart (page.css)
   const font = '11px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
+  const dots = (pixels) => pixels * devicePixelRatio;  // of a dash, which the library takes in dots
+
   /** Value range with room; a limit far beyond the curve stays out of sight. */
   function rangeOf(curve, shown, height, titled) {
     let low = Infinity, high = -Infinity;
@@ -28,29 +30,54 @@
     return [low - (low === 0 ? 0.03 * size : below ? room : 0.08 * size), high + (above ? room : 0.08 * size)];
   }
 
-  /** A text beside a place on the canvas, within the plot and over no other; false where there is no room. */
-  function label(u, taken, text, x, y, above, align) {
+  /** How much of what is drawn lies under a rectangle of the canvas: rows of curves, and its width for each line of a limit. */
+  function inkUnder(u, curve, [left, top, right, bottom]) {
+    const first = u.valToIdx(u.posToVal(left, 'x', true)), last = u.valToIdx(u.posToVal(right, 'x', true));
+    let rows = 0;
+    for (const series of u.data.slice(1))
+      for (let row = Math.max(first - 1, 0); row <= last; ++row) {
+        if (series[row] === null || series[row] === undefined) continue;
+        // From row to row, so that a steep stretch is not stepped over.
+        const here = u.valToPos(series[row], 'y', true), next = series[row + 1] ?? series[row];
+        const there = u.valToPos(next, 'y', true);
+        if (Math.max(here, there) > top && Math.min(here, there) < bottom) rows += 1;
+      }
+    const lines = curve.limits.filter((limit) => {
+      const y = u.valToPos(limit.at, 'y', true);
+      return y > top && y < bottom && u.valToPos(limit.from, 'x', true) < right && u.valToPos(limit.to, 'x', true) > left;
+    });
+    return rows / Math.max(last - first, 1) + lines.length;
+  }
+
+  /** A text beside a place on the canvas, within the plot and over no other, where it hides least; false where there is no room. */
+  function label(u, curve, taken, text, x, y, above, align) {
     const context = u.ctx, ratio = u.pxRatio || devicePixelRatio, box = u.bbox;
     context.font = font.replace(/^11/, String(11 * ratio));
     const width = context.measureText(text).width, height = labelRoom * ratio;
-    let left = align === 'right' ? x - width : align === 'left' ? x : x - width / 2;
-    left = Math.min(Math.max(left, box.left + 3 * ratio), box.left + box.width - width - 3 * ratio);
-    const places = above ? [y - height - 4 * ratio, y + 5 * ratio] : [y + 5 * ratio, y - height - 4 * ratio];
-    for (const top of places) {
+    const near = align === 'right' ? [x - width] : align === 'left' ? [x] : [x - width / 2, x + 4 * ratio, x - width - 4 * ratio];
+    const up = y - height - 4 * ratio, down = y + 5 * ratio, step = 10 * ratio;
+    const tops = above ? [up, up - step, down, down + step] : [down, down + step, up, up - step];
+    let best = null;
+    near.forEach((wanted, side) => tops.forEach((top, place) => {
+      const left = Math.min(Math.max(wanted, box.left + 3 * ratio), box.left + box.width - width - 3 * ratio);
       const rect = [left, top, left + width, top + height];
-      if (top < box.top || top + height > box.top + box.height) continue;
-      if (taken.some((one) => rect[0] < one[2] && one[0] < rect[2] && rect[1] < one[3] && one[1] < rect[3])) continue;
-      taken.push(rect);
-      context.textAlign = 'left';
-      context.textBaseline = 'top';
-      context.lineWidth = 3 * ratio;
-      context.lineJoin = 'round';
-      context.strokeStyle = colour('surface');
-      context.strokeText(text, left, top + 1.5 * ratio);
-      context.fillText(text, left, top + 1.5 * ratio);
-      return true;
-    }
-    return false;
+      if (top < box.top || top + height > box.top + box.height) return;
+      if (taken.some((one) => rect[0] < one[2] && one[0] < rect[2] && rect[1] < one[3] && one[1] < rect[3])) return;
+      // Far from its place a label belongs to nothing: this much ink is worth a step away.
+      const cost = inkUnder(u, curve, rect) + 0.12 * place + 0.05 * side;
+      if (!best || cost < best.cost) best = { cost, rect };
+    }));
+    if (!best) return false;
+    const [left, top] = best.rect;
+    taken.push(best.rect);
+    context.textAlign = 'left';
+    context.textBaseline = 'top';
+    context.lineWidth = 3 * ratio;
+    context.lineJoin = 'round';
+    context.strokeStyle = colour('surface');
+    context.strokeText(text, left, top + 1.5 * ratio);
+    context.fillText(text, left, top + 1.5 * ratio);
+    return true;
   }
 
   function drawLimits(u, curve) {
@@ -82,8 +109,8 @@
       if (y < box.top || y > box.top + box.height || said.has(limit.words)) continue;
       const right = Math.min(u.valToPos(limit.to, 'x', true), box.left + box.width);
       const left = Math.max(u.valToPos(limit.from, 'x', true), box.left);
-      const done = label(u, taken, limit.words, right - 4, y, limit.outside > 0, 'right') ||
-        label(u, taken, limit.words, left + 4, y, limit.outside > 0, 'left');
+      const done = label(u, curve, taken, limit.words, right - 4, y, limit.outside > 0, 'right') ||
+        label(u, curve, taken, limit.words, left + 4, y, limit.outside > 0, 'left');
       if (done) said.add(limit.words);
     }
   }
@@ -112,11 +139,11 @@
       context.fill();
       context.stroke();
       context.fillStyle = colour(mark.given ? 'given' : 'curve-text');
-      label(u, taken, mark.words + ' at ' + numberText(mark.at, 5) + '°', x, y, mark.value >= 0, 'middle');
+      label(u, curve, taken, mark.words + ' at ' + numberText(mark.at, 5) + '°', x, y, mark.value >= 0, 'middle');
     }
   }
 
-  function drawSegments(u, segments, titles, taken) {
+  function drawSegments(u, curve, segments, taken) {
     const context = u.ctx, ratio = u.pxRatio || devicePixelRatio, box = u.bbox;
     context.strokeStyle = colour('rule');
     context.lineWidth = ratio;
@@ -130,13 +157,13 @@
       context.stroke();
     });
     context.setLineDash([]);
-    if (!titles) return;
+    if (curve.key !== 'displacement') return;
     context.fillStyle = colour('quiet');
     for (const segment of segments) {
       const left = u.valToPos(segment.from, 'x', true), right = u.valToPos(segment.to, 'x', true);
       context.font = font.replace(/^11/, String(11 * ratio));
       const width = context.measureText(segment.title).width;
-      if (width + 8 * ratio < right - left) label(u, taken, segment.title, (left + right) / 2, box.top + 16 * ratio + 4, true, 'middle');
+      if (width + 8 * ratio < right - left) label(u, curve, taken, segment.title, (left + right) / 2, box.top + 16 * ratio + 4, true, 'middle');
     }
   }
 
@@ -223,14 +250,14 @@
           Object.assign({}, axis, { size: 62, space: 30, values: (u, splits) => splits.map((value) => numberText(value, 6)) }),
         ],
         series: [{}, { stroke: () => colour('curve'), width: 2, points: { show: false } },
-          { stroke: () => colour('reference'), width: 1.4, dash: [6, 4], points: { show: false } },
-          { stroke: () => colour('given'), width: 1.4, dash: [2, 3], points: { show: false } }],
+          { stroke: () => colour('reference'), width: 1.4, dash: [6, 4].map(dots), points: { show: false } },
+          { stroke: () => colour('given'), width: 1.4, dash: [2, 3].map(dots), points: { show: false } }],
         hooks: {
           drawClear: [(u) => { if (all.shown.limits) drawLimits(u, self.curve); }],
           draw: [(u) => {
             const taken = [];
             u.ctx.save();
-            drawSegments(u, all.data.segments, self.curve.key === 'displacement', taken);
+            drawSegments(u, self.curve, all.data.segments, taken);
             if (all.shown.marks) drawMarks(u, self.curve, taken);
             if (all.shown.limits) nameLimits(u, self.curve, taken);
             u.ctx.restore();
@@ -344,7 +371,8 @@
     }
     angle.changed.listen(() => charts.forEach((chart) => { if (!chart.figure.hidden && chart.curve) { chart.read(); chart.place(); } }));
     camopt.themeChanged.listen(() => charts.forEach((chart) => { if (chart.plot) chart.plot.redraw(false); }));
-    camopt.printing.listen((on) => { self.printWidth = on ? printWidth : 0; self.resize(); });
+    // A label needs another part of a lower chart: the ranges follow the height.
+    camopt.printing.listen((on) => { self.printWidth = on ? printWidth : 0; self.resize(); self.redraw(); });
     new ResizeObserver(() => { if (!self.printWidth && charts.size) self.resize(); }).observe(host);
     return self;
   };

@@ -36,8 +36,11 @@
         }
       }
     for (const circle of drawing.circles) see(cx, cy, circle.radius);
+    if (drawing.rim) see(cx, cy, drawing.rim);
     for (const part of drawing.parts)
       for (let i = 0; i + 1 < part.points.length; i += 2) see(part.points[i], part.points[i + 1], part.radius);
+    // The arrow of the turn about the axis is part of the picture.
+    see(cx, cy, 0.062 * Math.max(extent.right - extent.left, extent.high - extent.low));
     return extent;
   }
 
@@ -123,8 +126,14 @@
         svg.append(element('circle', { cx: x, cy: y, r: circle.radius, class: 'guide-circle' }, element('title', {}, circle.name)));
       turning = element('g', {});
       const closed = data.outlines.filter((outline) => !outline.pitch);
+      const second = !data.rim && closed.length > 1 && closed[1].name.includes('disk') ? closed[1] : null;  // of conjugate disks
+      if (data.rim) {  // the disk that the groove is cut into: the groove stays empty
+        const rim = `M${data.rim} 0A${data.rim} ${data.rim} 0 0 0 ${-data.rim} 0A${data.rim} ${data.rim} 0 0 0 ${data.rim} 0Z`;
+        turning.append(element('path', { d: rim + closed.map((one) => pathOf(one.points, true)).join(''), class: 'grooved' }, element('title', {}, 'the grooved disk')));
+      }
+      const shapeOf = (outline) => outline.pitch ? 'pitch' : (outline.closed && !data.rim ? 'cam closed' : 'cam') + (outline === second ? ' second' : '');
       for (const outline of data.outlines)
-        turning.append(element('path', { d: pathOf(outline.points, outline.closed), class: outline.pitch ? 'pitch' : outline.closed ? 'cam closed' : 'cam' }, element('title', {}, outline.name)));
+        turning.append(element('path', { d: pathOf(outline.points, outline.closed), class: shapeOf(outline) }, element('title', {}, outline.name)));
       const first = closed[0].points;
       turning.append(element('line', { x1: 0, y1: 0, x2: 0.94 * first[0], y2: -0.94 * first[1], class: 'datum' }, element('title', {}, 'mark at cam angle 0')));
       svg.append(turning);
@@ -137,7 +146,8 @@
       svg.append(contact, scaleBar(extent, size, unit));
       const key = element('ul', { class: 'key' });
       const has = (name) => data.parts.some((part) => part.kind === name);
-      key.append(element('li', { class: 'key-cam' }, closed.length > 1 ? closed.map((one) => one.name).join(', ') : 'cam'));
+      if (closed.length > 1) closed.forEach((one) => key.append(element('li', { class: one === second ? 'key-second' : 'key-cam' }, one.name)));
+      else key.append(element('li', { class: 'key-cam' }, 'cam'));
       if (data.outlines.some((outline) => outline.pitch)) key.append(element('li', { class: 'key-pitch' }, "path of the roller's centre"));
       data.circles.forEach((circle) => key.append(element('li', { class: 'key-circle' }, `${circle.name}, radius ${numberText(circle.radius, 6)} ${data.unit}`)));
       const named = [...new Set(data.parts.filter((part) => part.kind !== 'pivot').map((part) => part.name))];

@@ -45,9 +45,11 @@
     host.replaceChildren(top.host, element('main', {}, words, pictures, tables, end), foot);
     const self = {
       angle, charts, drawing, solid, stage, data: null,
-      /** quick: curves and pictures only; the words stay. */
-      show(data, quick = false) {
+      /** open: curves and pictures before their proof; words and tables stay as they were, and say so. */
+      show(data, open = false) {
         self.data = data;
+        for (const part of [words, tables, end]) part.classList.toggle('outdated', open);
+        words.dataset.open = open ? data.verdict.headline + '. ' + data.verdict.sentences.join(' ') : '';
         document.title = data.title;
         top.title.textContent = data.title;
         const hasMotion = Boolean(data.angle);
@@ -61,7 +63,7 @@
           drawing.show(data.drawing);
           solid.show(data.solid);
         }
-        if (quick) return;
+        if (open) return;
         words.replaceChildren(camopt.verdictPanel(data));
         if (data.reference) words.append(camopt.referencePanel(data.reference));
         words.append(camopt.figureStrip(data.figures));

@@ -136,7 +136,7 @@
     function resize() {
       if (!renderer || !host.clientWidth) return;
       const width = host.clientWidth, height = Math.round(Math.min(0.86 * width, 460));
-      renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+      renderer.setPixelRatio(Math.min(camopt.screenDots(), 2));
       renderer.setSize(width, height);
       camera.aspect = width / height;
       camera.updateProjectionMatrix();

@@ -18,6 +18,7 @@
     constructor(host) {
       this.host = host;
       this.tip = element('div', { class: 'tip', hidden: true });
+      this.notice = element('div', { role: 'status' });
       this.status = element('p', { class: 'hidden-status', role: 'status' });
     }
 
@@ -33,9 +34,27 @@
       return lines.join('\n');
     }
 
+    /** The command that solves an item of a page without scenes; null: it has scenes. */
+    commandOf(item) {
+      const without = this.data.without_scenes, name = this.data.items.names[item], colon = name.indexOf(': ');
+      if (!without || colon < 0) return null;
+      return without.command + name.slice(colon + 2).split(', ').map((one) => ' --set ' + one).join('');
+    }
+
+    /** What cannot be handed out is told, with the way to get it. */
+    tellCommand(item) {
+      const command = this.commandOf(item);
+      if (command === null) return;
+      const close = element('button', { type: 'button', onclick: () => this.notice.replaceChildren() }, 'Close');
+      const copy = element('button', { type: 'button', onclick: () => { navigator.clipboard?.writeText(command); } }, 'Copy');
+      this.notice.replaceChildren(element('div', { class: 'notice' }, element('p', {}, this.data.without_scenes.words),
+        element('pre', {}, command), element('p', { class: 'controls-line' }, copy, ' ', close)));
+      this.notice.querySelector('button').focus({ preventScroll: true });
+    }
+
     handOut(item) {
       const text = this.sceneOf(item);
-      if (text === null) return;
+      if (text === null) { this.tellCommand(item); return; }
       const name = this.data.items.names[item].normalize('NFKD').replace(/[^A-Za-z0-9]+/g, '_').replace(/^_|_$/g, '').slice(0, 60);
       camopt.download(name + '.toml', text, 'application/toml');
       this.status.textContent = 'Downloaded ' + name + '.toml';
@@ -54,7 +73,8 @@
       if (item === null || item === undefined) { this.tip.hidden = true; return undefined; }
       const scene = this.sceneOf(item) !== null;
       this.tip.replaceChildren(element('strong', {}, this.data.items.names[item]), ...this.words(item).map((line) => element('div', {}, line)),
-        scene ? element('div', { class: 'tip-hint' }, 'click: its scene as TOML') : null);
+        scene ? element('div', { class: 'tip-hint' }, 'click: its scene as TOML')
+          : this.commandOf(item) !== null ? element('div', { class: 'tip-hint' }, 'click: the command that solves its scene') : null);
       this.tip.hidden = false;
       return this.placeTip(x, y);
     }
@@ -108,13 +128,21 @@
       };
       const draw = () => host.replaceChildren(this.scatter(numeric.find((column) => column.key === chosen.x) || numeric[0],
         numeric.find((column) => column.key === chosen.y) || numeric[1]));
-      draw();
+      // Drawn for the width there is, so that its letters keep their size on a telephone.
+      let drawn = 0;
+      this.fitScatter = () => {
+        const width = Math.round(Math.min(Math.max(host.clientWidth - 14, 300), 960));
+        if (width === drawn || camopt.isPrinting()) return;
+        drawn = this.scatterWidth = width;
+        draw();
+      };
+      new ResizeObserver(this.fitScatter).observe(host);
       return element('section', { class: 'study-block' }, element('h2', {}, 'One figure against another'),
         element('p', { class: 'controls-line' }, select('y', 'Figure upwards'), ' over ', select('x', 'Figure to the right')), host);
     }
 
     scatter(x, y) {
-      const width = 860, height = 430, left = 74, right = 18, top = 14, bottom = 46;
+      const width = this.scatterWidth || 860, height = Math.max(300, width / 2), left = width < 560 ? 62 : 74, right = 18, top = 14, bottom = 46;
       const items = this.data.items.names.map((name, item) => item).filter((item) => isNumber(x.values[item]) && isNumber(y.values[item]));
       const range = (column) => {
         const values = items.map((item) => column.values[item]), low = Math.min(...values), high = Math.max(...values);
@@ -125,7 +153,7 @@
       const px = (value) => left + (width - left - right) * (value - x0) / (x1 - x0);
       const py = (value) => height - bottom - (height - top - bottom) * (value - y0) / (y1 - y0);
       const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'group', 'aria-label': y.title + ' over ' + x.title });
-      for (const tick of ticksOf(x0, x1, 7)) svg.append(element('line', { class: 'grid', x1: px(tick), x2: px(tick), y1: top, y2: height - bottom }),
+      for (const tick of ticksOf(x0, x1, Math.max(5, width / 120))) svg.append(element('line', { class: 'grid', x1: px(tick), x2: px(tick), y1: top, y2: height - bottom }),
         element('text', { x: px(tick), y: height - bottom + 17, 'text-anchor': 'middle' }, numberText(tick, 6)));
       for (const tick of ticksOf(y0, y1, 6)) svg.append(element('line', { class: 'grid', x1: left, x2: width - right, y1: py(tick), y2: py(tick) }),
         element('text', { x: left - 8, y: py(tick) + 4, 'text-anchor': 'end' }, numberText(tick, 6)));
@@ -237,7 +265,8 @@
       }));
       fill();
       return element('section', { class: 'study-block' }, element('h2', {}, 'All of them'),
-        element('p', { class: 'note' }, 'A click on a head sorts. A click on a row, a mark or a curve hands out its scene.'),
+        element('p', { class: 'note' }, 'A click on a head sorts. A click on a row, a mark or a curve ' +
+          (this.data.without_scenes ? 'says the command that solves its scene.' : 'hands out its scene.')),
         element('div', { class: 'table-scroll study-table', tabindex: 0, role: 'region', 'aria-label': 'All of them' },
           element('table', {}, element('thead', {}, head), body)));
     }
@@ -248,9 +277,10 @@
       const top = camopt.header(data.kind);
       top.title.textContent = data.title;
       const main = element('main', { class: 'study' }, element('div', { class: 'words' }, camopt.verdictPanel(data)));
-      this.host.replaceChildren(top.host, main, this.tip, this.status,
+      this.host.replaceChildren(top.host, main, this.tip, this.notice, this.status,
         element('footer', { class: 'foot' }, 'Made by camopt ' + data.camopt + '. This page loads nothing from anywhere.'));
       for (const part of [this.overlay(), this.picture(), this.explorer(), this.table()]) if (part) main.append(part);
+      if (this.fitScatter) this.fitScatter();
       if (data.scene) main.append(element('section', { class: 'study-block' }, camopt.sceneSection(data.scene)));
     }
   }

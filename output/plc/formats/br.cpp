@@ -42,8 +42,7 @@ PlcTable br_table(const MasterCurve& curve, const PlcOptions& options, const Plc
     table.pieces = fitted_pieces(
         curve, {.degree = 5, .points = options.points, .most = format.most_pieces(), .master = br_master});
     table.units = {br_master_unit, br_slave_unit(curve.travel())};
-    table.slave_at_start = table.pieces.front().coefficients.front();
-    for (CamPiece& piece : table.pieces) piece.coefficients.front() -= table.slave_at_start;
+    count_from_start(table);
     return table;
 }
 

@@ -2,6 +2,7 @@
 #include "output/plc/formats/knots.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/split_text.hpp"
 #include "output/plc/structured_text.hpp"
 
 #include <fmt/format.h>
@@ -56,12 +57,9 @@ std::vector<CamPiece> lines_between(const std::vector<EndState>& knots) {
 
 std::vector<double> numbers_between(std::string_view line, char separator, std::size_t count) {
     std::vector<double> numbers;
-    std::size_t begin = 0;
-    while (begin <= line.size()) {
-        const std::size_t end = std::min(line.find(separator, begin), line.size());
-        numbers.push_back(number_of(line.substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    constexpr std::string_view nothing;  // blanks around a number are none of it
+    for (const std::string_view part : split_text(line, separator, nothing))
+        numbers.push_back(number_of(part));
     if (numbers.size() != count)
         throw InputError(
             fmt::format("an electronic cam: found {} numbers in a line; allowed: {}", numbers.size(), count));

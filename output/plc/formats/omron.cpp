@@ -34,8 +34,7 @@ PlcTable omron_table(const MasterCurve& curve, const PlcOptions& options, const 
     PlcTable table;
     table.pieces = fitted_pieces(
         curve, {.degree = 3, .points = options.points, .most = format.most_pieces(), .master = omron_phase});
-    table.slave_at_start = table.pieces.front().coefficients.front();
-    for (CamPiece& piece : table.pieces) piece.coefficients.front() -= table.slave_at_start;
+    count_from_start(table);
     return table;
 }
 

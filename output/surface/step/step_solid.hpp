@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,18 @@ struct PlateEdge {
     std::vector<Eigen::Vector2d> poles = {};  ///< the first is `from`, the last `to`
 };
 
+/// A closed channel in the upper face, z = −depth to 0, between two lines that lie inside the plate.
+struct PlateGroove {
+    std::vector<PlateEdge> outer, inner;
+    double depth = 0.0;  ///< m, in (0, thickness)
+};
+
 /// Between z = −thickness and z = 0. Every edge begins where the one before it ends.
 struct Plate {
     std::string name;
     double thickness = 20e-3;
     std::vector<PlateEdge> outline, hole;  ///< the hole may be empty
+    std::optional<PlateGroove> groove = {};
 };
 
 /// The file is there whole or not at all. Returns the volume that Open CASCADE finds, m³. Throws

@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -21,11 +23,14 @@
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Wire.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
 #include <system_error>
 
 namespace camopt {
@@ -38,20 +43,51 @@ class PlateShape {
     explicit PlateShape(const Plate& plate) : plate_(plate) {}
 
     [[nodiscard]] TopoDS_Shape solid() const {
-        const gp_Pln plane(gp_Pnt(0.0, 0.0, bottom()), gp_Dir(0.0, 0.0, 1.0));
-        BRepBuilderAPI_MakeFace face(plane, wire(plate_.outline));
-        if (!plate_.hole.empty()) {
-            TopoDS_Wire hole = wire(plate_.hole);
-            hole.Reverse();
-            face.Add(hole);
-        }
-        if (!face.IsDone()) throw InputError(fmt::format("STEP: the plate {} makes no face", plate_.name));
-        return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, -bottom())).Shape();
+        const TopoDS_Shape plate = layer(plate_.outline, plate_.hole, -bottom());
+        if (!plate_.groove) return plate;
+        // The channel as a body of the plate's lower face, lifted to where it is cut out, and beyond the
+        // upper face.
+        const double depth = plate_.groove->depth / units::millimetre;
+        gp_Trsf lift;
+        lift.SetTranslation(gp_Vec(0.0, 0.0, -bottom() - depth));
+        const TopoDS_Shape channel = layer(plate_.groove->outer, plate_.groove->inner, 2.0 * depth);
+        BRepAlgoAPI_Cut cut(plate, BRepBuilderAPI_Transform(channel, lift, true).Shape());
+        if (!cut.IsDone()) throw InputError(fmt::format("STEP: the groove of {} cannot be cut", plate_.name));
+        const TopExp_Explorer solids(cut.Shape(), TopAbs_SOLID);
+        if (!solids.More()) throw InputError(fmt::format("STEP: nothing is left of {}", plate_.name));
+        return solids.Current();
     }
 
  private:
     const Plate& plate_;
 
+    /// From the lower face upwards.
+    [[nodiscard]] TopoDS_Shape layer(const std::vector<PlateEdge>& outline,
+                                     const std::vector<PlateEdge>& inner, double height) const {
+        const gp_Pln plane(gp_Pnt(0.0, 0.0, bottom()), gp_Dir(0.0, 0.0, 1.0));
+        BRepBuilderAPI_MakeFace face(plane, wire(outline));
+        if (!inner.empty()) {
+            TopoDS_Wire hole = wire(inner);
+            if (turns_to_the_left(inner)) hole.Reverse();
+            face.Add(hole);
+        }
+        if (!face.IsDone()) throw InputError(fmt::format("STEP: the plate {} makes no face", plate_.name));
+        return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, height)).Shape();
+    }
+    [[nodiscard]] static bool turns_to_the_left(const std::vector<PlateEdge>& edges) {
+        std::vector<Eigen::Vector2d> corners;
+        for (const PlateEdge& part : edges) {
+            corners.push_back(part.from);
+            if (part.kind == PlateEdge::Kind::arc) corners.push_back(part.middle);
+            corners.insert(corners.end(), part.poles.begin(), part.poles.end());
+        }
+        double twice_area = 0.0;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Eigen::Vector2d &here = corners[i], &next = corners[(i + 1) % corners.size()];
+            twice_area += here.x() * next.y() - here.y() * next.x();
+        }
+        return twice_area > 0.0;
+    }
     [[nodiscard]] double bottom() const { return -plate_.thickness / units::millimetre; }
     [[nodiscard]] gp_Pnt place(const Eigen::Vector2d& point) const {
         return {point.x() / units::millimetre, point.y() / units::millimetre, bottom()};
