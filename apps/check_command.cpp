@@ -70,7 +70,7 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
         return fmt::format(
             "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "
             "infeasible "
-            "where the relaxation settles it, else local or feasible with its bound",
+            "where the relaxation or a bound over boxes settles it, else local or feasible with its bound",
             by, check.starts, check.starts == 1 ? "" : "s");
     if (choice.reason.empty() && choice.solver != "structured")
         return fmt::format(

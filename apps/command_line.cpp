@@ -5,7 +5,8 @@
 #include "apps/commands.hpp"
 #include "apps/completion/completion.hpp"
 #include "apps/manual/manual.hpp"
-#include "apps/pareto_run.hpp"
+#include "apps/sweep/pareto_run.hpp"
+#include "apps/sweep/surface_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/licenses.hpp"
@@ -41,6 +42,7 @@ const char* examples =
     "  camopt solve scene.toml --solver ipopt       another backend; `camopt list solvers`\n"
     "  camopt check scene.toml                      is the scene right? No solve\n"
     "  camopt compare scene.toml                    every classical law beside the optimum\n"
+    "  camopt dynamics scene.toml --speeds 100:600:101  the elastic follower over speed, laws beside it\n"
     "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
@@ -65,6 +67,7 @@ struct Words {
     SolveRequest solve;
     StudioRequest studio;
     CompareRequest compare;
+    DynamicsRequest dynamics;
     CheckRequest check;
     ExportRequest export_cam;
     ReportRequest report;
@@ -82,6 +85,18 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
         ->type_name("KEY=VALUE");
 }
 
+void add_scene(CLI::App& command, std::string& scene) {
+    command.add_option("SCENE", scene, "Scene file (TOML)")->type_name("");
+}
+
+/// How a command that solves may depart from the scene.
+template <class Request>
+void add_solving(CLI::App& command, Request& request) {
+    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
+        ->type_name("NAME");
+    add_settings(command, request.settings);
+}
+
 void add_units(CLI::App& command, std::string& units) {
     command
         .add_option(
@@ -94,7 +109,7 @@ void add_units(CLI::App& command, std::string& units) {
 
 CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
     CLI::App& command = *program.add_subcommand("solve", "Find the best motion of a scene, with its proof");
-    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    add_scene(command, request.scene);
     CLI::Option* const out =
         command.add_option("--out", request.out, "Write the result folder here")->type_name("DIR");
     command.add_flag("--dxf", request.dxf, "Write the cam as profile.dxf too; with --out")->needs(out);
@@ -106,9 +121,7 @@ CLI::App& add_solve(CLI::App& program, SolveRequest& request) {
         ->type_name("N")
         ->check(CLI::Range(least_points, most_points))
         ->needs(out);
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
-    add_settings(command, request.settings);
+    add_solving(command, request);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the result as JSON and nothing else");
     return command;
@@ -130,20 +143,31 @@ CLI::App& add_studio(CLI::App& program, StudioRequest& request) {
 CLI::App& add_compare(CLI::App& program, CompareRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "compare", "Every classical law on the same scene, beside its optimum: losses and broken limits");
-    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    add_scene(command, request.scene);
     command.add_option("--out", request.out, "Write comparison.csv, .json and .svg here")->type_name("DIR");
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
-    add_settings(command, request.settings);
+    add_solving(command, request);
     add_units(command, request.units);
     command.add_flag("--json", request.json, "Print the comparison as JSON and nothing else");
+    return command;
+}
+
+CLI::App& add_dynamics(CLI::App& program, DynamicsRequest& request) {
+    CLI::App& command = *program.add_subcommand(
+        "dynamics", "The elastic follower train over speed, under the optimum and under every classical law");
+    command.add_option("SCENE", request.scene, "Scene file (TOML) with a [dynamics] table")->type_name("");
+    command.add_option("--speeds", request.speeds, "FROM:TO:COUNT in rpm; default: about the scene's speeds")
+        ->type_name("RANGE");
+    command.add_option("--out", request.out, "Write dynamics.csv, .json, history.csv and pictures here")
+        ->type_name("DIR");
+    add_solving(command, request);
+    command.add_flag("--json", request.json, "Print the table as JSON and nothing else");
     return command;
 }
 
 CLI::App& add_check(CLI::App& program, CheckRequest& request) {
     CLI::App& command =
         *program.add_subcommand("check", "Parse and validate a scene and check its derivatives; no solve");
-    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    add_scene(command, request.scene);
     add_settings(command, request.settings);
     add_units(command, request.units);
     return command;
@@ -329,9 +353,8 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->type_name("NUMBER")
         ->check(CLI::PositiveNumber);
     add_nc(command, request);
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
-    add_settings(command, request.settings);
+    add_solving(command, request);
+    add_units(command, request.units);
     return command;
 }
 
@@ -389,7 +412,10 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --weights simplex:20 --out part1 --shard 1/2   on one machine\n"
     "  camopt sweep scene.toml --weights simplex:20 --out part2 --shard 2/2   on another\n"
     "  camopt sweep merge part1 part2 --out map                               and joined\n"
+    "  mpirun camopt sweep scene.toml --weights simplex:20 --out map          by all ranks of a cluster\n"
     "  camopt sweep scene.toml --pareto velocity,acceleration --out front     a front by limits\n"
+    "  camopt sweep scene.toml --surface 1e-4 --out surface                   all weights, proved to 1e-4\n"
+    "  camopt sweep surface --at 0.4,0.4,0.2                                  looked up there\n"
     "\n"
     "Exit codes: 0 every row solved or infeasible; 1 a row failed; 2 wrong input; 130 interrupted.\n";
 
@@ -397,7 +423,7 @@ void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
     command
         .add_option("--workers", request.workers,
-                    "Processes that solve at the same time; default: one a core")
+                    "Processes that solve at the same time; default: one a core, under mpirun one a rank")
         ->type_name("N")
         ->check(CLI::Range(1, most_workers));
     command
@@ -450,11 +476,34 @@ void add_pareto(CLI::App& command, ParetoWords& words) {
         ->needs(pareto);
 }
 
+void add_surface(CLI::App& command, SurfaceWords& words) {
+    CLI::Option* const surface =
+        command
+            .add_option("--surface", words.error,
+                        "Every weight of velocity, acceleration and jerk at once: solve until the least "
+                        "objective is proved to this error for all of them, for example 1e-4")
+            ->type_name("ERROR");
+    command.add_option("--most", words.most, "Solves of the surface at most; default: 5000")
+        ->type_name("N")
+        ->needs(surface);
+    command
+        .add_option("--at", words.at,
+                    "SCENE is a folder of --surface: the objective at these weights, without a solve")
+        ->type_name("V,A,J")
+        ->excludes(surface);
+}
+
+ExitCode sweep_of(const SweepRequest& request) {
+    if (!request.surface.at.empty()) return surface_look_up(request);
+    if (request.surface.error) return surface_run(request);
+    return request.pareto.goals.empty() ? sweep_command(request) : pareto_run(request);
+}
+
 CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
     CLI::App& command = *program.add_subcommand(
         "sweep",
         "Many solves of one scene: weights, or any keys of it; into sweep.csv, with the Pareto front");
-    command.add_option("SCENE", request.scene, "Scene file (TOML)")->type_name("");
+    add_scene(command, request.scene);
     command
         .add_option("--weights", request.weights,
                     "simplex:N, all weights i/N, j/N, k/N of velocity, acceleration and jerk; or a CSV file "
@@ -467,11 +516,11 @@ CLI::App& add_sweep(CLI::App& program, SweepRequest& request) {
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
     command.add_option("--out", request.out, "The folder of the sweep")->type_name("DIR");
-    command.add_option("--solver", request.solver, "Backend to use instead of the scene's")
-        ->type_name("NAME");
-    add_settings(command, request.settings);
+    add_solving(command, request);
+    add_units(command, request.units);
     add_sweep_work(command, request);
     add_pareto(command, request.pareto);
+    add_surface(command, request.surface);
     command.footer(sweep_examples);
     return command;
 }
@@ -535,6 +584,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     const CLI::App& solve = add_solve(program, parsed.solve);
     const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
+    const CLI::App& dynamics = add_dynamics(program, parsed.dynamics);
     const CLI::App& check = add_check(program, parsed.check);
     const CLI::App& export_cam = add_export(program, parsed.export_cam);
     const CLI::App& report = add_report(program, parsed.report);
@@ -577,6 +627,10 @@ ExitCode parse_and_run(int count, const char* const* words) {
         parsed.compare.command = joined(count, words);
         return compare_command(parsed.compare);
     }
+    if (dynamics.parsed()) {
+        find_scene(parsed.dynamics.scene, parsed.dynamics.settings);
+        return dynamics_command(parsed.dynamics);
+    }
     if (check.parsed()) {
         find_scene(parsed.check.scene, parsed.check.settings);
         return check_command(parsed.check);
@@ -591,7 +645,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
         find_scene(parsed.sweep.scene, parsed.sweep.settings);
-        return parsed.sweep.pareto.goals.empty() ? sweep_command(parsed.sweep) : pareto_run(parsed.sweep);
+        return sweep_of(parsed.sweep);
     }
     return list_command(parsed.list);
 }

@@ -43,6 +43,16 @@ struct CompareRequest {
 };
 [[nodiscard]] ExitCode compare_command(const CompareRequest& request);
 
+struct DynamicsRequest {
+    std::string scene;                  ///< file
+    std::string out;                    ///< folder; empty: nothing is written
+    std::string solver;                 ///< replaces solver.name; empty: the scene's
+    std::vector<std::string> settings;  ///< KEY=VALUE
+    std::string speeds;                 ///< "FROM:TO:COUNT" in rpm; empty: about the scene's range
+    bool json = false;
+};
+[[nodiscard]] ExitCode dynamics_command(const DynamicsRequest& request);
+
 struct ExportRequest {
     std::string scene;                  ///< file, or a result folder: then nothing is solved
     std::string out;                    ///< folder
@@ -53,6 +63,7 @@ struct ExportRequest {
     std::string columns;                ///< of table.csv, between commas; empty: the usual ones
     std::optional<int> digits;          ///< of table.csv; none: all
     bool csv = false, stl = false, obj = false, step = false, picture = false, dxf = false, nc = false;
+    std::string units;                            ///< as of solve
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
     int sections = 9;                             ///< of a flank along the roller
     std::optional<int> points = {};               ///< over the turn
@@ -103,6 +114,12 @@ struct ParetoWords {
     bool keep_weights = false;
 };
 
+struct SurfaceWords {
+    std::optional<double> error;  ///< none: no surface
+    std::optional<int> most;      ///< solves; none: SurfaceRequest's
+    std::string at;               ///< "0.4,0.4,0.2": look these weights up in a folder; empty: solve
+};
+
 struct SweepRequest {
     std::string scene;                  ///< file
     std::vector<std::string> vary;      ///< KEY=a:b:count, …
@@ -113,6 +130,8 @@ struct SweepRequest {
     std::optional<int> workers;         ///< none: one a core
     std::optional<int> chunk;           ///< rows a chunk; none: chunk_size_for (studies/sweep/sweep_run.hpp)
     ParetoWords pareto;
+    SurfaceWords surface;
+    std::string units;  ///< as of solve
     std::string shard;  ///< "i/N"; empty: the whole
     bool resume = false;
 };

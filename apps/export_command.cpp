@@ -25,6 +25,8 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
+#include "output/toolpath/tool_path_svg.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/scene_cam.hpp"
@@ -46,7 +48,8 @@ namespace camopt::apps {
 
 namespace {
 
-constexpr int flank_points = 361;  // over the turn
+constexpr int flank_points = 361;           // over the turn
+constexpr const char* first_piece = "cam";  // the files of a cam, or of its first disk
 constexpr double cubic_millimetre = units::millimetre * units::millimetre * units::millimetre;
 
 /// What was written, and what the check of a program found.
@@ -136,18 +139,22 @@ PostProcessor post_of(const ExportRequest& request, const Machine& machine) {
     return request.post.empty() ? post : read_post(request.post, std::move(post));
 }
 
-void write_program(FolderUpdate& folder, const CheckedProgram& program, Exported& result) {
-    const std::string check = nc_check_text(program);
-    result.text += check;
-    result.fault = program.fault();
-    folder.remove_earlier("cam.nc");  // it does not go with this check
-    if (result.fault.empty()) folder.write("cam.nc", program.program.text);
-    folder.write("cam_nc_check.txt", check);
+void write_program(const Solution& solution, const NcWork& work, const Machine& machine,
+                   const PostProcessor& post, const std::string& name, FolderUpdate& folder,
+                   Exported& result) {
+    const CheckedProgram program = checked_program(machine, post, work);
+    const std::string check = nc_check_text(program), fault = program.fault();
+    result.text += (name == first_piece ? "" : fmt::format("\n{}.nc\n", name)) + check;
+    if (result.fault.empty()) result.fault = fault;
+    folder.remove_earlier(name + ".nc");  // it does not go with this check
+    if (fault.empty()) folder.write(name + ".nc", program.program.text);
+    folder.write(name + "_nc_check.txt", check);
+    folder.write(name + "_nc.svg",
+                 tool_path_svg(program, work, machine, {work.job.title, shown_units(solution.scene).length}));
 }
 
 /// The same of all cams.
-template <class Options>
-void set_safety(const ExportRequest& request, Options& options) {
+void set_safety(const ExportRequest& request, MillingOptions& options) {
     const auto metres = [](const std::optional<double>& mm) -> std::optional<double> {
         if (!mm) return std::nullopt;
         return *mm * units::millimetre;
@@ -207,7 +214,8 @@ void export_spatial(const ExportRequest& request, const Solution& solution, Fold
         NcExportOptions nc = nc_options(request);
         nc.title = options.title;
         const auto machine = machine_for(cam, nc.z_offset);
-        write_program(folder, nc_export(cam, motion, *machine, post_of(request, *machine), nc), result);
+        write_program(solution, nc_work(cam, motion, nc), *machine, post_of(request, *machine), first_piece,
+                      folder, result);
     }
 }
 
@@ -231,56 +239,73 @@ CamSheetOptions sheet_options(const ExportRequest& request) {
     return options;
 }
 
-std::string mesh_text(const DiskMesh& solid) {
+std::string mesh_text(const std::string& file, const DiskMesh& solid) {
     return fmt::format(
-        "  cam.stl: {} triangles, at most {:.3g} um from the cam; {:.6g} mm3, {:.2g} of it {} than the "
+        "  {}: {} triangles, at most {:.3g} um from the cam; {:.6g} mm3, {:.2g} of it {} than the "
         "cam's own\n",
-        solid.mesh.triangles.size(), solid.deviation * 1e6, solid.volume / cubic_millimetre,
+        file, solid.mesh.triangles.size(), solid.deviation * 1e6, solid.volume / cubic_millimetre,
         std::abs(solid.volume / solid.exact - 1.0), solid.volume < solid.exact ? "less" : "more");
 }
 
-void write_sheet(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
-    const Sheet sheet = cam_sheet(solution, sheet_options(request));
-    if (request.sheet == "svg") folder.write("drawing.svg", sheet_svg(sheet));
-    if (request.sheet == "pdf") folder.write("drawing.pdf", sheet_pdf(sheet));
-    if (request.sheet == "dxf") folder.write("drawing.dxf", sheet_dxf(sheet));
+void write_sheets(const ExportRequest& request, const Solution& solution, FolderUpdate& folder) {
+    const std::vector<Sheet> sheets = cam_sheets(solution, sheet_options(request));
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        const std::string name = fmt::format("drawing{}.{}", i > 0 ? "_second" : "", request.sheet);
+        if (request.sheet == "svg") folder.write(name, sheet_svg(sheets[i]));
+        if (request.sheet == "pdf") folder.write(name, sheet_pdf(sheets[i]));
+        if (request.sheet == "dxf") folder.write(name, sheet_dxf(sheets[i]));
+    }
+}
+
+DiskNcOptions disk_nc_options(const ExportRequest& request, const DrawingSpec& drawing) {
+    DiskNcOptions nc;
+    if (request.cutter_mm) nc.cutter_diameter = *request.cutter_mm * units::millimetre;
+    nc.stock = request.stock_mm * units::millimetre;
+    nc.thickness = drawing.thickness.value();
+    nc.groove_depth = drawing.groove_depth;
+    nc.feed = request.feed_mm_min * units::millimetre / 60.0;
+    nc.spindle_rpm = request.spindle_rpm;
+    nc.chord_tolerance = request.chord_mm * units::millimetre;
+    set_safety(request, nc);
+    return nc;
+}
+
+/// name: of its files.
+void export_piece(const ExportRequest& request, const Solution& solution, const ProfileShape& shape,
+                  const std::string& name, FolderUpdate& folder, Exported& result) {
+    const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
+    const std::string title = title_of(solution) + (name == first_piece ? "" : ", second disk");
+    if (request.stl) {
+        DiskMeshOptions mesh;
+        mesh.points = request.points;
+        const DiskMesh solid = disk_mesh(shape, drawing, mesh);
+        folder.write(name + ".stl", stl_bytes(solid.mesh, title));
+        result.text += mesh_text(name + ".stl", solid);
+    }
+    if (request.step) {
+        const double volume =
+            write_step_solid(folder.aside() / (name + ".step"), disk_plate(shape, drawing, title));
+        folder.add(name + ".step");
+        result.text += fmt::format("  {}.step: a solid of {:.6g} mm3\n", name, volume / cubic_millimetre);
+    }
+    if (request.nc) {
+        DiskNcOptions nc = disk_nc_options(request, drawing);
+        nc.title = title;
+        const auto machine = plane_milling_machine();
+        write_program(solution, disk_nc_work(shape, nc), *machine, post_of(request, *machine), name, folder,
+                      result);
+    }
 }
 
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
     const MotionChain motion = drawn_motion(solution);
-    const std::optional<ProfileShape> found = disk_shape(solution, motion);
-    if (!found) return;
-    const ProfileShape& shape = *found;
-    const DrawingSpec drawing = drawing_of(solution, shape, sheet_options(request));
-    if (request.stl) {
-        DiskMeshOptions mesh;
-        mesh.points = request.points;
-        const DiskMesh solid = disk_mesh(shape, drawing, mesh);
-        folder.write("cam.stl", stl_bytes(solid.mesh, title_of(solution)));
-        result.text += mesh_text(solid);
-    }
-    if (request.step) {
-        const std::string name = "cam.step";
-        const double volume =
-            write_step_solid(folder.aside() / name, disk_plate(shape, drawing, title_of(solution)));
-        folder.add(name);
-        result.text += fmt::format("  cam.step: a solid of {:.6g} mm3\n", volume / cubic_millimetre);
-    }
-    if (!request.sheet.empty()) write_sheet(request, solution, folder);
-    if (request.nc) {
-        DiskNcOptions nc;
-        if (request.cutter_mm) nc.cutter_diameter = *request.cutter_mm * units::millimetre;
-        nc.stock = request.stock_mm * units::millimetre;
-        nc.thickness = drawing.thickness.value();
-        nc.feed = request.feed_mm_min * units::millimetre / 60.0;
-        nc.spindle_rpm = request.spindle_rpm;
-        nc.chord_tolerance = request.chord_mm * units::millimetre;
-        nc.title = title_of(solution);
-        set_safety(request, nc);
-        const auto machine = plane_milling_machine();
-        write_program(folder, disk_nc(shape, *machine, post_of(request, *machine), nc), result);
-    }
+    const std::optional<ProfileShape> shape = disk_shape(solution, motion);
+    if (!shape) return;
+    const std::vector<ProfileShape> pieces = made_pieces(*shape);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        export_piece(request, solution, pieces[i], i == 0 ? first_piece : "cam_second", folder, result);
+    if (!request.sheet.empty()) write_sheets(request, solution, folder);
 }
 
 /// What every motion has, with or without a cam.
@@ -311,7 +336,7 @@ std::vector<std::string> drawing_formats() {
 ExitCode export_command(const ExportRequest& request) {
     prepare_folder(request.out);
     const InterruptWatch watch;  // until the files are written
-    const Solution solution = delivered(request);
+    Solution solution = delivered(request);
     Exported exported;
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);
@@ -321,6 +346,7 @@ ExitCode export_command(const ExportRequest& request) {
         export_disk(request, solution, folder, exported);
     }
     exported.written = folder.finish();
+    show_in(solution.scene, request.units);  // the files are written: for the words alone
     print(summary_text(solution, exported.written) + exported.text);
     if (!exported.fault.empty()) {
         print_error(

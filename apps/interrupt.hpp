@@ -8,7 +8,9 @@ namespace camopt::apps {
 /// Watches SIGINT as long as it lives; then the previous behaviour returns.
 class InterruptWatch {
  public:
-    InterruptWatch();
+    enum class Signals { interrupt, termination_too };  ///< too: SIGTERM, as job schedulers send it
+
+    explicit InterruptWatch(Signals signals = Signals::interrupt);
     ~InterruptWatch();
     InterruptWatch(const InterruptWatch&) = delete;
     InterruptWatch& operator=(const InterruptWatch&) = delete;

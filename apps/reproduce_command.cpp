@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt reproduce: a paper's tables and figures beside ours.
 #include "apps/commands.hpp"
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
+#include "apps/interruptible_run.hpp"
 #include "apps/terminal.hpp"
 #include "output/chart/studies/paper_figure_svg.hpp"
 #include "output/csv/paper_report_csv.hpp"
@@ -18,23 +17,6 @@
 namespace camopt::apps {
 
 namespace {
-
-struct ReportRun {
-    PaperReport report;
-    bool interrupted = false;
-};
-
-ReportRun computed_report(const PaperInfo& paper) {
-    const InterruptWatch watch;
-    const auto progress = terminal_progress();
-    const auto finished = [&](const std::string& what) {
-        if (progress) progress(what);
-    };
-    ReportRun run{paper.report({InterruptWatch::interrupted, {}}, finished), false};
-    end_progress();
-    run.interrupted = InterruptWatch::interrupted();
-    return run;
-}
 
 void write_report_folder(const std::filesystem::path& path, const PaperReport& report) {
     FolderUpdate folder(path);
@@ -53,15 +35,12 @@ void write_report_folder(const std::filesystem::path& path, const PaperReport& r
 ExitCode reproduce_command(const ReproduceRequest& request) {
     const PaperInfo& paper = find_paper(request.paper);
     if (!request.out.empty()) prepare_folder(request.out);
-    const ReportRun run = computed_report(paper);
-    if (run.interrupted) {
-        print_error("camopt: interrupted; the report is incomplete and was not written\n");
-        return failure;
-    }
-    if (!request.out.empty()) write_report_folder(request.out, run.report);
-    const std::string text = request.json ? paper_report_json(run.report) : paper_report_text(run.report);
+    const auto report = interruptible_run("the report", "", paper.report);
+    if (!report) return failure;
+    if (!request.out.empty()) write_report_folder(request.out, *report);
+    const std::string text = request.json ? paper_report_json(*report) : paper_report_text(*report);
     print(text);
-    return run.report.faults.empty() ? success : failure;
+    return report->faults.empty() ? success : failure;
 }
 
 }  // namespace camopt::apps

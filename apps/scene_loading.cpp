@@ -30,9 +30,14 @@ LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::
             input::scene_with_overrides(given.text, file, settings, folder_of(file))};
 }
 
-void show_in(Scene& scene, std::string_view units) {
+LengthUnit length_unit_of(std::string_view units, LengthUnit otherwise) {
     for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::inch})
-        if (units == name_of(unit)) scene.length_unit = unit;
+        if (units == name_of(unit)) return unit;
+    return otherwise;
+}
+
+void show_in(Scene& scene, std::string_view units) {
+    scene.length_unit = length_unit_of(units, scene.length_unit);
 }
 
 SceneText read_scene_text(const std::string& file) {

@@ -28,6 +28,8 @@ struct LoadedScene {
 
 /// In which lengths people read it: "mm" or "in"; empty: as the scene is written.
 void show_in(Scene& scene, std::string_view units);
+/// The same of anything else; `otherwise` where it is empty.
+[[nodiscard]] LengthUnit length_unit_of(std::string_view units, LengthUnit otherwise);
 
 /// A scene file that is read once and made into scenes many times.
 struct SceneText {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt table: a published table computed again, with proofs.
 #include "apps/commands.hpp"
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
+#include "apps/interruptible_run.hpp"
 #include "apps/terminal.hpp"
 #include "output/chart/reference_table/reference_table_svg.hpp"
 #include "output/csv/reference_table_csv.hpp"
@@ -19,23 +18,6 @@
 namespace camopt::apps {
 
 namespace {
-
-struct TableRun {
-    ReferenceTable table;
-    bool interrupted = false;
-};
-
-TableRun computed_table() {
-    const InterruptWatch watch;
-    const auto progress = terminal_progress();
-    const auto finished = [&](const std::string& what) {
-        if (progress) progress("solved " + what);
-    };
-    TableRun run{spline_versus_modified_sine({InterruptWatch::interrupted, {}}, finished), false};
-    end_progress();
-    run.interrupted = InterruptWatch::interrupted();
-    return run;
-}
 
 void write_table_folder(const std::filesystem::path& path, const ReferenceTable& table) {
     FolderUpdate folder(path);
@@ -61,15 +43,12 @@ ExitCode exit_code_of(const ReferenceTable& table) {
 
 ExitCode table_command(const TableRequest& request) {
     if (!request.out.empty()) prepare_folder(request.out);
-    const TableRun run = computed_table();
-    if (run.interrupted) {
-        print_error("camopt: interrupted; the table is incomplete and was not written\n");
-        return failure;
-    }
-    if (!request.out.empty()) write_table_folder(request.out, run.table);
-    const std::string text = request.json ? reference_table_json(run.table) : reference_table_text(run.table);
+    const auto table = interruptible_run("the table", "solved ", spline_versus_modified_sine);
+    if (!table) return failure;
+    if (!request.out.empty()) write_table_folder(request.out, *table);
+    const std::string text = request.json ? reference_table_json(*table) : reference_table_text(*table);
     print(text);
-    return exit_code_of(run.table);
+    return exit_code_of(*table);
 }
 
 }  // namespace camopt::apps

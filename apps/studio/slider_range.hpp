@@ -2,7 +2,7 @@
 // How far a slider goes and how fine: within what a key allows, around where its value stands.
 #pragma once
 
-#include "core/range.hpp"
+#include "core/numbers/range.hpp"
 
 namespace camopt::apps {
 

@@ -58,6 +58,7 @@ void collect_tables(const SceneTable& table, std::vector<SceneTable>& found) {
 struct SceneState {
     std::string cam_type;  ///< empty: no cam
     bool has_forces = false;
+    bool has_dynamics = false;
     std::set<std::string_view> units;  ///< that the scene is written in
 };
 
@@ -67,6 +68,7 @@ SceneState state_of(const std::vector<SceneTable>& tables) {
         if (table.path == "cam")
             if (const Member* const type = table.node->find("type")) state.cam_type = type->value.text;
         state.has_forces = state.has_forces || table.path == "forces";
+        state.has_dynamics = state.has_dynamics || table.path == "dynamics";
         for (const Member& member : table.node->members)
             if (const KeyMatch match = input::match_key(table.path, member.name);
                 match.row != nullptr && !match.spelling->unit.empty())
@@ -159,6 +161,7 @@ const Spelling& fitting_spelling(const KeyRow& row, const SceneState& state) {
 }
 
 bool could_be(const KeyRow& row, const SceneState& state) {
+    if (row.availability == input::Availability::needs_dynamics) return state.has_dynamics;
     if (row.availability != input::Availability::now && state.cam_type.empty()) return false;
     if (row.availability == input::Availability::needs_forces && !state.has_forces) return false;
     return row.is_for(state.cam_type);

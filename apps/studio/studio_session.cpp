@@ -14,6 +14,7 @@
 #include <atomic>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -40,7 +41,7 @@ struct Request {
     std::string page, scene, what;
     RequestJson set = RequestJson::object();
     std::vector<std::string> laws;
-    bool explain = false, quick = false;
+    AnswerStage stage = AnswerStage::proof;
 };
 
 [[noreturn]] void bad_member(std::string_view name, std::string_view allowed) {
@@ -63,11 +64,12 @@ std::vector<std::string> law_members(const RequestJson& body, std::size_t most) 
     return found->get<std::vector<std::string>>();
 }
 
-bool flag_member(const RequestJson& body, const char* name) {
-    const auto found = body.find(name);
-    if (found == body.end()) return false;
-    if (!found->is_boolean()) bad_member(name, "true or false");
-    return found->get<bool>();
+AnswerStage stage_member(const RequestJson& body) {
+    const auto found = body.find("stage");
+    if (found == body.end() || *found == "proof") return AnswerStage::proof;
+    if (*found == "curve") return AnswerStage::curve;
+    if (*found == "rest") return AnswerStage::rest;
+    bad_member("stage", R"("curve", "proof", "rest")");
 }
 
 Request read_request(const std::string& text, const StudioLimits& limits, bool is_download) {
@@ -84,8 +86,7 @@ Request read_request(const std::string& text, const StudioLimits& limits, bool i
         request.set = *set;
     }
     request.laws = law_members(body, limits.laws);
-    request.explain = flag_member(body, "explain");
-    request.quick = flag_member(body, "quick");
+    request.stage = stage_member(body);
     return request;
 }
 
@@ -95,6 +96,14 @@ struct Page {
     std::atomic<unsigned long> newest{0};
     std::mutex turn;
     SolveSequence sequence{GridMemory(neighbour_growth)};
+    std::string proved_text;         ///< the scene that was proved last; empty: none
+    std::optional<Solution> proved;  ///< of it
+
+    /// Says the rest of a scene without solving it again.
+    [[nodiscard]] bool knows(const StudioScene& given) const {
+        return proved && proved_text == given.text && proved->motion &&
+               proved->certificate.verdict != Verdict::infeasible;
+    }
 };
 
 StudioAnswer answer_of(int status, const RequestJson& body) {
@@ -110,7 +119,7 @@ StudioAnswer error_answer(int status, std::string_view what) {
 void loosen(Scene& scene) {
     constexpr double tolerance = 1e-6, gap = 1e-4;
     scene.solver.tolerance = std::max(scene.solver.tolerance, tolerance);
-    scene.solver.gap = std::max(scene.solver.gap, gap);
+    scene.solver.gap = std::max(scene.solver.wanted_gap(false), gap);
 }
 
 /// Faults become answers.
@@ -135,7 +144,8 @@ struct StudioSession::State {
     StudioLimits limits;
     std::atomic<bool> stopping{false};
     std::mutex mutex;
-    std::list<std::shared_ptr<Page>> pages;  ///< the one heard of last in front
+    std::list<std::shared_ptr<Page>> pages;               ///< the one heard of last in front
+    SolveSequence opening{GridMemory(neighbour_growth)};  ///< of the scene that pages open with
 
     std::shared_ptr<Page> page_named(const std::string& name) {
         const std::lock_guard lock(mutex);
@@ -145,6 +155,7 @@ struct StudioSession::State {
         } else {
             pages.push_front(std::make_shared<Page>());
             pages.front()->name = name;
+            pages.front()->sequence = opening;
         }
         while (pages.size() > limits.pages) {
             ++pages.back()->newest;  // what it still solves is for nobody
@@ -167,19 +178,46 @@ struct StudioSession::State {
         const std::lock_guard turn(page->turn);
         if (outdated()) throw Superseded();
         StudioScene given = studio_scene(request.scene, request.set, "scene");
-        if (request.quick) loosen(given.scene);
+        if (request.stage == AnswerStage::rest && page->knows(given))
+            return {.body = studio_answer(*page->proved, given.text, {request.laws, request.stage})};
+        if (request.stage == AnswerStage::curve) loosen(given.scene);
         const SolveControl solving = control(given.scene, limits.solve_seconds, outdated);
-        const Solution solution = request.explain ? camopt::solve(given.scene, solving)
-                                                  : page->sequence.solve(given.scene, solving);
+        Solution solution = solved(given.scene, request.stage, *page, solving);
         if (outdated()) throw Superseded();
-        return {.body = studio_answer(solution, given.text, {request.laws, request.quick})};
+        StudioAnswer answer{.body = studio_answer(solution, given.text, {request.laws, request.stage})};
+        if (request.stage == AnswerStage::proof) {
+            page->proved_text = given.text;
+            page->proved = std::move(solution);
+        }
+        return answer;
     }
 
-    std::string first(const std::string& scene) const {
+    static Solution solved(const Scene& scene, AnswerStage stage, Page& page, const SolveControl& control) {
+        switch (stage) {
+            case AnswerStage::curve:
+                return page.sequence.look(scene, control);
+            case AnswerStage::proof:
+                return page.sequence.solve(scene, control);
+            case AnswerStage::rest:
+                break;
+        }
+        return camopt::solve(scene, control);  // explains what has no motion
+    }
+
+    /// New pages go on from what it found.
+    std::string first(const std::string& scene) {
         const StudioScene given = studio_scene(scene, RequestJson::object(), "scene");
         const auto ending = [this] { return stopping.load(); };
-        return studio_answer(camopt::solve(given.scene, control(given.scene, limits.solve_seconds, ending)),
-                             given.text, {});
+        const SolveControl solving = control(given.scene, limits.solve_seconds, ending);
+        SolveSequence sequence{GridMemory(neighbour_growth)};
+        Solution solution = sequence.solve(given.scene, solving);
+        {
+            const std::lock_guard lock(mutex);
+            opening = std::move(sequence);
+        }
+        const bool to_explain = !solution.motion || solution.certificate.verdict == Verdict::infeasible;
+        if (to_explain) solution = camopt::solve(given.scene, solving);
+        return studio_answer(solution, given.text, {});
     }
 
     /// As the command line would: from the scene alone, not from the solve before.

@@ -3,12 +3,13 @@
 //
 // A newer request of a page cancels the older one, which answers 409. Requests are JSON:
 //
-//   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "laws": [key, …], "explain":
-//   true } export  { "page", "scene", "set", "what": one of the names of studio_downloads.hpp }
+//   solve   { "page": its own name, "scene": TOML, "set": { KEY: value, … }, "laws": [key, …], "stage": … }
+//   export  { "page", "scene", "set", "what": one of the names of studio_downloads.hpp }
 //
-// `set`, `laws`, `quick` (while a slider moves: to 1e-6 instead of the scene's tolerance) and `explain` (say
-// of an infeasible scene which change would help) may be left out. The answer to `solve` is the object that
-// studio_answer.hpp describes. What is wrong with a scene answers 422, with a request 400: { "error": text }.
+// `set`, `laws` and `stage` may be left out. `stage` is "curve" (a look, to 1e-6 instead of the scene's
+// tolerance), "proof" (the default) or "rest" (what follows the proof; of the scene proved last nothing is
+// solved again). The answer to `solve` is the object that studio_answer.hpp describes. What is wrong with a
+// scene answers 422, with a request 400: { "error": text }.
 #pragma once
 
 #include "apps/studio/studio_limits.hpp"

@@ -65,7 +65,7 @@ std::vector<camopt_profile_point> profile_of(const Solution& solution, std::size
     if (const std::optional<DiskCam> disk = disk_cam(solution.cam->cam)) {
         ProfileSampling sampling;
         if (points > 0) sampling.count = static_cast<int>(points);
-        return points_of(sampled_profile(*disk, motion, scale, sampling));
+        return points_of(sampled_profile(*disk, motion, scale, sampling, static_cast<int>(station)));
     }
     const int count = points > 0 ? static_cast<int>(points) : default_profile_points(motion, scale);
     return points_of(

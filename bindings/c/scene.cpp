@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/handles.hpp"
 #include "bindings/c/texts.hpp"
+#include "dynamics/train_formulas.hpp"
 #include "input/loading/load_scene.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 
@@ -41,6 +42,7 @@ camopt_error set_words(camopt_scene* scene, const char* key, const char* value) 
 Scene complete_scene(const camopt_scene& scene, std::span<const std::string> settings) {
     Scene read = scene.document.scene(settings);
     complete_mechanism(read);
+    complete_dynamics(read);
     return read;
 }
 

@@ -75,6 +75,7 @@
         headline.textContent = answer.data.verdict.headline;
         headline.dataset.tone = answer.data.verdict.tone;
         headline.dataset.objective = String(answer.objective);
+        headline.dataset.stage = answer.stage;
         figures.replaceChildren(...answer.data.figures.map((figure) => element('div', {}, element('dt', {}, figure.name), element('dd', {}, figure.value))));
         for (const mark of laws.querySelectorAll('[data-misfit]')) {
           const law = answer.laws.find((one) => one.key === mark.dataset.misfit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The studio: what the user sets goes to the program, what it finds is drawn. One request at a time; while one
-// is under way only the newest wish waits behind it.
+// The studio: what the user sets goes to the program, what it finds is drawn: first the curve, then its proof with
+// words and tables, then the rest. One request at a time; while one is under way only the newest wish waits behind it.
 'use strict';
 (function (camopt) {
   const begin = JSON.parse(document.getElementById('page-data').textContent).studio;
@@ -13,23 +13,29 @@
   let now = { scene: begin.scene, set: {} };
   let kept = now, good = now;
   const before = [], after = [];
-  let wanted = null, running = null, explained = '';
-  /** ms from a wish to its picture, for who measures. */
+  let wanted = null, running = null, drawn = '';
+  /** Of each answer, for who measures: its stage, ms from the wish to the picture, ms of the solve. */
   const times = [];
 
   const post = (what, body, signal) => fetch(what, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal });
 
-  function ask(quick, explain = false) {
-    wanted = { quick, explain, since: performance.now(), laws: [...laws], state: now };
+  /** What a picture is of. */
+  const subjectOf = (wish) => JSON.stringify([wish.state, wish.laws]);
+
+  /** moving: a slider is still in the hand; only the curve is wanted. */
+  function ask(moving) {
+    wanted = { stage: 'curve', proof: !moving, since: performance.now(), laws: [...laws], state: now };
     if (!running) work();
-    else if (performance.now() - running.begun > patience) running.abort.abort();
+    // Nobody waits for the proof of what has changed since.
+    else if (running.stage !== 'curve' || performance.now() - running.begun > patience) running.abort.abort();
   }
 
   async function work() {
     while (wanted) {
       const wish = wanted;
       wanted = null;
-      running = { abort: new AbortController(), begun: performance.now() };
+      if (wish.stage === 'curve' && wish.proof && drawn === subjectOf(wish)) wish.stage = 'proof'; // its curve is there already
+      running = { abort: new AbortController(), begun: performance.now(), stage: wish.stage };
       const late = setTimeout(() => panel.solving(true), 250);
       try {
         await solve(wish, running.abort.signal);
@@ -44,20 +50,18 @@
   }
 
   async function solve(wish, signal) {
-    const response = await post('solve', { page, ...wish.state, laws: wish.laws, quick: wish.quick, explain: wish.explain }, signal);
+    const response = await post('solve', { page, ...wish.state, laws: wish.laws, stage: wish.stage }, signal);
     const answer = await response.json();
     if (response.status === 409) return;
     if (!response.ok) { takeBack(wish.state); panel.fault(answer.error); return; }
     panel.fault('');
     good = wish.state;
-    show(answer, wish.quick);
-    requestAnimationFrame(() => times.push(performance.now() - wish.since));
-    // Of a scene that cannot be kept the program says which change would help, once the hand rests.
-    const question = JSON.stringify(wish.state);
-    if (answer.verdict === 'infeasible' && !wish.quick && !wish.explain && explained !== question && !wanted) {
-      explained = question;
-      ask(false, true);
-    }
+    drawn = subjectOf(wish);
+    show(answer);
+    requestAnimationFrame(() => times.push({ stage: wish.stage, ms: performance.now() - wish.since, solve: 1000 * answer.seconds }));
+    if (wanted) return;
+    if (wish.stage === 'curve' && wish.proof) wanted = { ...wish, stage: 'proof' };
+    else if (answer.more) wanted = { ...wish, stage: 'rest' };
   }
 
   const colourOf = (key) => lawColours[begin.catalogue.findIndex((law) => law.key === key) % lawColours.length];
@@ -80,13 +84,14 @@
     }
   }
 
-  function show(answer, quick) {
+  function show(answer) {
+    const open = answer.stage === 'curve';
     // A chart draws as many columns as it has series: the laws' change between the two.
     forgetChangedLaws(answer);
-    camopt.page.show(answer.data, quick);
+    camopt.page.show(answer.data, open);
     overlay(answer);
     panel.status(answer);
-    if (!quick) panel.controls(answer);
+    if (!open) panel.controls(answer);
     camopt.studio.answer = answer;
   }
 

@@ -67,6 +67,13 @@ class Columns {
                 const std::optional<double>& value = row.dimension(index);
                 return value ? std::optional(*value / units::millimetre) : std::nullopt;
             });
+        if (table_->columns.train) {
+            optional(columns, "residual", [](const SweepRow& row) { return row.train.residual; });
+            optional(columns, "dynamic_acceleration",
+                     [](const SweepRow& row) { return row.train.dynamic_acceleration; });
+            optional(columns, "dynamic_contact_force",
+                     [](const SweepRow& row) { return row.train.contact_force; });
+        }
         words(columns, "active_limits",
               [](const SweepRow& row) { return fmt::format("{}", fmt::join(row.active_limits, "; ")); });
         numbers(columns, "iterations",

@@ -2,8 +2,8 @@
 // camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
 // camopt knows.
 #include "apps/commands.hpp"
-#include "apps/list_exports.hpp"
-#include "apps/list_keys.hpp"
+#include "apps/list/list_exports.hpp"
+#include "apps/list/list_keys.hpp"
 #include "apps/terminal.hpp"
 #include "core/peak_figures.hpp"
 #include "input/follower_kinds.hpp"

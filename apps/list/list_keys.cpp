@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/list_keys.hpp"
+#include "apps/list/list_keys.hpp"
 
 #include "input/keys/scene_keys.hpp"
 
@@ -29,6 +29,7 @@ std::string conditions_text(const KeyRow& row) {
     if (!row.instead_of.empty()) text += fmt::format(" Instead of {}.", row.instead_of);
     if (row.availability == Availability::needs_cam) text += " Needs [cam].";
     if (row.availability == Availability::needs_forces) text += " Needs [forces].";
+    if (row.availability == Availability::needs_dynamics) text += " Needs [dynamics].";
     return text;
 }
 
@@ -45,6 +46,7 @@ Json or_null(std::string_view text) {
 Json needs_json(Availability availability) {
     if (availability == Availability::needs_cam) return "cam";
     if (availability == Availability::needs_forces) return "forces";
+    if (availability == Availability::needs_dynamics) return "dynamics";
     return nullptr;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/list_exports.hpp"
+#include "apps/list/list_exports.hpp"
 
 #include "output/csv/uniform_csv.hpp"
 #include "output/plc/plc_format.hpp"
