@@ -3,10 +3,10 @@
 """studio_response.py CAMOPT SCENES: from a slider's step to the drawn curve of `camopt studio`, in headless Chromium.
 
 CSV on the standard output, one row a slider: scene, segments, slider, from, to, steps, and of the milliseconds from
-the event of the slider to the frame after the redraw the median, the least and the largest; beside them the median of
-the wall seconds of the solve alone, and the load of the machine. While it moves (moving = true) the scene is solved to
-1e-6; when it is let go (false) to its own tolerance, with all words and tables. Debian's chromium, chromium-driver and
-python3-selenium.
+the event of the slider to the frame after the curve's redraw the median, the least and the largest; the median until
+its proof, words and tables stand beside it, of the solve of the curve alone and of the solve with proof; and the load of the
+machine. While a slider moves (moving = true) only curves are drawn; when it is let go (false), as here without a move
+before it, the proof follows the curve. Debian's chromium, chromium-driver and python3-selenium.
 """
 
 import csv
@@ -44,29 +44,35 @@ slider.dispatchEvent(new Event(moving ? 'input' : 'change'));
 
 
 def measure(page, key, first, last, moving):
-    milliseconds, solves = [], []
+    """Of each step {stage: {ms, solve}}."""
+    steps = []
     for step in range(STEPS):
         before = page.js("return Camopt.studio.times.length")
         page.js(MOVE, key, first + (last - first) * step / (STEPS - 1), moving)
-        wait_for("the curve", lambda: page.js("return Camopt.studio.times.length") > before, 120)
-        milliseconds.append(page.js("return Camopt.studio.times.at(-1)"))
-        solves.append(1000.0 * page.js("return Camopt.studio.answer.seconds"))
-    return milliseconds[1:], solves[1:]  # the first has no neighbour
+        wanted = "curve" if moving else "proof"
+        wait_for("the answer", lambda: wanted in (one["stage"] for one in page.js("return Camopt.studio.times")[before:]), 120)
+        steps.append({one["stage"]: one for one in page.js("return Camopt.studio.times")[before:]})
+    return steps[1:]  # the first has no neighbour
+
+
+def row_of(steps, moving):
+    curves = [step["curve"]["ms"] for step in steps]
+    figures = [statistics.median(curves), min(curves), max(curves), statistics.median(step["curve"]["solve"] for step in steps)]
+    proofs = [] if moving else [statistics.median(step["proof"][name] for step in steps) for name in ("ms", "solve")]
+    return [f"{value:.1f}" for value in figures + proofs] + [""] * (2 if moving else 0)
 
 
 def main(program, scenes):
     table = csv.writer(sys.stdout)
     table.writerow(["scene", "slider", "from", "to", "steps", "moving", "ms_median", "ms_min", "ms_max",
-                    "solve_ms_median", "load"])
+                    "solve_ms_median", "proof_ms_median", "proof_solve_ms_median", "load"])
     for scene, key, first, last in CASES:
         for moving in (True, False):
             with studio(program, pathlib.Path(scenes) / f"{scene}.toml") as running, browser_of() as page:
                 page.driver.get(running.address)
                 wait_for("the page", lambda one=page: one.js("return document.documentElement.dataset.studio === 'ready'"))
-                milliseconds, solves = measure(page, key, first, last, moving)
-            table.writerow([scene, key, first, last, STEPS - 1, str(moving).lower(),
-                            *(f"{value:.1f}" for value in (statistics.median(milliseconds), min(milliseconds),
-                                                           max(milliseconds), statistics.median(solves))),
+                steps = measure(page, key, first, last, moving)
+            table.writerow([scene, key, first, last, STEPS - 1, str(moving).lower(), *row_of(steps, moving),
                             f"{os.getloadavg()[0]:.1f}"])
             sys.stdout.flush()
 

@@ -173,3 +173,31 @@ def growth(rows, machine):
                 errors.mark(int(row["n"]), max(abs(number(row, "relative_difference")), 1e-14), COLOURS[k])
     errors.level(1e-8, "asked for")
     return picture.svg()
+
+
+INTEGRATORS = (("exact", "circle"), ("exact with its peak", "square"), ("BDF (CVODE)", "circle"), ("DIRK 5 (ARKODE)", "square"),
+               ("Rosenbrock 4 (odeint)", "triangle"), ("Dormand-Prince 5 (odeint)", "circle"), ("Runge-Kutta 4 (odeint)", "square"))
+
+
+def integrators(rows, names):
+    """Error against time by the exact response's: three stiffnesses of either train, damping 0.02."""
+    picture = Picture(1180, 800, "A follower train's response: error against time",
+                      "Damping 0.02 of critical; time by that of the exact end state; what is missing stopped or blew up")
+    colours = dict(zip((name for name, _ in INTEGRATORS), COLOURS))
+    for k, words in enumerate(names):
+        picture.legend(60 + 285 * (k % 4), 92 + 20 * (k // 4), [(words, colours[words], dict(INTEGRATORS)[words], True)])
+    for i, train in enumerate(("one mass", "two masses")):
+        for k, (ratio, words) in enumerate(((1.0, "1"), (1e4, "10⁴"), (1e8, "10⁸"))):
+            what = "of the train" if train == "one mass" else "of its two springs"
+            panel = Panel(picture, (80 + 370 * k, 155 + 325 * i, 300, 235),
+                          Axis(0.3, 1e5, "time by that of the exact end state" if i else "", stride=2),
+                          Axis(1e-17, 1.0, "error" if k == 0 else "", stride=4),
+                          f"{train}: stiffness {words} {what}")
+            for name, shape in INTEGRATORS:
+                own = [row for row in rows if row["train"] == train and number(row, "stiffness_ratio") == ratio and
+                       number(row, "damping_ratio") == 0.02 and row["method"] == name and row["status"] == "ok"]
+                points = sorted((number(row, "ratio"), number(row, "error")) for row in own)
+                panel.line(points, colours[name])
+                for time, error in points:
+                    panel.mark(time, error, colours[name], shape, 3.5)
+    return picture.svg()

@@ -123,13 +123,16 @@ if(CAMOPT_C)
   endforeach()
   configure_file(cmake/camopt_c.pc.in package/camopt_c.pc @ONLY)
 endif()
-install(FILES cmake/FindCamoptIpopt.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
+install(FILES cmake/FindCamoptIpopt.cmake cmake/CamoptPkgConfigPart.cmake cmake/FindCamoptNLopt.cmake cmake/FindCamoptSPQR.cmake
   cmake/FindCamoptSuiteSparse.cmake cmake/CamoptSuiteSparsePart.cmake cmake/FindCamoptOpenCascade.cmake
   cmake/FindCamoptCairo.cmake
   DESTINATION ${camopt_package_dir}/modules COMPONENT camopt_static ${camopt_only_static})
 
 if(TARGET camopt)
   install(TARGETS camopt RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET camopt_mpi)
+    install(TARGETS camopt_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/camopt)
+  endif()
   if(TARGET camopt_manual)
     install(FILES ${PROJECT_BINARY_DIR}/apps/camopt.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   endif()

@@ -4,7 +4,7 @@
 find_path(CamoptOpenCascade_INCLUDE_DIR STEPControl_Writer.hxx PATH_SUFFIXES opencascade)
 set(camopt_opencascade_libraries "")
 set(camopt_opencascade_variables CamoptOpenCascade_INCLUDE_DIR)
-foreach(part TKSTEP TKSTEPBase TKXSBase TKPrim TKTopAlgo TKBRep TKGeomBase TKG3d TKMath TKernel)
+foreach(part TKSTEP TKSTEPBase TKXSBase TKBO TKPrim TKTopAlgo TKBRep TKGeomBase TKG3d TKMath TKernel)
   find_library(CamoptOpenCascade_${part} ${part})
   list(APPEND camopt_opencascade_libraries ${CamoptOpenCascade_${part}})
   list(APPEND camopt_opencascade_variables CamoptOpenCascade_${part})
