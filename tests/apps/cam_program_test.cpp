@@ -172,9 +172,11 @@ TEST_F(CamProgram, CheckSaysWhichLimitsAreLinear) {
 }
 
 TEST_F(CamProgram, InterruptedItStillWritesItsFolder) {
-    // So many starts that it is still at work after the wait on any machine.
+    // So many starts, and so small a gap, that it is still at work after the wait on any machine.
     const ProgramRun run = test::run_camopt_interrupted(
-        "solve " + test::scene("cam_undercut") + " --set solver.starts=100000 --out '" + out() + "'", 1.0);
+        "solve " + test::scene("cam_undercut") +
+            " --set solver.starts=100000 --set solver.gap=1e-12 --out '" + out() + "'",
+        1.0);
     ASSERT_TRUE(wrote("result.json")) << run.output << run.errors;
     const json found = result();
     EXPECT_EQ(found["solver"]["termination"], "interrupted");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camopt sweep --pareto from outside: files, exit codes, words.
+// camopt sweep --pareto and --surface from outside: files, exit codes, words.
 #include "output/report/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
@@ -43,6 +43,50 @@ TEST(ParetoOfSweep, SaysWhatIsWrong) {
     EXPECT_EQ(run_camopt(begin + "velocity,jerk --points 3 --spacing 0.1" + end).exit_code, 2);
     EXPECT_EQ(run_camopt(begin + "velocity,jerk").exit_code, 2);
     EXPECT_FALSE(std::filesystem::exists(folder.path() + "/front"));
+}
+
+TEST(SurfaceOfSweep, WritesItsFilesIsLookedUpAndGoesOn) {
+    const test::TemporaryFolder folder;
+    const std::string out = folder.path() + "/surface";
+    const std::string begin = "sweep " + scene("drd_cubic_12") + " --surface ";
+    const ProgramRun part = run_camopt(begin + "1e-2 --most 5 --out '" + out + "'");
+    EXPECT_EQ(part.exit_code, 0) << part.errors;
+    EXPECT_NE(part.output.find("5 solves"), std::string::npos) << part.output;
+    EXPECT_NE(part.output.find("--most ended it"), std::string::npos) << part.output;
+    const ProgramRun run = run_camopt(begin + "1e-2 --resume --out '" + out + "'");
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.output.find("ended it"), std::string::npos) << run.output;
+    for (const char* name : {"surface.csv", "surface.svg", "surface.html", "surface.obj", "surface.json"})
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+    const ProgramRun looked_up = run_camopt("sweep '" + out + "' --at 4,4,2");
+    EXPECT_EQ(looked_up.exit_code, 0) << looked_up.errors;
+    EXPECT_NE(looked_up.output.find("lies between 0.9"), std::string::npos) << looked_up.output;
+}
+
+TEST(SurfaceOfSweep, SaysWhatIsWrong) {
+    const test::TemporaryFolder folder;
+    const std::string out = " --out '" + folder.path() + "/surface'";
+    const auto fault = [](const std::string& words) {
+        const ProgramRun run = run_camopt(words);
+        EXPECT_EQ(run.exit_code, 2) << words;
+        return run.errors;
+    };
+    const std::string begin = "sweep " + scene("drd_cubic_12");
+    EXPECT_NE(fault(begin + " --surface 0" + out).find("between 0 and 1"), std::string::npos);
+    EXPECT_NE(fault(begin + " --surface 1e-2").find("--out is missing"), std::string::npos);
+    EXPECT_NE(fault(begin + " --surface 1e-2 --weights simplex:3" + out).find("--weights"),
+              std::string::npos);
+    EXPECT_NE(fault("sweep " + scene("drd_torque") + " --surface 1e-2" + out).find("objective.torque"),
+              std::string::npos);
+    EXPECT_NE(fault("sweep '" + folder.path() + "' --at 1,1,1").find("surface.json"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/surface"));
+    EXPECT_EQ(run_camopt(begin + " --surface 0.5" + out).exit_code, 0);
+    const std::string look_up = "sweep '" + folder.path() + "/surface' --at ";
+    EXPECT_NE(fault(look_up + "1,1").find("three numbers"), std::string::npos);
+    EXPECT_NE(fault(look_up + "1,1,1,1").find("three numbers"), std::string::npos);
+    EXPECT_NE(fault(look_up + "0,0,0").find("positive sum"), std::string::npos);
+    EXPECT_NE(fault("sweep " + scene("drd_cubic_16") + " --surface 0.5 --resume" + out).find("another scene"),
+              std::string::npos);
 }
 
 TEST(ParetoOfSweep, AnInfeasibleSceneHasNoFront) {

@@ -255,7 +255,9 @@ TEST(Program, ListsTheFollowersWithTheirDimensions) {
     EXPECT_EQ(followers[3]["key"], "oscillating_roller");
     EXPECT_EQ(followers[3]["lift"], "lift_deg");
     EXPECT_EQ(followers[3]["dimensions"],
-              (json{"base_radius_mm", "roller_radius_mm", "center_distance_mm", "arm_length_mm"}));
+              (json{"base_radius_mm", "roller_radius_mm", "center_distance_mm", "arm_length_mm",
+                    "groove_clearance_mm", "groove_wall_mm", "second_roller_radius_mm", "arm_angle_deg",
+                    "second_arm_length_mm"}));
     EXPECT_NE(run_camopt("list followers").output.find("translating_flat     lift_mm   a flat face"),
               std::string::npos);
 }
@@ -290,9 +292,9 @@ TEST(Program, SaysItsVersionAndHelps) {
 }
 
 TEST(Program, InterruptedItDeliversWhatItHas) {
-    // So many starts that it is still at work after the wait on any machine.
+    // So many starts, and so small a gap, that it is still at work after the wait on any machine.
     const ProgramRun run = test::run_camopt_interrupted(
-        "solve " + scene("cam_undercut") + " --set solver.starts=100000 --json", 1.0);
+        "solve " + scene("cam_undercut") + " --set solver.starts=100000 --set solver.gap=1e-12 --json", 1.0);
     const json result = json::parse(run.output);
     EXPECT_EQ(result["solver"]["termination"], "interrupted");
     EXPECT_EQ(run.exit_code, result["verdict"] == "failed" ? 1 : 0) << result["verdict"];

@@ -237,6 +237,42 @@ def check_inches():
           "--units in shows", peaks)
 
 
+def run_words(*words):
+    run = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=SECONDS, check=False)
+    check(run.returncode == 0, words, "ended with", run.returncode, run.stderr)
+    return run.stdout
+
+
+def check_units_asked_for():
+    """What people read follows --units; what machines read does not."""
+    def files(which, *words):
+        folders = {}
+        for units in ("mm", "in"):
+            folder = FOLDER / f"{which}_{units}"
+            text = run_words(*words, "--out", folder, "--units", units)
+            other = {"mm": "in/s", "in": "mm/s"}[units]
+            check(f"{units}/s²" in text or units == "mm" and "m/s²" in text, which, "--units", units, "says", text)
+            check(f" {other}" not in text, which, "--units", units, "says", other, text)
+            folders[units] = folder
+        return folders
+
+    scene = SCENES / "cam_smallest.toml"
+    speed = ("--set", "motion.speed_rpm=200")
+    made = files("export", "export", scene, *speed, "--csv")
+    for name in ("table.csv", "profile.csv"):
+        check((made["mm"] / name).read_bytes() == (made["in"] / name).read_bytes(), name, "differs by --units")
+    made = files("sweep", "sweep", scene, *speed, "--vary", "objective.base_radius=0.2,0.6")
+    first = {units: (folder / "sweep.csv").read_text(encoding="utf-8").splitlines()[0] for units, folder in made.items()}
+    check(first["mm"] == first["in"] and "_mm" in first["in"], "sweep.csv names", first)
+    for units, folder in made.items():
+        check(f"base radius ({units})" in (folder / "sweep.html").read_text(encoding="utf-8"), "sweep.html of", units)
+    made = files("front", "sweep", scene, *speed, "--pareto", "base_radius,acceleration", "--points", "3")
+    for units, folder in made.items():
+        check("base_radius_mm" in (folder / "pareto.csv").read_text(encoding="utf-8").splitlines()[0], "pareto.csv of", units)
+        check(f"base radius ({units})" in (folder / "pareto.html").read_text(encoding="utf-8"), "pareto.html of", units)
+        check(f"base radius ({units})" in (folder / "pareto.svg").read_text(encoding="utf-8"), "pareto.svg of", units)
+
+
 def check_swinging():
     folder, console = solve(SCENES / "cam_arm_roller.toml", "swinging", "--set", "motion.speed_rpm=200")
     report = (folder / "report.md").read_text(encoding="utf-8")
@@ -304,6 +340,7 @@ def main():
     FOLDER.mkdir(parents=True)
     check_scenes(known_keys())
     check_inches()
+    check_units_asked_for()
     check_swinging()
     check_other_commands()
     check_forces()

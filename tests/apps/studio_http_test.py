@@ -22,6 +22,7 @@ JSON = {"Content-Type": "application/json"}
 # Many starts of a search that is not convex: minutes of work.
 LONG = (SCENES / "drd_torque.toml").read_text() + """
 [solver]
+gap = 1e-12
 starts = 100000
 max_seconds = 600
 """
@@ -80,9 +81,36 @@ class Answers(Served):
         self.assertEqual(answer["verdict"], there["verdict"])
         self.assertAlmostEqual(answer["objective"], there["objective"], delta=1e-8)
 
-    def test_a_quick_solve_is_near(self):
-        _, answer = self.studio.solve(CAM.read_text(), quick=True)
+    def test_a_curve_is_near_and_claims_nothing(self):
+        _, answer = self.studio.solve(CAM.read_text(), stage="curve")
         self.assertAlmostEqual(answer["objective"], command_line(CAM)["objective"], delta=1e-5)
+        data = answer["data"]
+        self.assertEqual((answer["stage"], answer["more"], data["verdict"]["tone"]), ("curve", False, "open"))
+        self.assertIn("Not proved yet", data["verdict"]["headline"])
+        self.assertEqual((data["tables"], data["reference"], data["appendix"]), ([], None, None))
+
+    def test_a_curve_of_a_search_goes_on_from_the_last_motion(self):
+        scene = (SCENES / "cam_arm_flat.toml").read_text()
+        _, proved = self.studio.solve(scene, page="arm", stage="proof")
+        _, seen = self.studio.solve(scene, page="arm", stage="curve", set={"objective.velocity": 0.41})
+        there = command_line(SCENES / "cam_arm_flat.toml", "objective.velocity=0.41")
+        self.assertEqual(proved["verdict"], "optimal")
+        self.assertEqual(seen["verdict"], "local")
+        self.assertAlmostEqual(seen["objective"], there["objective"], delta=1e-5)
+
+    def test_the_rest_follows_the_proof_without_another_solve(self):
+        text = CAM.read_text()
+        _, proof = self.studio.solve(text, set={"objective.velocity": 0.33}, stage="proof")
+        _, rest = self.studio.solve(text, set={"objective.velocity": 0.33}, stage="rest")
+        self.assertTrue(proof["more"])
+        self.assertFalse(rest["more"])
+        self.assertEqual(proof["seconds"], rest["seconds"])
+        self.assertEqual(proof["data"]["tables"], rest["data"]["tables"])
+        self.assertEqual(proof["data"]["reference"]["sentences"], ["Being compared …"])
+        self.assertIn("would lose", rest["data"]["reference"]["sentences"][0])
+        _, alone = self.studio.solve(text, set={"objective.velocity": 0.34}, stage="rest")
+        self.assertNotEqual(alone["seconds"], rest["seconds"])
+        self.assertEqual(alone["verdict"], "optimal")
 
     def test_controls_follow_the_scene(self):
         _, answer = self.studio.solve(CAM.read_text(), set={"limits.cam_radius_min_mm": None, "motion.speed_rpm": 240})
@@ -115,7 +143,7 @@ class Answers(Served):
         scene = (SCENES / "infeasible_velocity_cap.toml").read_text()
         _, answer = self.studio.solve(scene)
         self.assertEqual(answer["verdict"], "infeasible")
-        _, explained = self.studio.solve(scene, explain=True)
+        _, explained = self.studio.solve(scene, stage="rest")
         self.assertGreater(len(json.dumps(explained["data"])), len(json.dumps(answer["data"])))
 
     def test_downloads(self):
@@ -195,7 +223,7 @@ class Refusals(Served):
                      json.dumps({"page": "x", "scene": "", "set": []}),
                      json.dumps({"page": "x", "scene": "", "set": {f"a{i}": 1 for i in range(201)}}),
                      json.dumps({"page": "x", "scene": "", "laws": "all"}),
-                     json.dumps({"page": "x", "scene": "", "quick": 1})):
+                     json.dumps({"page": "x", "scene": "", "stage": "quick"})):
             status, text, _ = self.studio.ask("POST", "solve", body.encode("latin-1"), JSON)
             self.assertEqual(status, 400, (body[:60], text))
             self.assertIn("error", json.loads(text))

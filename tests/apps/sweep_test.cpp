@@ -289,6 +289,18 @@ TEST_F(SweepCommand, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
     EXPECT_EQ(std::filesystem::last_write_time(path("map") + "/chunks/chunk_000000.csv"), first);
 }
 
+TEST_F(SweepCommand, TerminationKeepsWhatIsFinishedToo) {
+    ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
+    RunningProgram program(longer_sweep(path("map")), path("log"));
+    ASSERT_TRUE(wait_for([&] { return chunk_count(path("map")) >= 3; }));
+    for (const pid_t worker : program.children()) ::kill(worker, SIGTERM);  // as schedulers do
+    program.send(SIGTERM);
+    EXPECT_EQ(program.wait(), 130);
+    EXPECT_NE(errors("log").find("interrupted; "), std::string::npos) << errors("log");
+    ASSERT_EQ(run_sweep(longer_sweep(path("map")) + Words{"--resume"}, path("log")), 0) << errors("log");
+    EXPECT_EQ(timeless_rows(path("map")), timeless_rows(path("whole")));
+}
+
 TEST_F(SweepCommand, AKilledWorkerCostsNothing) {
     ASSERT_EQ(run_sweep(longer_sweep(path("whole")), path("log")), 0) << errors("log");
     RunningProgram program(longer_sweep(path("map")), path("log"));

@@ -112,19 +112,20 @@ class Page:
 
 
 def run_camopt(program, *words):
-    """Exit codes 0 (a motion) and 3 (proved infeasible) are results."""
+    """What it prints. Exit codes 0 (a motion) and 3 (proved infeasible) are results."""
     result = subprocess.run([program, *map(str, words)], capture_output=True, text=True, check=False)
     if result.returncode not in (0, 3):
         raise AssertionError(f"camopt {' '.join(map(str, words))}: {result.returncode}\n{result.stderr}")
+    return result.stdout
 
 
-def run_tests(tests, prepare):
+def run_tests(tests, prepare, arguments=SOLIDS):
     """Each test gets (page, what `prepare` made in a folder of its own). Every one runs; faults are told at the end."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         downloads = folder / "downloads"
         downloads.mkdir()
-        driver = open_browser(downloads)
+        driver = open_browser(downloads, arguments)
         faults = 0
         try:
             made = prepare(folder)

@@ -6,17 +6,20 @@
 
 import csv
 import pathlib
+import re
 import sys
 
 import browser
 
 DISK, LINKAGE, DRUM, HOPELESS = "cam_forces", "tappet_75", "cylinder_slide", "cam_infeasible"
+GROOVE, DISKS, GUIDE = "cam_grooved", "cam_conjugate", "inverse_feeder"
+KINDS = (DISK, LINKAGE, DRUM, HOPELESS, GROOVE, DISKS, GUIDE)
 
 
 def prepare(folder):
     program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
     made = {"downloads": folder / "downloads"}
-    for name in (DISK, LINKAGE, DRUM, HOPELESS):
+    for name in KINDS:
         made[name] = folder / name
         browser.run_camopt(program, "solve", scenes / f"{name}.toml", "--out", made[name])
     return made
@@ -28,7 +31,7 @@ def number(text):
 
 
 def all_kinds_load(page, made):
-    for name in (DISK, LINKAGE, DRUM, HOPELESS):
+    for name in KINDS:
         page.open(made[name] / "report.html")
         assert page.js("return document.querySelector('h1').textContent.length") > 0, name
         assert not page.complaints(), name
@@ -147,7 +150,7 @@ def light_and_dark(page, made):
 def nothing_scrolls_sideways_on_a_telephone(page, made):
     for width in (390, 1440):
         page.width(width)
-        for name in (DISK, LINKAGE, DRUM, HOPELESS):
+        for name in KINDS:
             page.open(made[name] / "report.html")
             wide = page.js("return document.documentElement.scrollWidth")
             assert wide <= width, f"{name} is {wide} pixels wide on {width}"
@@ -160,6 +163,64 @@ def prints(page, made):
         pdf = page.pdf()
         assert pdf.startswith(b"%PDF") and len(pdf) > 40_000, (name, len(pdf))
         assert not page.js("return Camopt.isPrinting()"), "it stays in its printed shape"
+
+
+def charts_begin_on_the_first_printed_page(page, made):
+    """Ranges, too, follow the height of a printed chart: labels find their room."""
+    page.open(made[DISK] / "report.html")
+    pages = len(re.findall(rb"/Type /Page\b", page.pdf()))
+    assert pages <= 4, f"{pages} pages of paper"
+    range_of = "const scale = Camopt.page.charts.charts.get('velocity').plot.scales.y; return [scale.min, scale.max]"
+    screen = page.js(range_of)
+    page.js("Camopt.printing.send(true)")
+    page.settle()
+    paper = page.js(range_of)
+    page.js("Camopt.printing.send(false)")
+    page.settle()
+    assert paper[1] > screen[1], (screen, paper)
+    assert page.js(range_of) == screen
+
+
+def charts_have_two_dots_a_pixel(page, made):
+    page.open(made[DISK] / "report.html")
+    dots = page.js("return [...document.querySelectorAll('.plot canvas')].map((one) => one.width / one.getBoundingClientRect().width)")
+    assert len(dots) >= 10 and min(dots) > 1.9, dots
+
+
+def labels_keep_off_lines_of_limits(page, made):
+    """The torque's peak stands just below its limit: its label is not struck through."""
+    page.open(made[DISK] / "report.html")
+    limit = page.js("const plot = Camopt.page.charts.charts.get('torque').plot; return plot.valToPos("
+                    "Camopt.page.charts.charts.get('torque').curve.limits[0].at, 'y', true)")
+    page.js("""
+        window.written = [];
+        const context = Camopt.page.charts.charts.get('torque').plot.ctx;
+        context.fillText = function (text, x, y) { window.written.push([text, y]); };
+        Camopt.page.charts.charts.get('torque').plot.redraw();""")
+    page.settle()
+    written = page.js("return window.written")
+    peaks = [top for text, top in written if " at " in text]
+    assert peaks, written
+    for top in peaks:
+        assert not top < limit < top + 22, f"the limit at {limit} runs through the label from {top}"
+
+
+def pictures_of_cams_are_whole(page, made):
+    """Nothing of a drawing, the arrow of its turn included, leaves its frame."""
+    for name in (DISK, LINKAGE, GROOVE, DISKS, GUIDE):
+        page.open(made[name] / "report.html")
+        outside = page.js("""
+            const frame = document.querySelector('.drawing svg').getBoundingClientRect();
+            return [...document.querySelectorAll('.drawing svg path, .drawing svg circle, .drawing svg text')].filter((one) => {
+              const box = one.getBoundingClientRect();
+              return box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1;
+            }).map((one) => one.getAttribute('class') || one.parentNode.getAttribute('class'))""")
+        assert not outside, f"{name}: {outside}"
+    page.open(made[GROOVE] / "report.html")
+    assert page.js("return getComputedStyle(document.querySelector('.drawing .grooved')).fillRule") == "evenodd"
+    page.open(made[DISKS] / "report.html")
+    first, second = page.js("return [...document.querySelectorAll('.drawing .cam')].map((one) => getComputedStyle(one).stroke)")
+    assert first != second, "both disks have one colour"
 
 
 def the_scene_is_handed_out(page, made):
@@ -176,4 +237,6 @@ if __name__ == "__main__":
     browser.run_tests([all_kinds_load, nothing_is_asked_for_from_elsewhere, cursor_reads_motion_csv,
                        marks_are_those_of_the_table, animation_moves_the_follower, slider_and_keys_set_the_angle,
                        curves_are_switched_off_and_on, every_picture_has_a_table, light_and_dark,
-                       nothing_scrolls_sideways_on_a_telephone, prints, the_scene_is_handed_out], prepare)
+                       nothing_scrolls_sideways_on_a_telephone, prints, charts_begin_on_the_first_printed_page,
+                       charts_have_two_dots_a_pixel, labels_keep_off_lines_of_limits, pictures_of_cams_are_whole,
+                       the_scene_is_handed_out], prepare)

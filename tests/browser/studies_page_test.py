@@ -4,6 +4,7 @@
     studies_page_test.py CAMOPT SCENES
 """
 
+import json
 import pathlib
 import sys
 
@@ -68,6 +69,41 @@ def a_click_hands_out_a_scene_that_solves(page, made):
         browser.run_camopt(made["program"], "solve", new[0])
 
 
+def a_law_that_breaks_limits_is_no_reference(page, made):
+    scene = pathlib.Path(sys.argv[2]) / "drd_capped_velocity.toml"
+    folder = made["comparison"].parent / "capped"
+    browser.run_camopt(made["program"], "compare", scene, "--out", folder)
+    page.open(folder / "comparison.html")
+    scenes = page.js("const data = Camopt.page.data; return data.items.names.map((name, item) => "
+                     "[data.items.tones[item], Camopt.page.sceneOf(item)])")
+    assert scenes[0][1] == scene.read_text()
+    broken = [text for tone, text in scenes if tone == "bad"]
+    assert broken and all(text == scene.read_text() for text in broken), "a broken law's scene is another one"
+    assert any('reference = "' in text and text != scene.read_text() for tone, text in scenes if tone != "bad"), scenes
+
+
+def a_page_without_scenes_says_how_to_get_them(page, made):
+    scene = pathlib.Path(sys.argv[2]) / "drd_cubic_4.toml"
+    folder = made["sweep"].parent / "many"
+    browser.run_camopt(made["program"], "sweep", scene, "--weights", "simplex:100", "--out", folder)
+    page.open(folder / "sweep.html")
+    rows = page.js("return Camopt.page.data.items.names.length")
+    assert rows == 5151, rows
+    row = page.js("const row = document.querySelectorAll('.study-table tbody tr')[1234]; row.click(); return Number(row.dataset.item)")
+    notice = page.js("return document.querySelector('.notice').textContent")
+    assert "carries no scenes" in notice, notice
+    command = page.js("return document.querySelector('.notice pre').textContent")
+    assert command.startswith(f"camopt solve {scene} --set objective.velocity="), command
+    solved = browser.run_camopt(made["program"], *command.split()[1:], "--json")
+    line = (folder / "sweep.csv").read_text().splitlines()[1 + row].split(",")
+    head = (folder / "sweep.csv").read_text().splitlines()[0].split(",")
+    objective = json.loads(solved)["objective"]
+    assert abs(objective - float(line[head.index("objective")])) < 1e-6, (command, objective, line)
+    page.js("[...document.querySelectorAll('.notice button')].find((one) => one.textContent === 'Close').click()")
+    assert page.js("return document.querySelector('.notice')") is None
+    assert not page.complaints()
+
+
 def a_head_sorts(page, made):
     page.open(made["comparison"] / "comparison.html")
     page.js("[...document.querySelectorAll('.sort')].find((one) => one.textContent === 'V').click()")
@@ -78,6 +114,26 @@ def a_head_sorts(page, made):
     values = [float(cell) for cell in cells if cell]
     assert values == sorted(values) and len(values) > 10, values
     assert cells[:len(values)] == [cell for cell in cells if cell], "laws without a number come last"
+
+
+def letters_keep_their_size_on_a_telephone(page, made):
+    page.width(390)
+    for name in PAGES:
+        page.open(made[name] / f"{name}.html")
+        page.settle()
+        heights = page.js("return [...document.querySelectorAll('.scatter text')].map((one) => one.getBBox().height * "
+                          "one.ownerSVGElement.clientWidth / one.ownerSVGElement.viewBox.baseVal.width)")
+        assert heights and min(heights) > 10, (name, min(heights))
+    page.width(1440)
+
+
+def pictures_turn_dark(page, made):
+    for name in ("sweep", "pareto"):
+        page.media("dark")
+        page.open(made[name] / f"{name}.html")
+        look = page.js("return getComputedStyle(document.querySelector('.study-picture svg')).filter")
+        page.media("light")
+        assert "invert" in look, (name, look)
 
 
 def light_and_dark(page, made):
@@ -93,4 +149,6 @@ def light_and_dark(page, made):
 
 if __name__ == "__main__":
     browser.run_tests([pages_load_and_fit, a_pointer_names_the_motion, marks_of_pictures_are_items,
-                       a_click_hands_out_a_scene_that_solves, a_head_sorts, light_and_dark], prepare)
+                       a_click_hands_out_a_scene_that_solves, a_law_that_breaks_limits_is_no_reference,
+                       a_page_without_scenes_says_how_to_get_them, a_head_sorts, letters_keep_their_size_on_a_telephone,
+                       pictures_turn_dark, light_and_dark], prepare, browser.FLAT)

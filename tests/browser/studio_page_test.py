@@ -111,6 +111,43 @@ class CamScene(OnePage):
         peak = max(filter(None, page.run("return Camopt.page.data.curves.find((one) => one.key === 'velocity').values")))
         self.assertAlmostEqual(peak, 20 / (80 * 3.141592653589793 / 180) * there["peaks"]["velocity"]["value"], delta=1e-4)
 
+    def test_the_curve_comes_first_and_says_that_it_is_not_proved(self):
+        page = self.page
+        page.run("""
+            window.seen = [];
+            const look = () => {
+                const head = document.querySelector('.headline'), words = document.querySelector('.words');
+                window.seen.push({stage: head.dataset.stage, text: head.textContent, outdated: words.classList.contains('outdated'),
+                                  tables: document.querySelector('.tables').classList.contains('outdated'),
+                                  note: getComputedStyle(words, '::before').content});
+            };
+            new MutationObserver(look).observe(document.querySelector('.headline'), {attributes: true, attributeFilter: ['data-stage']});""")
+        page.move("objective.velocity", 0.55)
+        seen = page.run("return window.seen")
+        self.assertEqual([one["stage"] for one in seen], ["curve", "proof", "rest"])
+        for one in seen:
+            open_ = one["stage"] == "curve"
+            self.assertEqual(one["text"], "Not proved yet" if open_ else "The best motion, and proved to be it")
+            self.assertEqual((one["outdated"], one["tables"]), (open_, open_))
+            self.assertEqual("Not proved yet" in one["note"], open_)
+        times = page.run("return Camopt.studio.times")
+        self.assertEqual([one["stage"] for one in times], ["curve", "proof", "rest"])
+        self.assertEqual(sorted(one["ms"] for one in times), [one["ms"] for one in times])
+        self.assertIn("would lose", page.run("return document.querySelector('.against').textContent"))
+
+    def test_a_slider_in_the_hand_draws_curves_and_its_release_proves_the_last(self):
+        page = self.page
+        for value in (0.45, 0.5, 0.6):
+            page.after(lambda one=value: page.run("""
+                const slider = document.querySelector('[data-key="objective.velocity"] input[type=range]');
+                slider.value = arguments[0];
+                slider.dispatchEvent(new Event('input'));""", str(one)))
+            self.assertEqual(page.run("return document.querySelector('.headline').dataset.stage"), "curve")
+        page.after(lambda: page.run("""
+            document.querySelector('[data-key="objective.velocity"] input[type=range]').dispatchEvent(new Event('change'));"""))
+        self.assertEqual([one["stage"] for one in page.run("return Camopt.studio.times")], ["curve"] * 3 + ["proof", "rest"])
+        self.assertAlmostEqual(page.objective(), command_line(CAM, "objective.velocity=0.6")["objective"], delta=1e-8)
+
     def test_cursor_and_animation(self):
         page = self.page
         for row in (40, 120):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/scalar_search.hpp"
+#include "core/numbers/scalar_search.hpp"
 
-#include "core/quadrature.hpp"
+#include "core/numbers/quadrature.hpp"
 
 #include <gtest/gtest.h>
 

@@ -83,7 +83,9 @@ def faults_of_command(root, program, words):
         yield from faults_of_script(root, words)
     elif name in ("cmake", "ctest"):
         yield from faults_of_presets(root, words)
-    elif not shutil.which(name) and name not in ("cd", "export", "source"):
+    elif name == "mpirun" and "camopt" in words:
+        yield from faults_of_camopt(program, words[words.index("camopt") + 1:])
+    elif not shutil.which(name) and name not in ("cd", "export", "source", "sbatch"):  # clusters have that one
         yield f"there is no program '{name}'"
 
 

@@ -12,6 +12,18 @@ const std::string start =
     "[cam]\n"
     "type = \"disk\"\n";
 
+/// Every key of [cam] for a disk cam, as messages list them.
+const std::string known_keys =
+    "type, follower, base_radius_mm, base_radius_in, base_radius_m, roller_radius_mm, "
+    "roller_radius_in, roller_radius_m, offset_mm, offset_in, offset_m, center_distance_mm, "
+    "center_distance_in, center_distance_m, arm_length_mm, arm_length_in, arm_length_m, "
+    "face_offset_mm, face_offset_in, face_offset_m, face_half_width_mm, face_half_width_in, "
+    "face_half_width_m, form, groove_clearance_mm, groove_clearance_in, groove_clearance_m, "
+    "groove_wall_mm, groove_wall_in, groove_wall_m, roller_distance_mm, roller_distance_in, "
+    "roller_distance_m, arm_angle_deg, arm_angle_rad, second_roller_radius_mm, "
+    "second_roller_radius_in, second_roller_radius_m, second_offset_mm, second_offset_in, "
+    "second_offset_m, second_arm_length_mm, second_arm_length_in, second_arm_length_m, rotation";
+
 /// Eight lines: a cam with a translating roller.
 const std::string roller =
     "objective.jerk = 1\n"
@@ -79,20 +91,50 @@ std::vector<BrokenScene> broken_cams() {
          "\"rotating\" or \"translating\"; did you mean 'translating_roller' or 'oscillating_roller'?"},
         {"cam_base_radius_missing", start + "follower = \"translating_knife\"\n",
          "s.toml:3:1: cam.base_radius_mm: missing; allowed: a number > 0, or a range { min = …, max = … }"},
+        {"cam_form_unknown", roller + "form = \"slotted\"\n",
+         "s.toml:9:8: cam.form: found \"slotted\"; allowed: \"open\", \"grooved\" or \"conjugate\""},
+        {"cam_form_of_a_face", flat + "form = \"grooved\"\n",
+         "s.toml:8:8: cam.form: found \"grooved\" for the follower \"translating_flat\"; allowed: only with "
+         "translating_roller and oscillating_roller: the others touch one side"},
+        {"cam_groove_without_a_groove", roller + "groove_clearance_mm = 0.1\n",
+         "s.toml:9:23: cam.groove_clearance_mm: found a number that a cam of form \"open\" with the follower "
+         "\"translating_roller\" does not have; allowed: only with cam.form = \"grooved\""},
+        {"cam_conjugate_without_a_distance", roller + "form = \"conjugate\"\n",
+         "s.toml:4:1: cam.roller_distance: found 0 for a cam of form \"conjugate\"; allowed: the distance "
+         "between "
+         "the rollers' axes, above 0"},
+        {"cam_conjugate_arm_of_a_slide", roller + "form = \"conjugate\"\narm_angle_deg = 60\n",
+         "s.toml:10:17: cam.arm_angle_deg: found a number that a cam of form \"conjugate\" with the follower "
+         "\"translating_roller\" does not have; allowed: only with cam.form = \"conjugate\" and an "
+         "oscillating "
+         "roller"},
+        {"cam_conjugate_rollers_too_close", roller + "form = \"conjugate\"\nroller_distance_mm = 65\n",
+         "s.toml:10:22: cam.roller_distance_mm: found 65 mm, which leaves the second roller 5 mm from the "
+         "cam's "
+         "centre where the follower stands highest; allowed: more than its radius of 10 mm, for every base "
+         "and "
+         "roller radius allowed"},
+        {"cam_conjugate_arms_too_close",
+         arm + "base_radius_mm = 40\ncenter_distance_mm = 80\narm_length_mm = 70\nform = \"conjugate\"\n"
+               "arm_angle_deg = 40\n",
+         "s.toml:12:17: cam.arm_angle_deg: found 40 deg, which puts the second arm -18.2132 to 1.78679 deg "
+         "from "
+         "the line of centres, its roller 25.7123 mm from the cam's centre; allowed: between 0 and 180 deg, "
+         "farther than its radius of 10 mm, for every dimension allowed"},
+        {"cam_least_force_in_a_groove",
+         "motion.speed_rpm = 300\n" + roller +
+             "form = \"grooved\"\n[forces]\nmass_kg = 1\n[limits]\ncontact_force_min_n = 10\n",
+         "s.toml:14:23: limits.contact_force_min_n: found a least contact force for a cam of form "
+         "\"grooved\"; "
+         "allowed: only with cam.form = \"open\": this cam drives both ways"},
         {"cam_rotation_unknown", roller + "rotation = \"left\"\n",
          "s.toml:9:12: cam.rotation: found \"left\"; allowed: \"counterclockwise\" or \"clockwise\""},
         {"cam_key_unknown", roller + "ofset_mm = 3\n",
-         "s.toml:9:1: cam.ofset_mm: found an unknown key; allowed: type, follower, base_radius_mm, "
-         "base_radius_in, base_radius_m, roller_radius_mm, roller_radius_in, roller_radius_m, offset_mm, "
-         "offset_in, offset_m, center_distance_mm, center_distance_in, center_distance_m, arm_length_mm, "
-         "arm_length_in, arm_length_m, face_offset_mm, face_offset_in, face_offset_m, face_half_width_mm, "
-         "face_half_width_in, face_half_width_m, rotation; did you mean 'offset_mm'?"},
+         "s.toml:9:1: cam.ofset_mm: found an unknown key; allowed: " + known_keys +
+             "; did you mean 'offset_mm'?"},
         {"cam_unit_missing", roller + "offset = 3\n",
-         "s.toml:9:1: cam.offset: found an unknown key; allowed: type, follower, base_radius_mm, "
-         "base_radius_in, base_radius_m, roller_radius_mm, roller_radius_in, roller_radius_m, offset_mm, "
-         "offset_in, offset_m, center_distance_mm, center_distance_in, center_distance_m, arm_length_mm, "
-         "arm_length_in, arm_length_m, face_offset_mm, face_offset_in, face_offset_m, face_half_width_mm, "
-         "face_half_width_in, face_half_width_m, rotation; did you mean 'offset_mm'?"},
+         "s.toml:9:1: cam.offset: found an unknown key; allowed: " + known_keys +
+             "; did you mean 'offset_mm'?"},
         {"cam_base_radius_zero", arm + "base_radius_in = 0\n",
          "s.toml:8:18: cam.base_radius_in: found 0; allowed: a number > 0, or a range { min = …, max = … }"},
         {"cam_base_radius_text", arm + "base_radius_mm = \"40\"\n",

@@ -16,6 +16,18 @@ const std::string disk_drawing =
     "base_radius_mm = 40\n"
     "[drawing]\n";
 
+const std::string grooved_drawing =
+    "objective.jerk = 1\n"
+    "motion.type = \"RR\"\n"
+    "motion.lift_mm = 10\n"
+    "[cam]\n"
+    "type = \"disk\"\n"
+    "follower = \"translating_roller\"\n"
+    "form = \"grooved\"\n"
+    "roller_radius_mm = 8\n"
+    "base_radius_mm = 40\n"
+    "[drawing]\n";
+
 }  // namespace
 
 std::vector<BrokenScene> broken_drawings() {
@@ -32,6 +44,11 @@ std::vector<BrokenScene> broken_drawings() {
          "s.toml:10:10: drawing.keyway: found a keyway that reaches 41 mm from the centre; allowed: less "
          "than "
          "40 mm, the radius of the base circle"},
+        {"groove_depth_without_a_groove", disk_drawing + "groove_depth_mm = 8\n",
+         "s.toml:9:19: drawing.groove_depth_mm: found a depth without a groove; allowed: only with cam.form "
+         "= \"grooved\""},
+        {"groove_as_deep_as_the_cam", grooved_drawing + "thickness_mm = 8\ngroove_depth_mm = 8\n",
+         "s.toml:12:19: drawing.groove_depth_mm: found 8 mm; allowed: less than the thickness, 8 mm"},
         {"keyway_without_bore", disk_drawing + "keyway = { width_mm = 8, depth_mm = 3 }\n",
          "s.toml:9:10: drawing.keyway: found a keyway without a bore; allowed: only where drawing.bore is "
          "given"},

@@ -123,7 +123,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, drawing, solver; did you mean 'title'?"},
+         "measured, dynamics, limits, drawing, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -167,7 +167,7 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, drawing, solver; did you mean 'spline.degree'?"},
+         "measured, dynamics, limits, drawing, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -183,7 +183,8 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerks = 1\n",
          "s.toml:4:1: objective.jerks: found an unknown key; allowed: velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk, torque, base_radius, roller_radius, offset, center_distance, "
+         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration, base_radius, roller_radius, "
+         "offset, center_distance, "
          "arm_length, face_offset, reference, tie_break; did you mean 'jerk'?"},
         {"unknown_reference",
          "[motion]\n"
@@ -192,7 +193,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n"
          "reference = { jrk = 69 }\n",
          "s.toml:5:15: objective.reference.jrk: found an unknown key; allowed: velocity, acceleration, jerk, "
-         "rms_acceleration, rms_jerk, torque; did you mean 'jerk'?"},
+         "rms_acceleration, rms_jerk, torque, residual, dynamic_acceleration; did you mean 'jerk'?"},
         {"unknown_limit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -200,15 +201,9 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n"
          "[limits]\n"
          "velocity_mm = 3\n",
-         "s.toml:6:1: limits.velocity_mm: found an unknown key; allowed: velocity, velocity_mm_s, "
-         "velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, acceleration, acceleration_mm_s2, "
-         "acceleration_in_s2, acceleration_m_s2, acceleration_deg_s2, acceleration_rad_s2, jerk, jerk_mm_s3, "
-         "jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, pressure_angle_deg, pressure_angle_rad, "
-         "rise_pressure_angle_deg, rise_pressure_angle_rad, return_pressure_angle_deg, "
-         "return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, cam_radius_min_m, "
-         "concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, undercut_margin, "
-         "contact_force_min_n, contact_moment_min_nm, torque_max_nm, hertz_pressure_max_mpa, "
-         "hertz_pressure_max_gpa, hertz_pressure_max_pa; did you mean 'velocity_mm_s'?"},
+         "s.toml:6:1: limits.velocity_mm: found an unknown key; allowed: " + known_limit_keys +
+             "; did you "
+             "mean 'velocity_mm_s'?"},
         {"unknown_solver",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -234,7 +229,7 @@ std::vector<BrokenScene> broken_files() {
          "[solvers]\n"
          "name = \"auto\"\n",
          "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, limits, drawing, solver; did you mean 'solver'?"},
+         "measured, dynamics, limits, drawing, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"

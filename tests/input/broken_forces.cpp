@@ -138,15 +138,7 @@ std::vector<BrokenScene> broken_forces() {
         {"limit_undercut_margin_one", no_forces + "undercut_margin = 1\n",
          "s.toml:10:19: limits.undercut_margin: found 1; allowed: a number >= 0 and < 1"},
         {"limit_undercut_margin_unit", no_forces + "undercut_margin_mm = 1\n",
-         "s.toml:10:1: limits.undercut_margin_mm: found an unknown key; allowed: velocity, velocity_mm_s, "
-         "velocity_in_s, velocity_m_s, velocity_deg_s, velocity_rad_s, acceleration, acceleration_mm_s2, "
-         "acceleration_in_s2, acceleration_m_s2, acceleration_deg_s2, acceleration_rad_s2, jerk, jerk_mm_s3, "
-         "jerk_in_s3, jerk_m_s3, jerk_deg_s3, jerk_rad_s3, pressure_angle_deg, pressure_angle_rad, "
-         "rise_pressure_angle_deg, rise_pressure_angle_rad, return_pressure_angle_deg, "
-         "return_pressure_angle_rad, cam_radius_min_mm, cam_radius_min_in, cam_radius_min_m, "
-         "concave_radius_min_mm, concave_radius_min_in, concave_radius_min_m, undercut_margin, "
-         "contact_force_min_n, contact_moment_min_nm, torque_max_nm, hertz_pressure_max_mpa, "
-         "hertz_pressure_max_gpa, hertz_pressure_max_pa"},
+         "s.toml:10:1: limits.undercut_margin_mm: found an unknown key; allowed: " + known_limit_keys},
         {"limit_concave_on_flat",
          "objective.jerk = 1\n"
          "motion.type = \"DRD\"\n"

@@ -15,31 +15,31 @@ const std::string sliding =
     "motion.type = \"DRD\"\n"
     "motion.lift_mm = 20\n";
 
-/// Nine lines: without the lateral offset.
-const std::string barrel = swinging +
-                           "[cam]\n"
-                           "type = \"barrel\"\n"
-                           "roller_radius_mm = 10\n"
-                           "roller_length_mm = 20\n"
-                           "arm_length_mm = 70\n"
-                           "center_distance_mm = 150\n";
+/// Eight lines.
+const std::string without_place = swinging +
+                                  "[cam]\n"
+                                  "type = \"barrel\"\n"
+                                  "roller_radius_mm = 10\n"
+                                  "roller_length_mm = 20\n"
+                                  "arm_length_mm = 70\n";
+const std::string barrel = without_place + "center_distance_mm = 150\n";
 
 }  // namespace
 
 std::vector<BrokenScene> broken_spatial() {
     return {
-        {"BarrelWithoutItsPlace", barrel,
-         "s.toml:4:1: cam.lateral_offset_mm: missing for this cam (\"barrel\"); allowed: a finite number, or "
-         "a "
-         "range "
-         "{ min = …, max = … }"},
+        {"BarrelWithoutItsPlace", without_place,
+         "s.toml:4:1: cam.center_distance_mm: missing for this cam (\"barrel\"); allowed: a number > 0, or a "
+         "range { min = …, max = … }"},
         {"BarrelThatSlides", sliding + "[cam]\ntype = \"barrel\"\n",
          "s.toml:5:8: cam.type: found \"barrel\" where the lift is a length; allowed: a cylindrical cam with "
          "a "
          "\"translating\" follower, or motion.lift_deg or motion.lift_rad"},
         {"BarrelWithAFollower", barrel + "follower = \"rotating\"\n",
          "s.toml:10:1: cam.follower: found a key for cams of type \"disk\" or \"cylindrical\"; allowed: only "
-         "with cam.type = \"disk\" or \"cylindrical\""},
+         "with cam.type = \"disk\" or \"cylindrical\"; cam.type = \"barrel\" says what follows already: "
+         "leave "
+         "this key out"},
         {"BarrelWithACylinder", barrel + "cylinder_radius_mm = 60\n",
          "s.toml:10:1: cam.cylinder_radius_mm: found a key that this cam (\"barrel\") does not have; "
          "allowed: "

@@ -2,6 +2,7 @@
 #include "tests/input/scene_key_cases.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace camopt::input {
 namespace {
@@ -88,9 +89,51 @@ std::vector<KeyCase> segment_cases() {
     };
 }
 
+namespace {
+
+std::function<double(const Scene&)> of_form(double FormSpec::*member) {
+    return [member](const Scene& s) { return s.cam.value().form.*member; };
+}
+std::function<double(const Scene&)> of_form(std::optional<double> FormSpec::*member) {
+    return [member](const Scene& s) { return (s.cam.value().form.*member).value(); };
+}
+
+/// In every unit of a length: 1 mm, 1 in, 0.04 m times `size`.
+void add_lengths(std::vector<KeyCase>& all, const std::string& key, double size,
+                 const std::function<double(const Scene&)>& got, const std::string& rest) {
+    for (const auto& [unit, metres] : {std::pair("_mm", 1e-3), {"_in", 0.0254}, {"_m", 1.0}})
+        all.push_back({"cam." + key + unit, std::to_string(size / metres),
+                       std::stod(std::to_string(size / metres)) * metres, got, rest});
+}
+
+void add_form_cases(std::vector<KeyCase>& all) {
+    const std::string groove = cam(roller) + "cam.form = \"grooved\"\n";
+    const std::string pair = cam(roller) + "cam.form = \"conjugate\"\n";
+    const std::string slide = pair + "cam.roller_distance_mm = 120\n";
+    const std::string arms = cam(arm) + "cam.form = \"conjugate\"\n";
+    const auto is = [](CamForm form) {
+        return [form](const Scene& s) { return s.cam.value().form.type == form ? 1.0 : 0.0; };
+    };
+    all.push_back({"cam.form", "\"open\"", 1, is(CamForm::open), cam(roller)});
+    all.push_back({"cam.form", "\"grooved\"", 1, is(CamForm::grooved), cam(arm)});
+    all.push_back({"cam.form", "\"conjugate\"", 1, is(CamForm::conjugate),
+                   cam(roller) + "cam.roller_distance_mm = 120\n"});
+    add_lengths(all, "groove_clearance", 0.002, of_form(&FormSpec::groove_clearance), groove);
+    add_lengths(all, "groove_wall", 0.012, of_form(&FormSpec::groove_wall), groove);
+    add_lengths(all, "roller_distance", 0.12, of_form(&FormSpec::roller_distance), pair);
+    add_lengths(all, "second_roller_radius", 0.008, of_form(&FormSpec::second_roller_radius), slide);
+    add_lengths(all, "second_offset", -0.006, of_form(&FormSpec::second_offset), slide);
+    all.push_back({"cam.arm_angle_deg", "90", pi / 2, of_form(&FormSpec::arm_angle), arms});
+    all.push_back({"cam.arm_angle_rad", "1.5", 1.5, of_form(&FormSpec::arm_angle), arms});
+    add_lengths(all, "second_arm_length", 0.075, of_form(&FormSpec::second_arm_length),
+                arms + "cam.arm_angle_deg = 90\n");
+}
+
+}  // namespace
+
 std::vector<KeyCase> cam_cases() {
     const auto width = [](const Scene& s) { return s.cam.value().face_half_width.value(); };
-    return {
+    std::vector<KeyCase> all = {
         {"cam.type", "\"disk\"", 1, [](const Scene& s) { return s.cam ? 1.0 : 0.0; }, cam(roller, "type")},
         {"cam.follower", "\"translating_knife\"", 1,
          [](const Scene& s) { return s.cam.value().follower == FollowerType::translating_knife ? 1.0 : 0.0; },
@@ -127,6 +170,8 @@ std::vector<KeyCase> cam_cases() {
         {"cam.face_half_width_in", "1", 0.0254, width, cam(flat)},
         {"cam.face_half_width_m", "0.02", 0.02, width, cam(flat)},
     };
+    add_form_cases(all);
+    return all;
 }
 
 std::vector<KeyCase> force_cases() {

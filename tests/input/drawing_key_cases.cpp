@@ -22,6 +22,12 @@ std::string drawn_cam(const std::string& except = "") {
     return toml;
 }
 
+std::string grooved_cam() {
+    return "motion.lift_mm = 20\ncam.type = \"disk\"\ncam.follower = \"translating_roller\"\ncam.form = "
+           "\"grooved\"\n"
+           "cam.base_radius_mm = 400\ncam.roller_radius_mm = 20\n";
+}
+
 const Keyway& keyway_of(const Scene& scene) {
     return scene.drawing.value().keyway.value();
 }
@@ -35,6 +41,7 @@ double is_x(const std::string& text) {
 std::vector<KeyCase> drawing_cases() {
     const auto bore = [](const Scene& s) { return s.drawing.value().bore.value(); };
     const auto thickness = [](const Scene& s) { return s.drawing.value().thickness.value(); };
+    const auto groove = [](const Scene& s) { return s.drawing.value().groove_depth.value(); };
     const auto datum = [](const Scene& s) { return s.drawing.value().datum; };
     const auto width = [](const Scene& s) { return keyway_of(s).width; };
     const auto depth = [](const Scene& s) { return keyway_of(s).depth; };
@@ -49,6 +56,9 @@ std::vector<KeyCase> drawing_cases() {
         {"drawing.thickness_mm", "20", 0.02, thickness, drawn_cam()},
         {"drawing.thickness_in", "0.5", 0.0127, thickness, drawn_cam()},
         {"drawing.thickness_m", "0.03", 0.03, thickness, drawn_cam()},
+        {"drawing.groove_depth_mm", "8", 0.008, groove, grooved_cam()},
+        {"drawing.groove_depth_in", "0.25", 0.00635, groove, grooved_cam()},
+        {"drawing.groove_depth_m", "0.01", 0.01, groove, grooved_cam()},
         {"drawing.datum_deg", "-90", -pi / 2, datum, drawn_cam()},
         {"drawing.datum_rad", "0.5", 0.5, datum, drawn_cam()},
         {"drawing.keyway.width_mm", "10", 0.01, width, drawn_cam("width")},

@@ -144,7 +144,7 @@ std::vector<KeyCase> solver_cases() {
     return {
         {"solver.name", "\"ipopt\"", 1, [](const Scene& s) { return s.solver.name == "ipopt" ? 1.0 : 0.0; }},
         {"solver.tolerance", "1e-8", 1e-8, [](const Scene& s) { return s.solver.tolerance; }},
-        {"solver.gap", "1e-6", 1e-6, [](const Scene& s) { return s.solver.gap; }},
+        {"solver.gap", "1e-6", 1e-6, [](const Scene& s) { return s.solver.gap.value_or(0.0); }},
         {"solver.max_seconds", "5", 5, [](const Scene& s) { return s.solver.max_seconds; }},
         {"solver.starts", "8", 8, [](const Scene& s) { return double(s.solver.starts.value_or(0)); }},
         {"solver.seed", "4294967295", 4294967295.0, [](const Scene& s) { return double(s.solver.seed); }},

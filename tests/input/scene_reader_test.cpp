@@ -44,10 +44,10 @@ Scene read(const std::string& toml, const std::vector<std::string>& overrides = 
 
 std::vector<KeyCase> key_cases() {
     std::vector<KeyCase> all;
-    for (const auto& part :
-         {motion_cases(), segment_cases(), set_point_cases(), measured_cases(), spline_cases(),
-          objective_cases(), dimension_weight_cases(), cam_cases(), remote_cases(), spatial_cases(),
-          inverse_cases(), force_cases(), limit_cases(), cam_limit_cases(), drawing_cases(), solver_cases()})
+    for (const auto& part : {motion_cases(), segment_cases(), set_point_cases(), measured_cases(),
+                             spline_cases(), objective_cases(), dimension_weight_cases(), cam_cases(),
+                             remote_cases(), spatial_cases(), inverse_cases(), force_cases(), limit_cases(),
+                             cam_limit_cases(), drawing_cases(), dynamics_cases(), solver_cases()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -59,6 +59,16 @@ std::string point_with(const std::string& key, const std::string& value) {
     if (key.starts_with("from")) beside = "velocity = 1, to = 0.875";
     if (key.starts_with("to")) beside = "velocity = 1, from = 0.125";
     return "{ " + beside + ", " + key + " = " + value + " }";
+}
+
+/// A stage of an elastic follower with this key.
+std::string stage_with(const std::string& key, const std::string& value) {
+    const bool turns = key.starts_with("inertia") || key.ends_with("rad");
+    std::string members = key + " = " + value;
+    if (!key.starts_with("mass") && !key.starts_with("inertia"))
+        members += turns ? ", inertia_kg_m2 = 1" : ", mass_kg = 1";
+    if (!key.starts_with("stiffness")) members += turns ? ", stiffness_nm_rad = 4" : ", stiffness_n_m = 4";
+    return "dynamics.stage = [{ " + members + " }]\n";
 }
 
 /// The smallest scene that holds the key.
@@ -77,6 +87,8 @@ std::string scene_with(const KeyCase& c) {
                      ? ", kind = \"" + std::string(c.key == segment + "law" ? "law" : "spline") + "\""
                      : "") +
                 " }, { kind = \"spline\", angle_deg = 100, to = 0.25 }]\n";
+    else if (const std::string stage = "dynamics.stage."; c.key.starts_with(stage))
+        toml += stage_with(c.key.substr(stage.size()), c.value);
     else
         toml += c.key + " = " + c.value + "\n";
     if (c.key != "motion.type" && c.rest.find("motion.type") == std::string::npos) toml += drd;
@@ -120,7 +132,9 @@ TEST(SceneReader, AbsentKeysKeepTheDefaultsOfTheScene) {
     EXPECT_FALSE(scene.limits.velocity || scene.limits.acceleration || scene.limits.jerk);
     EXPECT_EQ(scene.solver.name, "auto");
     EXPECT_EQ(scene.solver.tolerance, 1e-9);
-    EXPECT_EQ(scene.solver.gap, 1e-7);
+    EXPECT_FALSE(scene.solver.gap);
+    EXPECT_EQ(scene.solver.wanted_gap(), 1e-7);
+    EXPECT_EQ(scene.solver.wanted_gap(false), 1e-4);
     EXPECT_EQ(scene.solver.max_seconds, 60.0);
     EXPECT_TRUE(scene.solver.options.empty());
 }

@@ -28,7 +28,6 @@ std::string spatial(SpatialFollower follower, const std::string& except = "") {
     } else {
         add("cylinder_radius", "_mm = 60");
     }
-    if (follower == barrel) add("lateral_offset", "_mm = 70");
     return toml;
 }
 
@@ -79,6 +78,7 @@ std::vector<KeyCase> spatial_cases() {
         {"cam.cylinder_radius_m", "{ min = 0.05, max = 0.07 }", 0.05, low(center_distance),
          spatial(cylindrical_translating, "cylinder_radius")},
         {"cam.lateral_offset_mm", "72", 0.072, low(lateral_offset), spatial(barrel, "lateral_offset")},
+        {"cam.axial_offset_mm", "3", 0.0, low(lateral_offset), spatial(barrel)},  // none is 0
         {"cam.lateral_offset_in", "-0.5", -0.0127, low(lateral_offset), spatial(cylindrical_rotating)},
         {"cam.lateral_offset_m", "{ min = -0.01, max = 0.01 }", -0.01, low(lateral_offset),
          spatial(cylindrical_translating)},

@@ -36,7 +36,7 @@ PLANTED = [
      "profiles/ must not link camopt::profiles_inverse"),
     ("include_rules", "output/nc/n.cpp", SPDX + '#include "profiles/p.hpp"\n', "output/nc/ must not include profiles/"),
     ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
-    ("include_rules", "benchmarks/b.cpp", SPDX + '#include "apps/p.hpp"\n', "benchmarks/ must not include apps/"),
+    ("include_rules", "bindings/b.cpp", SPDX + '#include "apps/p.hpp"\n', "bindings/ must not include apps/"),
     ("include_rules", "gears/g.cpp", SPDX, "has no line"),
     ("include_rules", "solvers/CMakeLists.txt", "link(camopt::splines)\n", "must not link camopt::splines"),
     ("locale_free", "core/b.cpp", SPDX + "double b = std::stod(text);\n", "core/b.cpp:2: reads a number"),

@@ -12,6 +12,7 @@ MAY_INCLUDE = {
     "motions": {"core"},
     "splines": {"core", "linear"},
     "profiles": {"core", "scene"},
+    "dynamics": {"core", "scene"},
     "objectives": {"core", "scene", "motions", "splines", "profiles"},
     "solvers": {"core", "linear"},
     "input": {"core", "scene", "profiles/kinds"},
@@ -28,11 +29,14 @@ MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
 MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
 # With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
-MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "solvers", "input", "profiles/factory"}
+MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers", "input",
+                                "profiles/factory"}
 # Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
 MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles/spatial"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
+# The way of a program's cutter as a picture: of any machine, no cam.
+MAY_INCLUDE["output/toolpath"] = {"core", "output", "output/nc"}
 # Electronic cams: the motion alone, no cam.
 MAY_INCLUDE["output/plc"] = {"core", "scene", "splines", "studies", "output"}
 # A page shows cams of every kind: of plane ones what their leaf says, of spatial ones what is drawn of them.
@@ -43,6 +47,7 @@ MAY_INCLUDE |= {
 }
 # Nothing builds on the program; what of it can fail by itself (worker processes) is tested by itself.
 MAY_INCLUDE["tests"] = EVERY_MODULE | {"apps", "bindings"}
+MAY_INCLUDE["benchmarks"] = EVERY_MODULE | {"apps"}  # what of it costs time is measured by itself
 MAY_INCLUDE["tests"] = MAY_INCLUDE["tests"] | {"benchmarks"}  # tests run the quick rows of the stability table
 
 

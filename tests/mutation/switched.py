@@ -73,6 +73,21 @@ class Expressions:
     def ends(text):
         return text in (",", ";", "?", ":") or text in WORDS or text in ASSIGNMENTS
 
+    def leftwards(self, left, stands_before):
+        """The first token of what `left` belongs to, over whole brackets; None where they do not close."""
+        while left > 0:
+            text = self.tokens[left - 1][0]
+            if stands_before(text) or self.juxtaposed(left - 1):
+                break
+            left -= 1
+            if text in CLOSING:
+                if left not in self.partner:
+                    return None
+                left = self.partner[left]
+            elif text in "([":
+                return None
+        return left
+
     def expression(self, begin, end):
         """(begin, end) of the expression about a change; None where its brackets do not close."""
         first, last = self.touched(begin, end)
@@ -90,17 +105,8 @@ class Expressions:
                 if right not in partner:
                     return None
                 right = partner[right]
-        left = first
-        while left > 0:
-            text = tokens[left - 1][0]
-            if text in OPENING or self.ends(text) or self.juxtaposed(left - 1):
-                break
-            left -= 1
-            if text in CLOSING:
-                if left not in partner:
-                    return None
-                left = partner[left]
-        return (tokens[left][1], tokens[right][2])
+        left = self.leftwards(first, lambda text: text in OPENING or self.ends(text))
+        return None if left is None else (tokens[left][1], tokens[right][2])
 
     def statement(self, begin, end):
         """(begin, end) of the simple statement about a change, its semicolon included."""
@@ -115,18 +121,8 @@ class Expressions:
             elif tokens[right][0] in CLOSING:  # the change stands within these
                 left = min(left, partner[right])
             right += 1
-        while left > 0:
-            text = tokens[left - 1][0]
-            if text in ";{" or text == ":" or self.juxtaposed(left - 1):
-                break
-            left -= 1
-            if text in CLOSING:
-                if left not in partner:
-                    return None
-                left = partner[left]
-            elif text in "([":
-                return None
-        if right == len(tokens) or left == 0 or tokens[left][0] in ("for", "if", "while", "else", "case"):
+        left = self.leftwards(left, lambda text: text in ";{" or text == ":")
+        if right == len(tokens) or not left or tokens[left][0] in ("for", "if", "while", "else", "case"):
             return None
         return tokens[left][1], tokens[right][2]
 
@@ -219,4 +215,9 @@ class Switched:
             first, last = (text.count("\n", 0, place) + 2 for place in (begin, end))
             if any((Path(path).name, line) in lines for line in range(first, last + 1)):
                 found.append(number)
-        return found
+        if found:
+            return found
+        # A switch that moved a declaration into a block is missed on a later line: any of that file may be it.
+        files = {name for name, _ in lines}
+        return [number for number, (path, _, _, _) in self.mutants.items()
+                if self.way[number] != "alone" and Path(path).name in files]

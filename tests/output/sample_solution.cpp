@@ -36,7 +36,8 @@ DualityProof small_proof() {
     proof.cost = Eigen::Vector3d(1.0 / 3.0, 0.1, -2e-17);
     proof.constant = 0.25;
     proof.rows = {"first", "limits.jerk (face) at x = 0.25-"};
-    proof.origins = {{"first", {}, {}, Side::right, false}, {"limits.jerk", "face", 0.25, Side::left, true}};
+    proof.origins = {{"first", {}, {}, Side::right, false},
+                     {"limits.jerk", "face", 0.25, Side::left, true, 3, -1}};
     proof.matrix.resize(2, 3);
     proof.matrix.insert(0, 0) = std::numbers::pi;
     proof.matrix.insert(0, 2) = -1.0;

@@ -47,7 +47,9 @@ std::string weighing_all() {
 TEST(CostTable, HasARowForEveryReferenceAndWeight) {
     // Members cannot be counted, but their size can: the law, the numbers, the flag behind them.
     EXPECT_EQ(sizeof(Reference),
-              sizeof(std::string) + cost_terms().size() * sizeof(std::optional<double>) + alignof(double));
+              sizeof(std::string) +
+                  (cost_terms().size() + response_terms().size()) * sizeof(std::optional<double>) +
+                  alignof(double));
     ObjectiveSpec objective;
     std::set<const void*> members;
     std::set<std::string> names;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The checks of the soak trials can fail: a true result passes each of them, the same result with one number
 // spoiled fails the one that is about it.
+#include "tests/soak/figures/cam_extremes.hpp"
 #include "tests/soak/figures/law.hpp"
 #include "tests/soak/relations/relation.hpp"
 #include "tests/soak/run/trial.hpp"
@@ -133,6 +134,22 @@ TEST(SoakChecks, WrongBoundsAndProofsAreNoticed) {
     Solved bent = result;
     *bent.outcome.proof->bound += 1e-9;
     expect_broken(check_proof(bent));
+}
+
+/// A dip between two samples below a broad one that a limit holds near 0.
+TEST(CamSurvey, FindsTheNarrowDipOfAFigureNearZero) {
+    Motion motion;
+    motion.pieces.push_back({0, 1, {0, 0, 0.5}, {}});  // y = x²/2: y' tells the place
+    Cam cam;
+    cam.follower = "translating_knife";
+    cam.base = 1.0;
+    const CamSurvey survey(motion, cam);
+    constexpr double place = 0.7063;
+    EXPECT_NEAR(survey.least([](const CamPoint& p) {
+        const double broad = 1e-4 + 10.0 * std::pow(p.velocity - 0.3, 2);
+        return std::min(broad, 5e-5 + 3.0 * std::abs(p.velocity - place));
+    }),
+                5e-5, 1e-9);
 }
 
 TEST(SoakChecks, WrongCamsAreNoticed) {

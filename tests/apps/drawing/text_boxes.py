@@ -8,7 +8,8 @@ view box. Reads the pictures as a browser would: classes and the rules of their 
 
     text_boxes.py PICTURE.svg …                  exit status 1 where a picture has a fault
     text_boxes.py --scenes CAMOPT SCENES FOLDER  solves every scene of the folder SCENES into FOLDER, draws it,
-                                                 and looks at every picture that comes out
+                                                 sweeps, traces fronts and compares laws, and looks at every
+                                                 picture that comes out
     text_boxes.py --self-test                    pictures with a fault are found, those without are not
 """
 
@@ -156,7 +157,22 @@ def self_test():
 
 
 QUICK = ["--set", "solver.max_seconds=6", "--set", "solver.starts=1"]
+SLOW = {"tappet_75": "90", "tappet_90": "90"}  # s until a motion keeps their limits, on a machine with other work
 FOUND = (0, 1, 3)  # a scene without an optimum has pictures too
+MILLED = ("cam_forces", "cam_grooved", "cam_conjugate", "barrel_paper_cup", "ocrf_indexing")
+STUDIES = (  # folder, command, scene, the rest
+    ("weights", "sweep", "drd_cubic_8", ["--weights", "simplex:6"]),
+    ("weights_of_a_cam", "sweep", "cam_flat", ["--weights", "simplex:4"]),
+    ("one_key", "sweep", "cam_smallest", ["--vary", "objective.base_radius=0.1:0.9:5"]),
+    ("two_keys", "sweep", "cam_roller", ["--vary", "cam.base_radius_mm=16:22:4", "--vary", "limits.pressure_angle_deg=28:34:3"]),
+    ("three_keys", "sweep", "drd_cubic_8", ["--vary", "spline.segments=8,12", "--vary", "objective.jerk=0.1:0.3:3",
+                                            "--vary", "objective.velocity=0.2,0.4"]),
+    ("front", "sweep", "drd_cubic_8", ["--pareto", "velocity,acceleration", "--points", "9"]),
+    ("front_of_jerk", "sweep", "drd_spline_12", ["--pareto", "acceleration,jerk", "--points", "9"]),
+    ("front_of_a_cam", "sweep", "cam_smallest", ["--pareto", "base_radius,acceleration", "--points", "5"]),
+    ("laws", "compare", "cam_roller", []),
+    ("laws_in_time", "compare", "pusher_set_points", []),
+)
 
 
 def pictures_of(program, scenes, folder):
@@ -164,14 +180,29 @@ def pictures_of(program, scenes, folder):
     shutil.rmtree(folder, ignore_errors=True)
     for scene in sorted(pathlib.Path(scenes).glob("*.toml")):
         result = pathlib.Path(folder) / scene.stem
-        solved = subprocess.run([program, "solve", scene, "--out", result] + QUICK, capture_output=True, text=True)
+        seconds = ["--set", f"solver.max_seconds={SLOW[scene.stem]}"] if scene.stem in SLOW else []
+        solved = subprocess.run([program, "solve", scene, "--out", result] + QUICK + seconds, capture_output=True, text=True)
         if solved.returncode not in FOUND:
             raise SystemExit(f"{scene}: exit status {solved.returncode}: {solved.stderr}")
+        if scene.stem in SLOW and not (result / "mechanism.svg").exists():
+            raise SystemExit(f"{scene}: no motion was found, so there is no picture to look at: {solved.stdout}")
         if (result / "profile.svg").exists():
             drawn = subprocess.run([program, "export", result, "--out", result / "drawn", "--drawing", "svg"],
                                    capture_output=True, text=True)
             if drawn.returncode not in FOUND or not (result / "drawn" / "drawing.svg").exists():
                 raise SystemExit(f"{scene}: no drawing: {drawn.stderr}")
+    for scene in MILLED:
+        result = pathlib.Path(folder) / scene
+        milled = subprocess.run([program, "export", result, "--out", result / "milled", "--nc", "--cutter-mm", "12"],
+                                capture_output=True, text=True)
+        if milled.returncode not in FOUND or not (result / "milled" / "cam_nc.svg").exists():
+            raise SystemExit(f"{scene}: no tool path: {milled.stderr}")
+    for name, command, scene, words in STUDIES:
+        result = pathlib.Path(folder) / "studies" / name
+        made = subprocess.run([program, command, pathlib.Path(scenes) / f"{scene}.toml", "--out", result] + words,
+                              capture_output=True, text=True)
+        if made.returncode not in FOUND or not list(result.glob("*.svg")):
+            raise SystemExit(f"{command} of {scene}: exit status {made.returncode}, no picture: {made.stderr}")
     return sorted(pathlib.Path(folder).rglob("*.svg"))
 
 

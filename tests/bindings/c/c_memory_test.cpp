@@ -58,7 +58,7 @@ void operator delete[](void* memory, std::size_t) noexcept {
 // Eigen 3.4 loses the first of a sparse matrix's arrays where there is no memory for the second, while it
 // copies.
 extern "C" const char* __lsan_default_suppressions() {
-    return "leak:Eigen::SparseMatrix<double, 1, int>::resize\n";
+    return "leak:Eigen::SparseMatrix<double, *, int>::resize\n";
 }
 
 namespace camopt {
@@ -132,7 +132,9 @@ TEST(CMemory, SolvesAndTextsSayWhereThereIsNone) {
         return code;
     };
     EXPECT_GT(refused_everywhere(solve, 7), 1000);
-    for (const camopt_document document : {CAMOPT_REPORT_MARKDOWN, CAMOPT_MOTION_CSV, CAMOPT_MOTION_SVG}) {
+    // Not the report, which reads its scene again: where memory ends inside toml++ the program ends
+    // (camopt.h).
+    for (const camopt_document document : {CAMOPT_MOTION_CSV, CAMOPT_MOTION_SVG}) {
         const auto write = [&] {
             camopt_text text{};
             const camopt_error code = camopt_solution_text(before.get(), document, &text);

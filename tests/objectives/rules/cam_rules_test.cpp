@@ -3,6 +3,7 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "tests/objectives/rules/plane_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,10 @@ struct Case {
     FollowerType follower;
     Rotation rotation;
     bool variable;  ///< every dimension is a variable
+    CamForm form = CamForm::open;
 };
 void PrintTo(const Case& which, std::ostream* stream) {
-    *stream << name_of(which.follower) << ' ' << name_of(which.rotation);
+    *stream << name_of(which.follower) << ' ' << name_of(which.rotation) << ' ' << name_of(which.form);
 }
 
 double uniform(std::mt19937& random, double low, double high) {
@@ -60,7 +62,18 @@ Scene scene_of(const Case& which) {
     if (!has_flat_face(which.follower))
         limits.concave_radius_min = limit(40e-3, "limits.concave_radius_min_m");
     limits.undercut_margin = limit(0.2, "limits.undercut_margin");
-    limits.contact_force_min = limit(10.0, "limits.contact_force_min_n");
+    if (which.form == CamForm::open) limits.contact_force_min = limit(10.0, "limits.contact_force_min_n");
+    FormSpec& form = scene.cam->form;
+    form.type = which.form;
+    if (which.form == CamForm::grooved) form.groove_clearance = 0.2e-3;
+    if (which.form == CamForm::conjugate) {
+        if (swings)
+            form.arm_angle = 80.0 * units::degree;
+        else
+            form.roller_distance = 125e-3;
+        form.second_roller_radius = 9e-3;
+        scene.forces->preload = -20.0;  // both disks carry
+    }
     limits.torque_max = limit(15.0, "limits.torque_max_nm");
     if (which.follower != FollowerType::translating_knife)
         limits.hertz_pressure_max = limit(8e8, "limits.hertz_pressure_max_pa");
@@ -98,6 +111,20 @@ RuleValue at(const CamRule& rule, const Eigen::VectorXd& place) {
 }
 
 class CamRules : public testing::TestWithParam<Case> {};
+
+TEST_P(CamRules, PlanesOverBoxesNeverLieAboveThem) {
+    const Scene scene = scene_of(GetParam());
+    const auto cam = variables_of(scene);
+    unsigned seed = 11;
+    for (const auto& rule : cam_limits(scene, *cam)) {
+        const int planes = testing_support::check_planes(
+            *rule, [&](std::mt19937& random) { return random_place(*cam, random); }, ++seed);
+        // Boxes that reach where the cam's formulas end have none, nor have limits on one of two sides.
+        if (GetParam().form == CamForm::open) {
+            EXPECT_GE(planes, 500) << rule->origin().text();
+        }
+    }
+}
 
 TEST_P(CamRules, PartialsAgreeWithDifferences) {
     const Scene scene = scene_of(GetParam());
@@ -145,11 +172,70 @@ TEST_P(CamRules, AreAsLinearAndAsConvexAsTheyClaim) {
             EXPECT_LE(kink, 1e-12) << rule->name();
         }
     }
-    EXPECT_GE(linear, 1);  // the contact force at least
+    if (GetParam().form == CamForm::open) {
+        EXPECT_GE(linear, 1);  // the contact force at least
+    }
+}
+
+TEST_P(CamRules, EnclosuresHoldTheirValues) {
+    const Scene scene = scene_of(GetParam());
+    const auto cam = variables_of(scene);
+    std::mt19937 random(9);
+    for (const auto& rule : cam_limits(scene, *cam))
+        for (int trial = 0; trial < 20; ++trial) {
+            const Eigen::VectorXd middle = random_place(*cam, random);
+            std::array<Interval, 5> stretch;
+            for (std::size_t r = 0; r < 4; ++r) {
+                const double width = uniform(random, 0.0, 0.05), value = middle[static_cast<Eigen::Index>(r)];
+                stretch[r] = Interval(value - width, value + width);
+            }
+            stretch[4] = Interval(-100.0, 100.0);
+            const auto range = rule->range_along(stretch, middle.tail(middle.size() - 4));
+            ASSERT_TRUE(range.has_value()) << rule->name();
+            for (int place = 0; place < 10; ++place) {
+                Eigen::VectorXd inside = middle;
+                for (std::size_t r = 0; r < 4; ++r)
+                    inside[static_cast<Eigen::Index>(r)] =
+                        uniform(random, stretch[r].lower, stretch[r].upper);
+                const double value = at(*rule, inside).value;
+                EXPECT_TRUE(range->value.lower <= value + 1e-12 && value - 1e-12 <= range->value.upper)
+                    << rule->name() << ' ' << value;
+            }
+        }
+}
+
+TEST(CamRules, BothSidesKeepTheirLimits) {
+    // A least radius and a Hertz pressure each once a side; the pressure angle of a groove once, of two disks
+    // twice; partners of a rule are told apart by their remark.
+    const auto count = [](CamForm form, const std::string& name, const std::string& remark) {
+        Scene scene = scene_of({FollowerType::oscillating_roller, Rotation::counterclockwise, false, form});
+        int found = 0;
+        for (const auto& rule : cam_limits(scene, *variables_of(scene)))
+            if (rule->name().find(name) != std::string::npos && rule->origin().remark == remark) ++found;
+        return found;
+    };
+    for (const char* side : {"inner flank", "outer flank"}) {
+        EXPECT_EQ(count(CamForm::grooved, "cam_radius_min", side), 1) << side;
+        EXPECT_EQ(count(CamForm::grooved, "concave_radius_min", side), 1) << side;
+        EXPECT_EQ(count(CamForm::grooved, "undercut_margin", side), 1) << side;
+        EXPECT_EQ(count(CamForm::grooved, "hertz_pressure_max", side), 1) << side;
+    }
+    EXPECT_EQ(count(CamForm::grooved, "rise_pressure_angle", ""),
+              count(CamForm::open, "rise_pressure_angle", ""));
+    for (const char* side : {"first disk", "second disk"}) {
+        EXPECT_EQ(count(CamForm::conjugate, "rise_pressure_angle", side),
+                  count(CamForm::open, "rise_pressure_angle", ""))
+            << side;
+        EXPECT_EQ(count(CamForm::conjugate, "hertz_pressure_max", side), 1) << side;
+    }
 }
 
 std::vector<Case> cases() {
     std::vector<Case> all;
+    for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::oscillating_roller})
+        for (const CamForm form : {CamForm::grooved, CamForm::conjugate})
+            for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})
+                for (const bool variable : {false, true}) all.push_back({follower, rotation, variable, form});
     for (const FollowerType follower :
          {FollowerType::translating_roller, FollowerType::translating_knife, FollowerType::translating_flat,
           FollowerType::oscillating_roller, FollowerType::oscillating_flat}) {
@@ -162,7 +248,7 @@ std::vector<Case> cases() {
 
 INSTANTIATE_TEST_SUITE_P(All, CamRules, testing::ValuesIn(cases()), [](const auto& which) {
     return std::string(name_of(which.param.follower)) + "_" + name_of(which.param.rotation) +
-           (which.param.variable ? "_variable" : "_fixed");
+           (which.param.variable ? "_variable_" : "_fixed_") + name_of(which.param.form);
 });
 
 TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {

@@ -5,6 +5,7 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
+#include "tests/objectives/rules/plane_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,22 @@ TEST(TorqueRule, MaximaAreThoseOfTheSampledRule) {
             largest_of(rule_maxima(std::make_shared<TorqueRule>(rule), problem.model().design, motion, none))
                 .value;
         EXPECT_NEAR(exact, largest_of(rule_maxima(rule, motion, none)).value, 1e-10 * exact);
+    }
+}
+
+TEST(TorqueRule, PlanesOverBoxesNeverLieAboveIt) {
+    for (const int sign : {1, -1}) {
+        const TorqueRule rule(sign, 0, 5.5);
+        const auto place = [](std::mt19937& random) -> Eigen::VectorXd {
+            const auto between = [&](double low, double high) {
+                return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+            };
+            Eigen::VectorXd z(5);
+            z << between(0.0, 1.0), between(-2.0, 2.0), between(-6.0, 6.0), between(-60.0, 60.0),
+                between(0.1, 2.0);
+            return z;
+        };
+        EXPECT_GE(testing_support::check_planes(rule, place, 7), 1000);
     }
 }
 

@@ -42,7 +42,7 @@ MechanismProfile sample(FollowerType follower) {
 }
 
 ProfileColumns columns_of(FollowerType follower) {
-    return {is_oscillating(follower), has_flat_face(follower), {}};
+    return {is_oscillating(follower), has_flat_face(follower), {}, {}};
 }
 
 TEST(ProfileCsv, ColumnsFollowTheFollower) {

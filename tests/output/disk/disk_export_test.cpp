@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "output/nc/spoiled_programs.hpp"
+#include "tests/output/disk/harmonic_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,20 +17,7 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double millimetre = 1e-3;
 
-/// A roller of 10 mm on a base circle of 40 mm, a harmonic of 10 mm; lift 0: a circle.
-ProfileShape shape_of(double lift, double end = turn) {
-    ProfileShape shape;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 40.0 * millimetre;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::roller_radius)] = 10.0 * millimetre;
-    shape.at = [cam = shape.cam, lift](double theta) {
-        const double half = 0.5 * lift;
-        return profile_point(
-            cam, theta, {half * (1.0 - std::cos(theta)), half * std::sin(theta), half * std::cos(theta)});
-    };
-    shape.knots = {0.0, end};
-    shape.closed = end == turn;
-    return shape;
-}
+using testing_support::harmonic_disk;
 
 TEST(DiskNc, IsCheckedAlongTheContour) {
     const auto machine = plane_milling_machine();
@@ -38,7 +26,7 @@ TEST(DiskNc, IsCheckedAlongTheContour) {
     for (const double stock : {0.0, 0.3 * millimetre}) {
         options.stock = stock;
         const CheckedProgram result =
-            disk_nc(shape_of(10.0 * millimetre), *machine, generic_post(*machine), options);
+            disk_nc(harmonic_disk(10.0 * millimetre), *machine, generic_post(*machine), options);
         EXPECT_TRUE(result.poses.within_rounding);
         EXPECT_LE(result.chord_deviation, options.chord_tolerance);
         ASSERT_EQ(result.surfaces.size(), 1u);
@@ -51,7 +39,7 @@ TEST(DiskNc, IsCheckedAlongTheContour) {
 
 TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
     const auto machine = plane_milling_machine();
-    const ProfileShape shape = shape_of(10.0 * millimetre);
+    const ProfileShape shape = harmonic_disk(10.0 * millimetre);
     DiskNcOptions options;
     options.chord_tolerance = 1e-4;
     options.gouge_tolerance = 5e-4;  // many programs: the rapids are what matters
@@ -76,7 +64,7 @@ TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
 TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
-    const ProfileShape shape = shape_of(10.0 * millimetre);
+    const ProfileShape shape = harmonic_disk(10.0 * millimetre);
     DiskNcOptions options;
     options.chord_tolerance = 1e-4;
     const NcWork work = disk_nc_work(shape, options);
@@ -98,7 +86,7 @@ TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
 // A cutter of 60 mm in hollows of 20 mm: not a program that is handed out.
 TEST(NcGouge, LargeCutterInAHollowIsRefused) {
     const auto machine = plane_milling_machine();
-    ProfileShape shape = shape_of(0.0);
+    ProfileShape shape = harmonic_disk(0.0);
     shape.at = [](double theta) {
         const double r = 50.0 * millimetre, wave = 4.0 * millimetre;
         const double radius = r + wave * std::cos(6.0 * theta), slope = -6.0 * wave * std::sin(6.0 * theta);
@@ -126,7 +114,7 @@ TEST(NcComments, ATitleStaysAComment) {
     DiskNcOptions options;
     options.chord_tolerance = 1e-4;
     options.title = "cam)\nG0 Z-50 (\x1b[31m";
-    const CheckedProgram program = disk_nc(shape_of(10.0 * millimetre), *machine, post, options);
+    const CheckedProgram program = disk_nc(harmonic_disk(10.0 * millimetre), *machine, post, options);
     EXPECT_EQ(program.fault(), "");
     EXPECT_EQ(program.program.text.find("\nG0 Z-50"), std::string::npos);
     EXPECT_EQ(program.program.text.find('\x1b'), std::string::npos);
@@ -135,14 +123,14 @@ TEST(NcComments, ATitleStaysAComment) {
 TEST(DiskExport, RefusesWhatCannotBeMade) {
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
-    EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01, 2.0), *machine, post, {})), InputError);
+    EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01, 2.0), *machine, post, {})), InputError);
     DiskNcOptions options;
     options.thickness = 0.0;
-    EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01), *machine, post, options)), InputError);
+    EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01), *machine, post, options)), InputError);
     const auto refused = [&](auto change) {
         DiskNcOptions wrong;
         change(wrong);
-        EXPECT_THROW(static_cast<void>(disk_nc(shape_of(0.01), *machine, post, wrong)), InputError);
+        EXPECT_THROW(static_cast<void>(disk_nc(harmonic_disk(0.01), *machine, post, wrong)), InputError);
     };
     refused([](DiskNcOptions& wrong) { wrong.blank.radius = 0.045; });  // the cam reaches 50 mm
     refused([](DiskNcOptions& wrong) { wrong.blank.upper = -0.001; });

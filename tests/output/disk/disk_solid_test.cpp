@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "output/surface/plane_region.hpp"
+#include "tests/output/disk/harmonic_disk.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -19,18 +20,9 @@ using testing_support::refusal;
 constexpr double turn = 2.0 * std::numbers::pi, millimetre = 1e-3;
 constexpr double cubic_mm = millimetre * millimetre * millimetre;
 
-/// A roller of 10 mm on a base circle of 40 mm, a harmonic of 10 mm; lift 0: a circle.
 ProfileShape shape_of(double lift, double end = turn) {
-    ProfileShape shape;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 40.0 * millimetre;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::roller_radius)] = 10.0 * millimetre;
-    shape.at = [cam = shape.cam, lift](double theta) {
-        const double half = 0.5 * lift;
-        return profile_point(
-            cam, theta, {half * (1.0 - std::cos(theta)), half * std::sin(theta), half * std::cos(theta)});
-    };
+    ProfileShape shape = testing_support::harmonic_disk(lift, end);
     shape.knots = {0.0, 0.3 * end, end};
-    shape.closed = end == turn;
     return shape;
 }
 

@@ -109,6 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"arm_roller", "cam_arm_roller", "lift_deg", 20.0, 8, {"solver.starts=1"}},
         {"arm_flat", "cam_arm_flat", "lift_deg", 14.0, 8, {"solver.starts=1"}},
         {"forces", "cam_forces", "lift_mm", 12.0, 8, {"solver.starts=1"}},
+        {"groove", "cam_grooved", "lift_mm", 25.0, 12, {"solver.starts=1"}},
+        {"conjugate", "cam_conjugate", "lift_deg", 20.0, 12, {"solver.starts=1"}},
         {"smallest", "cam_smallest", "lift_mm", 10.0, 8, {"solver.starts=1"}},
         {"program", "cam_laws_and_splines", "lift_mm", 15.0, 8, {"solver.starts=1"}},
         {"set_points", "pusher_set_points", "lift_mm", 60.0, 20, {}},

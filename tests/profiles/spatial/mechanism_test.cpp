@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -199,6 +200,69 @@ TEST_P(SpatialMechanismOf, StationsThatDoNotBindAreImplied) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Spatial, SpatialMechanismOf, ::testing::ValuesIn(every_case()), case_name);
+
+/// A barrel cam's numbers and a state whose angle u = φ ± (start + s) may lie anywhere.
+struct BarrelState {
+    std::shared_ptr<const CamMechanism> mechanism;
+    Rotation rotation;
+    std::vector<double> numbers = {0.01, 0.07, 0.15, 0.075, 0.004, 0.03, -0.4};
+
+    explicit BarrelState(Rotation which) : rotation(which) {
+        MechanismSpec spec = spatial_spec(SpatialFollower::barrel);
+        spec.rotation = rotation;
+        mechanism = spatial_mechanism(spec);
+    }
+    [[nodiscard]] MechanismValue excess(int sign, double s, double velocity) const {
+        return mechanism->pressure_excess(limit, sign, {numbers, {s, velocity, 0.0}}, 0, {});
+    }
+    [[nodiscard]] double angle(int sign, double s) const {
+        return limit + (rotation == Rotation::clockwise ? -sign : sign) * (numbers.back() + s);
+    }
+    static constexpr double limit = 0.5;
+};
+
+TEST(BarrelPressureAngle, IsConvexByTheNumbersThatDoNotTurnIt) {
+    const BarrelState barrel(Rotation::counterclockwise);
+    const auto shape = [&](std::vector<SpatialNumber> moved) {
+        std::vector<int> active;
+        for (const SpatialNumber number : moved) active.push_back(static_cast<int>(number));
+        return barrel.mechanism->pressure_shape(active);
+    };
+    using enum SpatialNumber;
+    EXPECT_EQ(shape({}), Curvature::convex);
+    for (const SpatialNumber number : {roller_radius, lateral_offset, axial_offset})
+        EXPECT_EQ(shape({number}), Curvature::convex);
+    EXPECT_EQ(shape({roller_radius, lateral_offset, axial_offset}), Curvature::convex);
+    for (const SpatialNumber number : {arm_length, center_distance, roller_length, start}) {
+        EXPECT_EQ(shape({number}), Curvature::general);
+        EXPECT_EQ(shape({roller_radius, number}), Curvature::general);
+    }
+}
+
+/// Beyond 0 <= u <= π it goes on along its tangents: nothing jumps, and the Hessian has no negative
+/// direction.
+TEST(BarrelPressureAngle, GoesOnAlongItsTangentsBothWaysRound) {
+    for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise})
+        for (const int sign : {-1, 1}) {
+            const BarrelState barrel(rotation);
+            int outside = 0;
+            for (double s = -5.0; s <= 5.0; s += 0.0625) {
+                const double velocity = 0.3;
+                const MechanismValue at = barrel.excess(sign, s, velocity);
+                constexpr double step = 1e-3;
+                const MechanismValue left = barrel.excess(sign, s - step, velocity);
+                const MechanismValue right = barrel.excess(sign, s + step, velocity);
+                EXPECT_NEAR(at.gradient(0), (right.value - left.value) / (2.0 * step), 1e-6);
+                EXPECT_GE(left.value + right.value - 2.0 * at.value, -1e-14) << s;
+                EXPECT_GE(at.hessian(0, 0), -1e-14) << s;
+                if (const double u = barrel.angle(sign, s); u < 0.0 || u > std::numbers::pi) {
+                    EXPECT_NEAR(at.hessian(0, 0), 0.0, 1e-14) << s;
+                    ++outside;
+                }
+            }
+            EXPECT_GT(outside, 50);
+        }
+}
 
 TEST(SpatialSpec, KnowsItsKindsAndNoOther) {
     for (const SpatialFollower follower : {SpatialFollower::barrel, SpatialFollower::cylindrical_rotating,

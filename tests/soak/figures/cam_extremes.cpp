@@ -10,6 +10,9 @@ namespace camopt::soak {
 namespace {
 
 constexpr int places = 48;  // a piece
+// Samples this part of the figure's whole range below the largest one may stand beside a larger maximum. Of
+// the range and not of the largest itself: a figure that a limit holds at 0 would leave its narrow dips out.
+constexpr double beside = 0.05;
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -37,14 +40,15 @@ CamPoint CamSurvey::point(const Piece& piece, long double x) const {
 double CamSurvey::largest(const Amount& amount) const {
     std::vector<double> values;
     values.reserve(samples_.size());
-    double found = none;
+    double found = none, lowest = -none;
     for (const Sample& sample : samples_) {
         values.push_back(amount(sample.point));
         if (std::isnan(values.back())) return std::numeric_limits<double>::quiet_NaN();
         found = std::max(found, values.back());
+        if (values.back() != none) lowest = std::min(lowest, values.back());
     }
     // Every sample that no neighbour tops may stand beside a maximum.
-    const double near = found - 0.05 * std::abs(found);
+    const double near = found - beside * std::max(std::abs(found), found - lowest);
     for (std::size_t k = 0; k < values.size(); ++k) {
         if (values[k] < near || std::isinf(values[k])) continue;
         if (k > 0 && samples_[k - 1].piece == samples_[k].piece && values[k - 1] > values[k]) continue;

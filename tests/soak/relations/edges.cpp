@@ -84,7 +84,9 @@ Finding compare_own_figures_as_caps(Trial& trial) {
     bool any = false;
     for (std::size_t order = 1; order <= 3; ++order) {
         if (trial.numbers().caps[order] || trial.draw().chance(0.5)) continue;
-        limits.set(peak_names[order], base.outcome.peaks.at(peak_names[order]) * factor);
+        const double peak = base.outcome.peaks.at(peak_names[order]);
+        if (!(peak > 0.0)) continue;  // a standstill: no cap may be 0
+        limits.set(peak_names[order], peak * factor);
         any = true;
     }
     if (!any) return no_case;
@@ -104,6 +106,7 @@ Finding compare_least_caps(Trial& trial) {
     objective.set("reference", inline_text(reference));
     const Solved least = trial.solve(alone);
     if (!least.outcome.is_proved() || !least.outcome.objective) return no_case;
+    if (!(*least.outcome.objective > 0.0)) return no_case;  // a standstill: no cap may be 0
     const double beside = trial.draw().one_of<double>({0.0, 1e-10, -1e-10, 1e-6, 1e-4, -1e-4});
     SceneText capped = trial.text();
     capped.at("limits").set(peak_names[order], *least.outcome.objective * (1.0 + beside));

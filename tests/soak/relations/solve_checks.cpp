@@ -90,8 +90,9 @@ Finding check_bound(const Solved& solved) {
         return fmt::format("bound {:.12g} above the objective {:.12g} ({}, {})", *outcome.lower, objective,
                            outcome.verdict, outcome.reason);
     const double gap = (objective - *outcome.lower) / scale_of(objective);
-    if (outcome.is_proved() && gap > 1.0001 * solved.numbers.gap)
-        return fmt::format("optimal with a gap of {:.3g}, allowed {:.3g}", gap, solved.numbers.gap);
+    const double allowed = solved.numbers.gap.value_or(outcome.convex ? 1e-7 : 1e-4);
+    if (outcome.is_proved() && gap > 1.0001 * allowed)
+        return fmt::format("optimal with a gap of {:.3g}, allowed {:.3g}", gap, allowed);
     if (outcome.gap && *outcome.gap < gap - 1e-9)
         return fmt::format("gap {:.3g} reported, {:.3g} between objective and bound", *outcome.gap, gap);
     return holds;

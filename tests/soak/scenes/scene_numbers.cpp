@@ -205,7 +205,7 @@ SceneNumbers numbers_of(const SceneText& text) {
     read_forces(text, numbers);
     read_limits(text, numbers);
     numbers.tolerance = text.number("solver", "tolerance", numbers.tolerance);
-    numbers.gap = text.number("solver", "gap", numbers.gap);
+    if (text.find("solver", "gap")) numbers.gap = text.number("solver", "gap", 0.0);
     numbers.max_seconds = text.number("solver", "max_seconds", numbers.max_seconds);
     return numbers;
 }

@@ -64,7 +64,8 @@ struct SceneNumbers {
 
     std::array<std::optional<Cap>, 4> caps;  ///< by order of derivative
     std::map<std::string, double> limits;    ///< those of the cam
-    double tolerance = 1e-9, gap = 1e-7, max_seconds = 60.0;
+    double tolerance = 1e-9, max_seconds = 60.0;
+    std::optional<double> gap;  ///< as written
 
     [[nodiscard]] bool is_program() const { return type == "program"; }
     [[nodiscard]] double length() const { return type == "RR" ? 1.0 + back / rise : 1.0; }

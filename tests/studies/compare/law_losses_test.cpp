@@ -45,6 +45,9 @@ TEST(MatrixGame, NoMixOfALatticeIsBetter) {
         }
         EXPECT_GE(value.value, best - 1e-12);
         EXPECT_LE(value.value, best + 0.1);
+        EXPECT_GE(value.bound, value.value - 1e-13);
+        EXPECT_LE(value.bound, value.value + 1e-12);
+        EXPECT_NEAR(solve_game_by_cuts(rows).value, value.value, 1e-11);
     }
 }
 

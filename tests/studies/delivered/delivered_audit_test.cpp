@@ -315,5 +315,21 @@ TEST(DeliveredAudit, WhatIsNotDeliveredHasNoObjective) {
     EXPECT_FALSE(std::isfinite(solution.certificate.objective));
 }
 
+/// Pieces that do not meet are no one motion, and no figure of them is one of it: nothing is delivered.
+TEST(DeliveredAudit, DeliversNoMotionOfPiecesThatDoNotMeet) {
+    Solution solution = solved_twelve();
+    Eigen::MatrixXd pieces = solution.curve->pieces();
+    pieces(0, 5) += 1e-4;
+    solution.curve = SplineCurve(solution.curve->space(), pieces);
+    audit_delivered(solution);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
+    EXPECT_EQ(solution.certificate.reason, Reason::breakpoints_too_close);
+    EXPECT_FALSE(solution.motion || solution.curve || solution.cam);
+    EXPECT_TRUE(solution.constraints.empty());
+    EXPECT_FALSE(std::isfinite(solution.certificate.objective));
+    ASSERT_FALSE(solution.notes.empty());
+    EXPECT_NE(solution.notes.back().find("conditions nearly contradict"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace camopt

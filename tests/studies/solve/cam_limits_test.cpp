@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -48,6 +49,29 @@ Scene oscillating_scene(FollowerType follower) {
 void add_forces(Scene& scene) {
     scene.motion.speed = 60.0;
     scene.forces = ForceSpec{.mass = 0.8, .spring_rate = 4000.0, .preload = 400.0, .contact_width = 12e-3};
+}
+
+Scene grooved(Scene scene) {
+    scene.cam->form.type = CamForm::grooved;
+    scene.cam->form.groove_clearance = 0.1e-3;
+    return scene;
+}
+
+/// Both disks carry: no preload.
+Scene conjugate(Scene scene) {
+    scene.cam->form.type = CamForm::conjugate;
+    if (scene.motion.lift_is_angle)
+        scene.cam->form.arm_angle = 75.0 * units::degree;
+    else
+        scene.cam->form.roller_distance = 120e-3;
+    return scene;
+}
+
+Scene with_free_forces(Scene scene) {
+    add_forces(scene);
+    scene.forces->preload = 0.0;
+    scene.forces->spring_rate = 0.0;
+    return scene;
 }
 
 /// One limit: how to set it to a value, and the figure it limits.
@@ -169,6 +193,36 @@ const Beat beats[] = {
      },
      [](Scene& s, double v) { s.limits.hertz_pressure_max = written(v, "limits.hertz_pressure_max_mpa"); },
      [](const CamSummary& c) { return c.forces->hertz_pressure->value; }, 1, 0.97},
+    {"groove_flank_radius", [] { return grooved(roller_scene()); },
+     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
+     [](const CamSummary& c) {
+         return std::min(c.sides[0].convex_radius->value,
+                         c.sides[1].convex_radius ? c.sides[1].convex_radius->value : 1e9);
+     },
+     -1, 1.1},
+    {"groove_outer_margin", [] { return grooved(oscillating_scene(FollowerType::oscillating_roller)); },
+     [](Scene& s, double v) { s.limits.undercut_margin = written(v, "limits.undercut_margin"); },
+     [](const CamSummary& c) { return std::min(c.sides[0].regularity.value, c.sides[1].regularity.value); },
+     -1, 1.02},
+    {"groove_hertz", [] { return grooved(with_free_forces(roller_scene())); },
+     [](Scene& s, double v) { s.limits.hertz_pressure_max = written(v, "limits.hertz_pressure_max_mpa"); },
+     [](const CamSummary& c) {
+         return std::max(c.sides[0].hertz_pressure->value, c.sides[1].hertz_pressure->value);
+     },
+     1, 0.97},
+    {"second_disk_pressure_angle",
+     [] { return conjugate(oscillating_scene(FollowerType::oscillating_roller)); },
+     [](Scene& s, double v) { s.limits.pressure_angle = written(v, "limits.pressure_angle_deg"); },
+     [](const CamSummary& c) {
+         return std::max(c.sides[0].pressure_angle.value, c.sides[1].pressure_angle.value);
+     },
+     1, 0.98},
+    {"second_disk_radius", [] { return conjugate(roller_scene()); },
+     [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },
+     [](const CamSummary& c) {
+         return std::min(c.sides[0].convex_radius->value, c.sides[1].convex_radius->value);
+     },
+     -1, 1.05},
 };
 
 class CamLimit : public testing::TestWithParam<Beat> {};

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Table, StabilityGroup,
                                          Group{"breakpoints", breakpoint_cases},
                                          Group{"exact_points", exact_point_cases},
                                          Group{"limits", limit_cases}, Group{"degenerate", degenerate_cases},
-                                         Group{"claims", claim_cases}),
+                                         Group{"claims", claim_cases}, Group{"stiff_trains", train_cases}),
                          [](const auto& group) { return std::string(group.param.name); });
 
 Solution solved_twelve() {

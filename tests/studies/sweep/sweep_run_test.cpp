@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -147,6 +150,54 @@ std::vector<bool> front(SweepTable table) {
     std::vector<bool> marks;
     for (const SweepRow& row : table.rows) marks.push_back(row.on_front);
     return marks;
+}
+
+/// The definition, row against row; figures that are absent play no part.
+std::vector<bool> front_by_comparing_all(const SweepTable& table) {
+    const auto dominates = [](const SweepRow& winner, const SweepRow& loser) {
+        bool better = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!winner.figures[i] || !loser.figures[i]) continue;
+            const double own = *winner.figures[i], other = *loser.figures[i];
+            if (own > other * (1.0 + front_tolerance)) return false;
+            better = better || own < other * (1.0 - front_tolerance);
+        }
+        return better;
+    };
+    std::vector<bool> marks;
+    for (const SweepRow& one : table.rows)
+        marks.push_back(one.is_feasible() && std::ranges::none_of(table.rows, [&](const SweepRow& rival) {
+                            return rival.is_feasible() && dominates(rival, one);
+                        }));
+    return marks;
+}
+
+TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
+    std::mt19937 generator(11);  // NOLINT(cert-msc51-cpp): the same every time
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (const bool has_gaps : {false, true}) {
+        SweepTable table{{{"objective.jerk"}, {}, {"velocity", "acceleration", "jerk"}}, {}};
+        for (int number = 0; number < 1500; ++number) {
+            // Near the surface V·A·J = 1, some of them equal to the millionth, some off the front.
+            SweepRow row = peaks(number, {0}, 1.0, 1.0);
+            const double velocity = 0.5 + std::round(20.0 * uniform(generator)) / 20.0;
+            const double acceleration = 0.5 + uniform(generator);
+            row.figures[0] = velocity * (1.0 + 0.4 * front_tolerance * uniform(generator));
+            row.figures[1] = acceleration;
+            row.figures[2] = (1.0 + 0.02 * std::floor(3.0 * uniform(generator))) / (velocity * acceleration);
+            if (has_gaps && number % 17 == 0) {
+                for (std::size_t i = 0; i < 3; ++i) *row.figures[i] *= 2.0;  // or it would beat them all
+                row.figures[number % 3].reset();
+            }
+            if (number % 29 == 0) row.verdict = Verdict::infeasible;
+            table.rows.push_back(row);
+        }
+        const std::vector<bool> marks = front(table);
+        EXPECT_EQ(marks, front_by_comparing_all(table));
+        const auto kept = std::ranges::count(marks, true);
+        EXPECT_GT(kept, 100);
+        EXPECT_LT(kept, 1400);
+    }
 }
 
 TEST(SweepFront, AreTheRowsThatNoOtherDominates) {

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Every example scene, solved and judged by the checker: scenes_test.py CAMOPT [NAME ...].
+
+A scene that the checker cannot judge stands in NOT_COVERED with what it must name; all others must be confirmed.
+Bounds that are also written in the VIPR format are read by an independent reader and must prove the same.
+"""
+import json
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+import checker
+import vipr_reader
+
+ARM = "limits.pressure_angle_deg of a disk cam"
+NOT_COVERED = {
+    "barrel_paper_cup": "rows of limits.pressure_angle_deg",
+    "barrel_smallest": "dimensions of this kind of cam",
+    "cam_arm_flat": "a bound over boxes",
+    "cam_arm_roller": ARM,
+    "cam_conjugate": "cam.form",
+    "cam_grooved": "cam.form",
+    "cam_laws_and_splines": "on segments with a law",
+    "cam_undercut": "a bound over boxes",
+    "cylinder_slide": "limits.pressure_angle_deg",
+    "drd_torque": "a bound over boxes",
+    "dynamics_fast_slide": "[dynamics]",
+    "inverse_feeder": "limits.pressure_angle_deg of a inverse cam",
+    "ocrf_indexing": "limits.pressure_angle_deg of a cylindrical cam",
+    "program_constant_velocity": "an angle that is searched",
+    "tappet_75": "limits.pressure_angle_deg of a remote cam",
+    "tappet_90": "limits.pressure_angle_deg of a remote cam",
+}
+# Half a minute each, and all that they are asked for is to be named: run them by name.
+SLOW = {"tappet_75", "tappet_90", "barrel_smallest"}
+
+
+def main():
+    camopt, chosen = sys.argv[1], sys.argv[2:]
+    module, faults, confirmed, proved = checker.load(), [], 0, 0
+    scenes = sorted((checker.ROOT / "scenes").glob("*.toml"))
+    unknown = (set(NOT_COVERED) | set(chosen)) - {scene.stem for scene in scenes}
+    if unknown:
+        faults.append(f"no such scenes: {sorted(unknown)}")
+    with tempfile.TemporaryDirectory() as place:
+        for scene in scenes:
+            if scene.stem not in chosen if chosen else scene.stem in SLOW:
+                continue
+            folder, proof = Path(place) / scene.stem, Path(place) / (scene.stem + ".vipr")
+            checker.solve(camopt, scene, folder)
+            found, why = checker.outcome(module, folder, proof)
+            print(f"{scene.stem}: {why}", flush=True)
+            expected = "not verified" if scene.stem in NOT_COVERED else "confirmed"
+            if found != expected or NOT_COVERED.get(scene.stem, "") not in why:
+                faults.append(f"{scene.stem}: {why}; expected: {expected}")
+            confirmed += found == "confirmed"
+            if proof.exists():
+                proved += 1
+                faults += vipr_faults(scene.stem, proof, json.loads((folder / "certificate.json").read_text()))
+    print(f"{confirmed} confirmed, {proved} bounds read from VIPR files")
+    if not chosen and (confirmed < 36 or proved < 35):
+        faults.append("fewer scenes than there are")
+    for fault in faults:
+        print("FAULT:", fault)
+    return 1 if faults else 0
+
+
+def vipr_faults(name, proof, certificate):
+    try:
+        kind, bound = vipr_reader.check(proof.read_text())
+    except vipr_reader.Invalid as fault:
+        return [f"{name}.vipr: {fault}"]
+    if certificate["verdict"] == "infeasible":
+        return [] if kind == "infeasible" else [f"{name}.vipr proves no infeasibility"]
+    if kind != "bound" or bound < Fraction(certificate["lower_bound"]) - Fraction(1, 10**7) - constant_of(certificate):
+        return [f"{name}.vipr proves {kind} {bound and float(bound)}, not {certificate['lower_bound']}"]
+    return []
+
+
+def constant_of(certificate):
+    """What fixed dimensions cost stands outside of the linear program."""
+    proof = certificate["proof"]
+    return Fraction(proof["constant"]) if not any(name.startswith("rms") for name in proof["variables"]) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Files and words of cams that drive both ways: tables of both sides, layers, remarks, what is refused.
+#include "input/loading/known_names.hpp"
+#include "input/scene_reader.hpp"
+#include "output/csv/uniform_csv.hpp"
+#include "output/disk/disk_export.hpp"
+#include "output/disk/disk_solid.hpp"
+#include "output/report/cam_files.hpp"
+#include "output/sheet/cam_sheet.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/solution_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_sides.hpp"
+#include "studies/check/check_cam.hpp"
+#include "studies/solve/solve.hpp"
+#include "tests/support/refusal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using testing_support::refusal;
+
+Solution solved(const std::string& name) {
+    const std::vector<std::string> settings = {"solver.starts=1", "spline.segments=12"};
+    const std::string file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    Solution solution = solve(input::read_scene(text, file, known_names(), settings));
+    if (solution.cam) solution.cam->forward_check = check_cam(solution, 600);
+    return solution;
+}
+
+class TwoSidedFiles : public testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        groove_ = new Solution(solved("cam_grooved"));
+        pair_ = new Solution(solved("cam_conjugate"));
+    }
+    static void TearDownTestSuite() {
+        delete groove_;
+        delete pair_;
+    }
+    static std::string file(const Solution& solution, const std::string& name) {
+        for (const CamFile& one : cam_files(solution, {.points = 200, .drawing = true}))
+            if (one.name == name) return one.text;
+        return {};
+    }
+    static std::string remarks(const Solution& solution) {
+        std::string all;
+        for (const std::string& remark : cam_remarks(solution)) all += remark + "\n";
+        return all;
+    }
+    static inline Solution *groove_ = nullptr, *pair_ = nullptr;
+};
+
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::vector<double>> rows;
+    while (std::getline(lines, line)) {
+        std::vector<double>& row = rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            row.push_back(cell.empty() ? std::nan("") : std::stod(cell));
+    }
+    return rows;
+}
+
+TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
+    const auto inner = rows_of(file(*groove_, "profile.csv")),
+               outer = rows_of(file(*groove_, "second_profile.csv"));
+    ASSERT_GT(inner.size(), 190U);
+    ASSERT_EQ(inner.size(), outer.size());
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        for (const int column : {0, 1, 2, 3}) EXPECT_EQ(inner[i][column], outer[i][column]) << i;
+        for (const auto* const rows : {&inner, &outer})
+            EXPECT_NEAR(std::hypot((*rows)[i][4] - inner[i][2], (*rows)[i][5] - inner[i][3]), 10.025, 1e-9);
+        // A side that does not carry has neither force nor pressure; the two share the turn.
+        EXPECT_TRUE(inner[i][14] == 0.0 || outer[i][14] == 0.0);
+        EXPECT_GT(inner[i][14] + outer[i][14], -1e-12);
+    }
+}
+
+TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
+    UniformTableOptions options;
+    options.columns = {"theta_deg",  "cam_x_mm", "cam_y_mm",      "pitch_x_mm",
+                       "pitch_y_mm", "force_n",  "normal_force_n"};
+    double least = 0.0;
+    for (const std::vector<double>& row : rows_of(uniform_table(*groove_, options).text)) {
+        EXPECT_NEAR(std::hypot(row[1] - row[3], row[2] - row[4]), 10.025, 1e-6);
+        EXPECT_LT(std::hypot(row[1], row[2]), std::hypot(row[3], row[4]));
+        EXPECT_GE(row[6], std::abs(row[5]) * (1.0 - 1e-9));
+        least = std::min(least, row[5]);
+    }
+    EXPECT_LT(least, -1.0);
+}
+
+TEST_F(TwoSidedFiles, PicturesAndDrawingHaveBothSides) {
+    for (const char* layer : {"INNER_FLANK", "OUTER_FLANK", "RIM", "PITCH"})
+        EXPECT_NE(file(*groove_, "profile.dxf").find(layer), std::string::npos) << layer;
+    for (const char* layer : {"SECOND_CAM", "SECOND_PITCH", "SECOND_ROLLER"})
+        EXPECT_NE(file(*pair_, "profile.dxf").find(layer), std::string::npos) << layer;
+    EXPECT_EQ(file(*groove_, "profile.dxf").find("SECOND_"), std::string::npos);
+    for (const char* words : {"groove clearance", "0.05 mm", "form: grooved"})
+        EXPECT_NE(file(*groove_, "profile.svg").find(words), std::string::npos) << words;
+    for (const char* words : {"second disk", "arm angle", "90 deg"})
+        EXPECT_NE(file(*pair_, "profile.svg").find(words), std::string::npos) << words;
+    for (const char* words : {"Curvature, inner flank", "Curvature, outer flank"})
+        EXPECT_NE(file(*groove_, "profile_diagrams.svg").find(words), std::string::npos) << words;
+    for (const char* words : {"Pressure angle φ, first disk", "Pressure angle φ, second disk"})
+        EXPECT_NE(file(*pair_, "profile_diagrams.svg").find(words), std::string::npos) << words;
+}
+
+TEST_F(TwoSidedFiles, WordsNameTheSide) {
+    const std::string groove = summary_text(*groove_, {}), pair = summary_text(*pair_, {});
+    for (const char* words : {"translating roller in a groove", "inner flank: least convex radius",
+                              "outer flank: largest Hertz pressure", "groove clearance 0.05 mm"})
+        EXPECT_NE(groove.find(words), std::string::npos) << words;
+    for (const char* words : {"oscillating roller on conjugate disks", "first disk: largest pressure angle",
+                              "second disk: least convex radius"})
+        EXPECT_NE(pair.find(words), std::string::npos) << words;
+    EXPECT_NE(remarks(*groove_).find("The load goes over between inner flank and outer flank"),
+              std::string::npos);
+    EXPECT_NE(
+        remarks(*groove_).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
+                               "fits all round."),
+        std::string::npos)
+        << remarks(*groove_);
+    EXPECT_NE(remarks(*pair_).find("Both rollers at once: the sum of the gaps at both disks is"),
+              std::string::npos);
+    EXPECT_EQ(remarks(*groove_).find("LIFTS OFF"), std::string::npos);
+    // Worst on one side: the row says on which.
+    bool named = false;
+    for (const ConstraintReport& row : groove_->constraints)
+        if (row.name == "hertz_pressure_max") named = row.side == "inner flank" || row.side == "outer flank";
+    EXPECT_TRUE(named);
+}
+
+TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
+    const MotionChain motion = drawn_motion(*pair_);
+    const ProfileShape shape = disk_shape(*pair_, motion).value();
+    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, {}); }).find("found two disks"), std::string::npos);
+    EXPECT_NE(refusal([&] { (void)disk_volume(shape, {}); }).find("found two disks"), std::string::npos);
+    EXPECT_NE(refusal([&] { (void)cam_sheet(*pair_); }).find("found two disks"), std::string::npos);
+    const std::vector<ProfileShape> pieces = made_pieces(shape);
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_EQ(cam_sheets(*pair_).size(), 2u);
+    for (const double theta : {0.3, 2.0, 5.0}) {
+        EXPECT_EQ(pieces[0].at(theta).contact, shape.at(theta).contact);
+        EXPECT_EQ(pieces[1].at(theta).contact, shape.other(theta).contact);
+        // Out of the material: what stands off along the normal is farther from the disk.
+        for (const ProfileShape& piece : pieces) {
+            const ProfilePoint point = piece.at(theta);
+            EXPECT_GT(point.normal.dot(point.contact), 0.0);
+            EXPECT_FALSE(piece.cam.form.drives_both_ways());
+        }
+    }
+}
+
+TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
+    const MotionChain motion = drawn_motion(*groove_);
+    const ProfileShape shape = disk_shape(*groove_, motion).value();
+    ASSERT_EQ(made_pieces(shape).size(), 1u);
+    const auto machine = plane_milling_machine();
+    const PostProcessor post = generic_post(*machine);
+    DiskNcOptions options;
+    options.chord_tolerance = 1e-5;
+    for (const double diameter : {20.05e-3, 16e-3, 8e-3}) {
+        options.cutter_diameter = diameter;
+        const NcWork work = disk_nc_work(shape, options);
+        const CheckedProgram program = checked_program(*machine, post, work);
+        EXPECT_EQ(program.fault(), "") << diameter;
+        for (const SurfaceFinding& surface : program.surfaces) {
+            EXPECT_NEAR(surface.check.least_stock, 0.0, program.most_depth) << surface.name;
+            EXPECT_NEAR(surface.check.stock, 0.0, program.most_depth) << surface.name;
+        }
+        // Deeper than the floor, and aside into a flank.
+        std::string deeper = program.program.text, aside = deeper;
+        const std::size_t floor = deeper.find("Z-10.");
+        ASSERT_NE(floor, std::string::npos);
+        deeper.replace(floor, 4, "Z-11");
+        CheckedProgram spoiled = program;
+        spoiled.program.text = deeper;
+        verify(spoiled, *machine, post, work);
+        EXPECT_NE(spoiled.fault(), "") << diameter;
+    }
+    options.cutter_diameter = 20.2e-3;
+    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }), "");
+    options.cutter_diameter = 20e-3;
+    options.groove_depth = 0.02;
+    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("less deep"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// A cam problem that nobody here wrote (benchmarks/outside/camshape.hpp), with proved optima: what the
+// backends say of it.
+#include "benchmarks/outside/camshape.hpp"
+
+#include "core/derivative_check.hpp"
+#include "solvers/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace {
+
+using benchmarks::Camshape;
+using benchmarks::camshape_optima;
+using benchmarks::CamshapeOptimum;
+using benchmarks::violation_of;
+
+TEST(Camshape, ItsDerivativesAreThoseOfItsValues) {
+    for (const int radii : {2, 3, 7}) {
+        const Camshape problem(radii);
+        Eigen::VectorXd x = problem.straight_line();
+        for (int i = 0; i < radii; ++i) x[i] += 0.02 * std::sin(3.0 * i + 1.0);
+        const DerivativeReport report = check_derivatives(problem, std::vector{x});
+        EXPECT_TRUE(report.passed()) << describe(report.faults.front());
+        EXPECT_GT(report.entries, 0);
+    }
+}
+
+bool converges(const BackendResult& result) {
+    return result.termination == Termination::converged || result.termination == Termination::acceptable;
+}
+
+BackendResult solved(const std::string& solver, const Camshape& problem, double seconds) {
+    BackendOptions options;
+    options.max_seconds = seconds;
+    if (solver.starts_with("nlopt.") && solver != "nlopt.slsqp") options.max_iterations = 20'000;
+    return make_solver(solver)->minimize(problem, problem.straight_line(), options, {});
+}
+
+class CamshapeBackend : public testing::TestWithParam<std::string> {};
+
+/// A backend may fail here; it may not claim what is not so.
+TEST_P(CamshapeBackend, ClaimsNothingThatIsNotSo) {
+    for (const SolverEntry& entry : solver_entries())
+        if (entry.name == GetParam() && !entry.available)
+            GTEST_SKIP() << entry.name << " is not in this build: " << entry.remedy;
+    const CamshapeOptimum& optimum = camshape_optima().front();
+    const Camshape problem(optimum.radii);
+    const BackendResult result = solved(GetParam(), problem, 5.0);
+    const bool is_feasible = result.x.size() == optimum.radii && violation_of(problem, result.x) <= 1e-6;
+    if (is_feasible) {
+        EXPECT_GE(problem.cost(result.x), optimum.cost - 1e-7) << "below what is proved";
+    }
+    if (converges(result)) {
+        EXPECT_TRUE(is_feasible) << result.native_status;
+    }
+    if (GetParam() == "ipopt" || GetParam() == "nlopt.slsqp") {
+        ASSERT_TRUE(converges(result)) << result.native_status;
+        EXPECT_NEAR(problem.cost(result.x), optimum.cost, 1e-8);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CamshapeBackend, testing::ValuesIn([] {
+                             std::vector<std::string> names;
+                             for (const SolverEntry& entry : solver_entries())
+                                 if (!entry.needs_convex) names.push_back(entry.name);
+                             return names;
+                         }()),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::ranges::replace(name, '.', '_');
+                             return name;
+                         });
+
+TEST(Camshape, IpoptFindsTheProvedOptimaOfEverySize) {
+    for (const SolverEntry& entry : solver_entries())
+        if (entry.name == "ipopt" && !entry.available)
+            GTEST_SKIP() << "no Ipopt in this build: " << entry.remedy;
+    for (const CamshapeOptimum& optimum : camshape_optima()) {
+        SCOPED_TRACE(optimum.radii);
+        const Camshape problem(optimum.radii);
+        const BackendResult result = solved("ipopt", problem, 60.0);
+        ASSERT_TRUE(converges(result)) << result.native_status;
+        EXPECT_NEAR(problem.cost(result.x), optimum.cost, 1e-8);
+        EXPECT_LT(violation_of(problem, result.x), 1e-8);
+    }
+}
+
+}  // namespace
+}  // namespace camopt

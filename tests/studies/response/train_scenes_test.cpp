@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+// Scenes with an elastic follower: proved, recomputed by an integrator that knows nothing of them, kept at
+// every speed of their range; and what is refused.
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "input/loading/load_scene.hpp"
+#include "objectives/grid/cam_problem.hpp"
+#include "objectives/response/response_rule.hpp"
+#include "objectives/response/train_figures.hpp"
+#include "objectives/rules/whole_motion_rule.hpp"
+#include "objectives/scene_model.hpp"
+#include "output/csv/sweep_csv.hpp"
+#include "studies/check/scene_check.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/delivered/delivered_objective.hpp"
+#include "studies/pareto/sweep_front.hpp"
+#include "studies/response/train_study.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/sweep/sweep_check.hpp"
+#include "studies/sweep/sweep_run.hpp"
+#include "tests/dynamics/stiff_integrator.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+std::string slide(const std::string& dynamics, const std::string& rest) {
+    return fmt::format(
+        "[motion]\ntype = \"DRD\"\nlift_mm = 24\nrise_deg = 90\nspeed_rpm = 300\n[spline]\ndegree = "
+        "5\nsegments = "
+        "14\n[dynamics]\nmass_kg = 2.5\n{}\n{}",
+        dynamics, rest);
+}
+
+const char* const soft = "natural_frequency_hz = 70\ndamping_ratio = 0.02\n";
+const char* const ranged = "natural_frequency_hz = 70\ndamping_ratio = 0.02\nspeed_range_rpm = [285, 315]\n";
+const char* const pressed =
+    "natural_frequency_hz = 70\ndamping_ratio = 0.02\nreturn_spring_n_mm = 8\npreload_n = 150\n";
+const char* const chain =
+    "natural_frequency_hz = 80\ndamping_ratio = 0.03\n[[dynamics.stage]]\nmass_kg = 0.8\nstiffness_n_mm = "
+    "2500\ndamping_ratio = 0.01\n";
+
+std::vector<std::string> ten_scenes() {
+    return {
+        slide(soft, "[objective]\nacceleration = 0.6\nresidual = 0.4\n"),
+        slide(soft, "[objective]\nacceleration = 1\n[limits]\nresidual_um = 30\n"),
+        slide(soft, "[objective]\nacceleration = 0.5\njerk = 0.1\ndynamic_acceleration = 0.5\n"),
+        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\nresidual = 0.3\n"),
+        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = 40\n"),
+        slide(pressed,
+              "[objective]\nvelocity = 0.3\nacceleration = 0.5\n[limits]\n"
+              "dynamic_contact_force_min_n = 90\n"),
+        slide(chain, "[objective]\nacceleration = 0.6\njerk = 0.05\nresidual = 0.4\n"),
+        slide("stiffness_n_mm = 900\ndamping_ratio = 0\n",
+              "[objective]\nrms_acceleration = 0.6\nresidual = 0.4\n"),
+        slide("stiffness_n_mm = 900\ndamping_ratio = 0.7\n",
+              "[objective]\nacceleration = 0.6\nresidual = 0.4\n"),
+        slide("natural_frequency_hz = 70\ndamping_ratio = 1.4\n",
+              "[objective]\nacceleration = 0.6\njerk = 0.1\ndynamic_acceleration = 0.4\n"),
+    };
+}
+
+TEST(TrainScenes, TenAreProved) {
+    for (const std::string& text : ten_scenes()) {
+        const Solution solution = solve(scene_of_toml(text));
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal) << text;
+        ASSERT_TRUE(solution.certificate.gap.has_value()) << text;
+        EXPECT_LE(*solution.certificate.gap, 1e-7) << text;
+        // What is reported adds up to what was minimized.
+        EXPECT_NEAR(defined_objective(solution), solution.certificate.objective, 1e-8) << text;
+    }
+}
+
+TEST(TrainScenes, DerivativesAreRight) {
+    for (const std::string& text : ten_scenes()) {
+        const Scene scene = scene_of_toml(text);
+        CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+        const Eigen::VectorXd x = problem.start();
+        // With the rows of the train at the start.
+        ASSERT_GT(problem.refine(problem.violations(x, 1e9)), 0) << text;
+        for (const DerivativeError& error : derivative_errors(problem.grid(), x))
+            EXPECT_EQ(error.wrong, 0) << error.kind << ' ' << error.where << '\n' << text;
+    }
+}
+
+/// Each row at the motion it was made for is the rule's own value.
+TEST(TrainScenes, RowsAreWhatTheMotionDoes) {
+    for (const std::string& text : ten_scenes()) {
+        const Scene scene = scene_of_toml(text);
+        CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+        const Eigen::VectorXd x = problem.random_start(3);
+        const CamModel& model = problem.model();
+        int seen = 0;
+        for (const Violation& violation : problem.violations(x, 1e9)) {
+            if (violation.setting.empty()) continue;
+            const PointRule& rule = *model.rules[static_cast<std::size_t>(violation.rule)];
+            AffineRow row =
+                rule.whole()->row(model.design, violation.where.at, violation.where.side, violation.setting);
+            double value = row.value(problem.design_values(x));
+            if (!rule.parameters().empty()) value -= x[model.design.size() + rule.parameters().front()];
+            EXPECT_NEAR(value, violation.where.value, 1e-9 * std::max(1.0, std::abs(value))) << text;
+            ++seen;
+        }
+        EXPECT_GT(seen, 0) << text;
+    }
+}
+
+/// Amplitude of one mass after the rise, by the integrator alone: m.
+double integrated_residual(const Scene& scene, const Motion& motion, double speed) {
+    const DynamicsSpec& spec = *scene.dynamics;
+    const TrainStage output = spec.output();
+    const double end = scene.motion.unit_angle() / speed, lift = scene.motion.lift;
+    stiff::Chain chain{{{output.mass, output.stiffness, output.damping}}, spec.return_stiffness, {}};
+    chain.input = [&](double time) {
+        const MotionPoint at = motion.at(std::clamp(time / end, 0.0, 1.0));
+        return stiff::Input{lift * at.derivative[0], lift * at.derivative[1] / end,
+                            lift * at.derivative[2] / (end * end)};
+    };
+    const std::vector<double> state = stiff::integrated(chain, end, 1e-12);
+    const double w = std::sqrt((output.stiffness + spec.return_stiffness) / output.mass);
+    const double damping = output.damping / (2.0 * w * output.mass);
+    const double rest = lift * output.stiffness / (output.stiffness + spec.return_stiffness);
+    const double z = state[0] - rest;
+    return std::hypot(z, (state[1] + damping * w * z) / (w * std::sqrt(1.0 - damping * damping)));
+}
+
+TEST(TrainScenes, ResidualIsThatOfAnIntegrator) {
+    const Scene scene = scene_of_toml(
+        slide(ranged, "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = 40\n"));
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.train && solution.train->residual);
+    EXPECT_NEAR(solution.train->residual->value * scene.motion.lift, 40e-6, 1e-10);
+    for (const double rpm : {285.0, 292.5, 300.0, 311.1, 315.0})
+        EXPECT_LE(integrated_residual(scene, *solution.motion, rpm * units::revolution_per_minute),
+                  40e-6 * (1.0 + 1e-6))
+            << rpm;
+    const double worst = solution.train->residual->speed;
+    EXPECT_NEAR(integrated_residual(scene, *solution.motion, worst), 40e-6, 1e-9);
+    // A rigid follower's optimum breaks it: the limit does something.
+    const Solution rigid = solve(without_train(scene));
+    EXPECT_GT(integrated_residual(scene, *rigid.motion, 300 * units::revolution_per_minute), 60e-6);
+    EXPECT_LT(rigid.certificate.objective, solution.certificate.objective);
+}
+
+/// Nothing exceeds its limit between the speeds that the exchange looked at.
+TEST(TrainScenes, KeptAtEverySpeed) {
+    const Scene scene =
+        scene_of_toml(slide(std::string(ranged) + "return_spring_n_mm = 8\npreload_n = 120\n",
+                            "[objective]\nacceleration = 0.6\njerk = 0.1\n[limits]\nresidual_um = "
+                            "30\ndynamic_contact_force_min_n = 60\n"));
+    const Solution solution = solve(scene);
+    ASSERT_EQ(solution.certificate.verdict, Verdict::optimal);
+    const auto pieces = scene.dynamics->formulas->pieces(*solution.motion);
+    const EventPieces event = pieces_of_event(pieces, motion_events(scene.motion).front());
+    double largest = 0.0, least = infinity;
+    for (int k = 0; k < 1000; ++k) {
+        const double rpm = 285.0 + 30.0 * k / 999.0;
+        const auto train = train_at(scene, rpm * units::revolution_per_minute);
+        const EventResponse response(*train, event);
+        largest = std::max(largest, response.residual() * scene.motion.lift);
+        least = std::min(least, -response.largest(train->contact_force(), -1.0, true).value);
+    }
+    EXPECT_LE(largest, 30e-6 * (1.0 + 1e-6));
+    EXPECT_GE(largest, 29e-6);
+    EXPECT_GE(least, 60.0 * (1.0 - 1e-6));
+}
+
+/// A closed program, two events, shapes beside splines.
+TEST(TrainScenes, ProgramsAreProvedToo) {
+    const Solution solution = solve(
+        scene_of_toml("[motion]\ntype = \"program\"\nlift_mm = 20\nspeed_rpm = 200\n"
+                      "[[motion.segments]]\nkind = \"law\"\nlaw = \"cycloidal\"\nangle_deg = 100\nto = 1\n"
+                      "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 80\n"
+                      "[[motion.segments]]\nkind = \"spline\"\nangle_deg = 110\nto = 0\n"
+                      "[[motion.segments]]\nkind = \"dwell\"\nangle_deg = 70\n"
+                      "[spline]\ndegree = 3\nsegments = 16\n[objective]\nacceleration = 0.5\nresidual = 0.5\n"
+                      "[dynamics]\nmass_kg = 4\nstiffness_n_mm = 300\ndamping_ratio = 0.03\n"));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    ASSERT_TRUE(solution.train);
+    // The law rings, whatever the spline does: it is the worst.
+    EXPECT_NEAR(solution.train->residual->at, 100.0 / 110.0, 1e-9);
+}
+
+TEST(TrainScenes, WithoutDynamicsThereIsNothing) {
+    const Scene scene =
+        scene_of_toml("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[objective]\nacceleration = 1\n");
+    const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    for (const PlacedRule& rule : model.rules) EXPECT_EQ(rule->whole(), nullptr);
+    EXPECT_FALSE(solve(scene).train);
+}
+
+/// Rows of a sweep over weight and limit of the train carry its figures, and come back from their file.
+TEST(TrainScenes, SweepsHaveTheTrainsFigures) {
+    const std::string text = slide(pressed,
+                                   "[objective]\nacceleration = 1\njerk = 0.1\n[limits]\n"
+                                   "dynamic_contact_force_min_n = 20\n");
+    const SweepAxis axes[] = {{{"objective.residual"}, {0.0, 0.3}}, {{"limits.residual_um"}, {60.0, 200.0}}};
+    const SweepPlan plan = sweep_grid(axes);
+    EXPECT_TRUE(is_weight_key("objective.residual"));
+    SweepScenes scenes(plan, [&](std::span<const std::string> settings) {
+        return scene_of_toml(text, {settings.begin(), settings.end()});
+    });
+    SweepTable table;
+    table.columns = check_rows(scenes);
+    EXPECT_TRUE(table.columns.train);
+    EXPECT_EQ(table.columns.criteria, (std::vector<std::string>{"acceleration", "jerk", "residual"}));
+    for (int row = 0; row < plan.rows(); ++row) {
+        const Solution solution = solve(scenes.scene(row));
+        table.rows.push_back(sweep_row(row, plan.row(row), solution));
+        const SweepTrain& train = table.rows.back().train;
+        ASSERT_TRUE(train.residual && train.dynamic_acceleration && train.contact_force) << row;
+        EXPECT_LE(*train.residual * 24e3, plan.row(row)[1] * (1.0 + 1e-7)) << row;
+        EXPECT_GE(*train.contact_force, 20.0 * (1.0 - 1e-7)) << row;
+        EXPECT_EQ(*train.dynamic_acceleration, solution.train->acceleration.value) << row;
+    }
+    mark_front(table);
+    const SweepTable read = read_sweep_csv(sweep_csv(table), "sweep.csv");
+    for (int row = 0; row < plan.rows(); ++row) {
+        const SweepTrain &before = table.rows[row].train, &after = read.rows[row].train;
+        EXPECT_EQ(before.residual, after.residual);
+        EXPECT_EQ(before.dynamic_acceleration, after.dynamic_acceleration);
+        EXPECT_EQ(before.contact_force, after.contact_force);
+    }
+    EXPECT_EQ(sweep_csv(read), sweep_csv(table));
+}
+
+/// Laws are held against the limits of the train, each as it responds itself.
+TEST(TrainScenes, LawsAreJudgedByTheTrain) {
+    const Scene scene =
+        scene_of_toml(slide(pressed,
+                            "[objective]\nacceleration = 1\njerk = 0.1\n[limits]\nresidual_um = 100\n"
+                            "dynamic_contact_force_min_n = 20\n"));
+    const Comparison comparison = compare(scene);
+    int broken = 0, judged = 0;
+    for (const ComparisonRow& row : comparison.rows) {
+        if (!row.misfit.empty()) continue;
+        ASSERT_EQ(row.limits.size(), 2U) << row.title;
+        const double residual = worst_response(scene, ResponseKind::residual, *row.motion).value * 24e3;
+        EXPECT_NEAR(row.limits[0].reached.worst, residual, 1e-9 * residual) << row.title;
+        if (row.is_optimum()) EXPECT_TRUE(row.feasible);
+        if (row.is_optimum()) continue;
+        EXPECT_EQ(row.limits[0].kept, residual <= 100.0 * (1.0 + 1e-7)) << row.title;
+        const double least = worst_response(scene, ResponseKind::contact_force, *row.motion).value;
+        EXPECT_EQ(row.limits[1].kept, least >= 20.0 * (1.0 - 1e-6)) << row.title;
+        ++judged;
+        if (!row.feasible) ++broken;
+    }
+    EXPECT_GE(judged, 5);
+    EXPECT_GE(broken, 1);
+}
+
+TEST(TrainScenes, SaysWhatIsWrong) {
+    const auto refused = [](const std::string& text, const std::string& words) {
+        try {
+            static_cast<void>(solve(scene_of_toml(text)));
+            ADD_FAILURE() << "taken: " << text;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+        }
+    };
+    const std::string weights = "[objective]\nacceleration = 1\n";
+    refused("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[objective]\nacceleration = 1\nresidual = 1\n",
+            "only together with a [dynamics] table");
+    refused(slide("natural_frequency_hz = 70\nstiffness_n_mm = 5\n", weights), "only one of the two");
+    refused(slide("", weights), "one of natural_frequency and stiffness");
+    refused(slide("natural_frequency_hz = 70\ndamping_ratio = 2.5\n", weights), "damping_ratio");
+    refused(slide("natural_frequency_hz = 70\nspeed_range_rpm = [300, 200]\n", weights),
+            "two speeds > 0 that ascend");
+    refused(slide("natural_frequency_hz = 70\nspeed_range_rpm = [300]\n", weights), "found 1 numbers");
+    refused(slide("natural_frequency_hz = 70\n", weights + "[limits]\ndynamic_contact_force_min_n = 3\n"),
+            "nothing presses");
+    refused(slide("natural_frequency_hz = 70\n", "[objective]\nresidual = 1\n"),
+            "no weight or cap on a peak");
+    refused(slide("natural_frequency_hz = 70\nreturn_spring_n_mm = 900\n", weights), "return spring alone");
+    refused(slide("natural_frequency_hz = 70\n[[dynamics.stage]]\nmass_kg = 1\n", weights), "stiffness");
+    refused("[motion]\ntype = \"DRD\"\nlift_mm = 24\n[dynamics]\nmass_kg = 1\nnatural_frequency_hz = 9\n" +
+                weights,
+            "without a speed");
+    // A reference that does not ring cannot be divided by.
+    refused(slide("natural_frequency_hz = 80\n",
+                  "[objective]\nacceleration = 1\nresidual = 1\nreference = \"cycloidal\"\n"),
+            "a law that vibrates");
+}
+
+/// The table of the command, against the published single rise.
+TEST(TrainStudy, ComparesAsPublished) {
+    const Scene scene = scene_of_toml(
+        slide("natural_frequency_hz = 50\ndamping_ratio = 0.05\n", "[objective]\nacceleration = 1\n"));
+    // Half a turn of 90 degrees at 300 rpm takes 50 ms: 2.5 periods.
+    const double speed = 300 * units::revolution_per_minute;
+    const TrainStudy study = train_study(scene, {speed, speed, 1});
+    EXPECT_FALSE(study.static_optimum);
+    const auto row = std::ranges::find(study.rows, "cycloidal", &TrainRow::motion);
+    ASSERT_NE(row, study.rows.end());
+    EXPECT_NEAR(row->frequency_ratio, 2.5, 1e-12);
+    EXPECT_NEAR(row->residual, 0.0176562072, 6e-11);
+    EXPECT_NEAR(row->peak_deflection, 0.03893278, 6e-9);
+    EXPECT_NEAR(row->peak_acceleration, 9.6237141, 6e-8);
+    EXPECT_FALSE(row->lifts_off());
+}
+
+/// Just below the speed of lift-off the force is positive, just above negative.
+TEST(TrainStudy, LiftsOffWhereTheForceEnds) {
+    const Scene scene = scene_of_toml(slide(pressed, "[objective]\nacceleration = 1\n"));
+    const double speed = 300 * units::revolution_per_minute;
+    const TrainStudy study = train_study(scene, {speed, 1.2 * speed, 3});
+    int found = 0;
+    for (std::size_t i = 0; i < study.motions.size(); ++i) {
+        if (!study.lift_off_speeds[i]) continue;
+        const double off = *study.lift_off_speeds[i];
+        const TrainStudy near = train_study_of(study.optimum, {}, {off * (1 - 1e-9), off * (1 + 1e-9), 2});
+        EXPECT_FALSE(near.rows[2 * i].lifts_off()) << study.motions[i].first;
+        EXPECT_TRUE(near.rows[2 * i + 1].lifts_off()) << study.motions[i].first;
+        if (++found == 3) break;  // each takes a whole study
+    }
+    EXPECT_GE(found, 1);
+}
+
+}  // namespace
+}  // namespace camopt

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A picture before its proof: near the answer, by less work, and without a claim.
+#include "studies/solve/solve.hpp"
+#include "studies/solve/solve_sequence.hpp"
+#include "tests/studies/scenes_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+namespace camopt {
+namespace {
+
+/// Not convex: max |y' y''| weighs.
+Scene torque_scene(double velocity) {
+    Scene scene = testing_support::paper_objective(MotionType::drd, 3, 12);
+    scene.objective.torque = 0.5;
+    scene.objective.velocity = velocity;
+    scene.objective.reference = {};
+    return scene;
+}
+
+TEST(LookTest, ASearchGoesOnFromTheLastMotion) {
+    SolveSequence sequence;
+    const Solution first = sequence.solve(torque_scene(0.4), {});
+    ASSERT_GE(first.solver.starts, 2);
+    const Solution seen = sequence.look(torque_scene(0.42), {});
+    EXPECT_EQ(seen.solver.starts, 1);
+    EXPECT_FALSE(seen.certificate.lower_bound.has_value());
+    EXPECT_NE(seen.certificate.verdict, Verdict::optimal);
+    const Solution whole = solve(torque_scene(0.42));
+    EXPECT_NEAR(seen.certificate.objective, whole.certificate.objective, 1e-6);
+    EXPECT_LT(seen.solver.iterations, whole.solver.iterations);
+}
+
+TEST(LookTest, WithoutALastMotionItSolvesAll) {
+    SolveSequence sequence;
+    const Solution seen = sequence.look(torque_scene(0.4), {});
+    EXPECT_EQ(seen.solver.starts, default_starts);
+    Scene other = torque_scene(0.4);
+    other.spline.segments = 14;
+    EXPECT_EQ(sequence.look(other, {}).solver.starts, default_starts) << "another spline is no neighbour";
+}
+
+TEST(LookTest, AConvexSceneIsSolvedAndItsTieBroken) {
+    SolveSequence sequence;
+    Scene scene = testing_support::paper_objective(MotionType::drd, 3, 16);
+    for (const double velocity : {0.4, 0.45}) {
+        scene.objective.velocity = velocity;
+        const Solution seen = sequence.look(scene, {});
+        const Solution whole = solve(scene);
+        EXPECT_EQ(seen.certificate.verdict, Verdict::optimal);
+        EXPECT_NEAR(seen.certificate.objective, whole.certificate.objective, 1e-8);
+        for (const double x : {0.2, 0.5, 0.8})
+            EXPECT_NEAR(seen.motion->at(x, Side::right).derivative[2],
+                        whole.motion->at(x, Side::right).derivative[2], 1e-3);
+    }
+}
+
+TEST(LookTest, ASolveAfterALookIsAsAnyOther) {
+    SolveSequence sequence;
+    (void)sequence.solve(torque_scene(0.4), {});
+    (void)sequence.look(torque_scene(0.41), {});
+    const Solution after = sequence.solve(torque_scene(0.42), {});
+    const Solution cold = solve(torque_scene(0.42));
+    EXPECT_EQ(after.solver.starts, cold.solver.starts);
+    EXPECT_EQ(after.certificate.verdict, cold.certificate.verdict);
+    EXPECT_NEAR(after.certificate.objective, cold.certificate.objective, 1e-9);
+}
+
+}  // namespace
+}  // namespace camopt
