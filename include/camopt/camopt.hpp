@@ -49,6 +49,7 @@
 #include "camopt/surfaces.hpp"
 #include "camopt/sweep.hpp"
 #include "camopt/tables.hpp"
+#include "camopt/train_formulas.hpp"
 #include "camopt/units.hpp"
 #include "camopt/version.hpp"
 #include "camopt/words.hpp"
