@@ -133,7 +133,6 @@ MechanismSpec inverse(const std::vector<InverseNumber>& free) {
 }
 
 std::vector<Case> cases() {
-    using enum SpatialFollower;
     constexpr auto back = Rotation::clockwise, on = Rotation::counterclockwise;
     std::vector<Case> all;
     const auto add_spatial = [&](const char* name, const MechanismSpec& spec, double lift) {
@@ -141,13 +140,14 @@ std::vector<Case> cases() {
     };
     add_spatial("barrel", barrel(on, {}), 50 * degree);
     add_spatial("barrel clockwise", barrel(back, {}), 50 * degree);
-    using enum SpatialNumber;
-    add_spatial("barrel, free", barrel(back, {center_distance, arm_length, roller_length}), 50 * degree);
+    using Of = SpatialNumber;
+    add_spatial("barrel, free", barrel(back, {Of::center_distance, Of::arm_length, Of::roller_length}),
+                50 * degree);
     add_spatial("wheel", wheel(on, {}), 45 * degree);
     add_spatial("wheel clockwise, free",
-                wheel(back, {center_distance, lateral_offset, SpatialNumber::roller_radius}), 45 * degree);
+                wheel(back, {Of::center_distance, Of::lateral_offset, Of::roller_radius}), 45 * degree);
     add_spatial("slide", slide({}), 40 * millimetre);
-    add_spatial("slide, free", slide({center_distance, SpatialNumber::roller_radius}), 40 * millimetre);
+    add_spatial("slide, free", slide({Of::center_distance, Of::roller_radius}), 40 * millimetre);
     const auto add_remote = [&](const char* name, const MechanismSpec& spec, double lift) {
         all.push_back({name, spec, lift, std::make_shared<RemoteCam>(spec)});
     };

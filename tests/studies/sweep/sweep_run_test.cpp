@@ -176,7 +176,7 @@ TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
     std::mt19937 generator(11);  // NOLINT(cert-msc51-cpp): the same every time
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (const bool has_gaps : {false, true}) {
-        SweepTable table{{{"objective.jerk"}, {}, {"velocity", "acceleration", "jerk"}}, {}};
+        SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "acceleration", "jerk"}}, {}};
         for (int number = 0; number < 1500; ++number) {
             // Near the surface V·A·J = 1, some of them equal to the millionth, some off the front.
             SweepRow row = peaks(number, {0}, 1.0, 1.0);
@@ -201,7 +201,7 @@ TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
 }
 
 TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
-    SweepTable table{{{"objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 1.0, 5.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 2.0, 4.0),
                   peaks(3, {3}, 3.0, 3.5), peaks(4, {4}, 4.0, 1.0), peaks(5, {5}, 0.1, 0.1)};
     table.rows[5].verdict = Verdict::failed;  // its figures count for nothing
@@ -209,7 +209,7 @@ TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
 }
 
 TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
-    SweepTable table{{{"objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0 * (1 + 5e-7), 3.0),
                   peaks(2, {2}, 2.0, 3.0 * (1 + 3e-6)), peaks(3, {3}, 2.0 * (1 + 5e-7), 2.9)};
     // Row 3 costs nothing that counts and is better: rows 0 to 2 are not on the front.
@@ -219,13 +219,16 @@ TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
 }
 
 TEST(SweepFront, OtherSettingsAreOtherFronts) {
-    SweepTable table{{{"spline.segments", "objective.jerk"}, {}, {"velocity", "jerk"}}, {}};
+    SweepTable table{{.keys = {"spline.segments", "objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {8, 0}, 2.0, 3.0), peaks(1, {8, 1}, 2.5, 3.5), peaks(2, {16, 0}, 1.0, 1.0)};
     EXPECT_EQ(front(table), (std::vector{true, false, true}));
 }
 
 TEST(SweepFront, WeighsDimensionsAndTheOffsetByItsMagnitude) {
-    SweepTable table{{{"objective.offset"}, {DimensionIndex::offset}, {"velocity", "offset"}}, {}};
+    SweepTable table{{.keys = {"objective.offset"},
+                      .dimensions = {DimensionIndex::offset},
+                      .criteria = {"velocity", "offset"}},
+                     {}};
     table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 1.9, 3.0)};
     const auto offset = static_cast<std::size_t>(DimensionIndex::offset);
     table.rows[0].dimensions[offset] = -0.005;
