@@ -40,7 +40,9 @@ StoredSweep sample_sweep() {
                       "0123456789abcdef",
                       {},
                       {10, 4}};
-    sweep.identity.columns = {{"objective.velocity"}, {DimensionIndex::base_radius}, {"velocity", "jerk"}};
+    sweep.identity.columns = {.keys = {"objective.velocity"},
+                              .dimensions = {DimensionIndex::base_radius},
+                              .criteria = {"velocity", "jerk"}};
     return sweep;
 }
 
