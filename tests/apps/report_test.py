@@ -39,10 +39,13 @@ def solve(scene, name, *options):
 
 
 def short(value, digits=6):
-    """As people read a number: significant digits without trailing zeros, a typographic minus."""
+    """As people read a number: significant digits without trailing zeros, no power of ten below 1e7, a typographic minus."""
     if not math.isfinite(value):
         return "–"
-    return re.sub("^-", "−", f"{value:.{digits}g}") if value else "0"
+    text = f"{value:.{digits}g}"
+    if "e+" in text and abs(float(text)) < 1e7:
+        text = f"{float(text):.0f}"
+    return re.sub("^-", "−", text) if value else "0"
 
 
 def section(report, title):

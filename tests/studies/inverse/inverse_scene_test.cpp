@@ -76,7 +76,8 @@ TEST(InverseScene, KeepsTenDegreesRebuiltFromTheMotionAlone) {
     const Scene scene = scene_of_the_feeder();
     const Solution solution = solve(scene);
     ASSERT_TRUE(solution.motion) << "no motion within 10 deg was found";
-    EXPECT_EQ(solution.certificate.verdict, Verdict::local);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solution.certificate.proof_kind, ProofKind::boxes);
     const Motion& motion = *solution.motion;
     EXPECT_NEAR(motion.at(0.0).derivative[0], 0.0, 1e-9);
     EXPECT_NEAR(motion.at(1.0, Side::left).derivative[0], 1.0, 1e-9);

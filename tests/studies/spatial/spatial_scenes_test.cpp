@@ -119,7 +119,8 @@ TEST(SpatialScenes, PaperCupMachineBelowTheModifiedSinesPressureAngle) {
 TEST(SpatialScenes, IndexingByACylindricalCam) {
     const Solution solution = solved("ocrf_indexing");
     expect_motion_of_the_scene(solution);
-    EXPECT_EQ(solution.certificate.verdict, Verdict::local);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solution.certificate.proof_kind, ProofKind::boxes);
     EXPECT_NEAR(solution.certificate.objective, 0.94635201327, 1e-8);  // of 40 starts the best
     const MotionScale scale = motion_scale(solution.scene);
     EXPECT_NEAR(of_modified_sine(indexing(), scale), 33.4188748, 1e-5);
@@ -152,8 +153,8 @@ TEST(SpatialScenes, TheSmallestBarrelForFortyDegrees) {
     expect_motion_of_the_scene(solution);
     // Found by both solvers from all starts; the flat bottom leaves the last digits of stationarity open.
     EXPECT_NEAR(solution.certificate.objective, 9.53878965, 1e-7);
-    EXPECT_TRUE(solution.certificate.verdict == Verdict::local ||
-                solution.certificate.verdict == Verdict::feasible);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    EXPECT_EQ(solution.certificate.proof_kind, ProofKind::boxes);
     const MotionScale scale = motion_scale(solution.scene);
     double enough = 250.0, too_little = 100.0;
     for (int i = 0; i < 30; ++i) {
