@@ -22,11 +22,9 @@ inline constexpr double least_scale = 1e-3;
 /// A length by which geometry is made dimensionless: the prime radius, or for an arm its pivot's distance.
 [[nodiscard]] double length_of(const DiskCam& cam);
 
-/// Of a rule that holds on one side of the cam (profiles/disk/disk_sides.hpp). What encloses it over boxes is
-/// of the surface of an open cam: with two sides there is none.
+/// Of a rule that holds on one side of the cam (profiles/disk/disk_sides.hpp).
 inline void add_on_side(Rules& rules, const Shared& cam, CamFormula formula, int side) {
     formula.remark = side_name(cam->cam.form, side);
-    if (side_count(cam->cam) > 1) formula.over = {};
     rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
 }
 

@@ -16,6 +16,11 @@ namespace {
 // A flat oscillating face turns back on itself where 1 + ψ' vanishes; it stays this far away.
 constexpr double least_face_turn = 1e-3;
 
+/// The surface lies this much farther from the roller's centre than its radius: half a groove's clearance.
+double wider_by(const DiskCam& cam, int side) {
+    return surface_offset(cam, side) - roller_radius_of(cam, side);
+}
+
 }  // namespace
 
 void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
@@ -49,8 +54,10 @@ void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, 
         return shifted(scaled(quantity(own, state, Quantity::regularity, side), -1.0), margin);
     });
     if (has_roller(cam->cam.follower)) {
-        formula.over = [margin](const DiskCam& own, const StateOver& state) {
-            return curvature_excess(own, state, state[DimensionIndex::roller_radius], 1.0 - margin);
+        formula.over = [margin, side, wider = wider_by(cam->cam, side)](const DiskCam& own,
+                                                                        const StateOver& state) {
+            const RangeOver surface = shifted(roller_on(own, state, side), wider);
+            return curvature_excess(own, state, surface, 1.0 - margin, side);
         };
     }
     add_on_side(rules, cam, std::move(formula), side);
@@ -71,7 +78,7 @@ struct RadiusShift {
 /// (R + shift) κ − 1 with the curvature of the side: the convex radius stays above shift, the concave one
 /// above −shift. R: the roller's radius, in a groove half the clearance more.
 void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limit, const RadiusShift& held) {
-    const double wider = surface_offset(cam->cam, held.side) - roller_radius_of(cam->cam, held.side);
+    const double wider = wider_by(cam->cam, held.side);
     CamFormula formula = cam_formula(
         limit.key, [shift = held.shift, side = held.side, wider](const DiskCam& own, const auto& state) {
             const auto curvature = quantity(own, state, Quantity::pitch_curvature, side);
@@ -79,11 +86,10 @@ void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limi
             const auto roller = roller_on(own, state, side);
             return shifted(product(shifted(roller, shift + wider), curvature), -1.0);
         });
-    formula.over = [shift = held.shift](const DiskCam& own, const StateOver& state) {
-        const RangeOver factor = has_roller(own.follower)
-                                     ? shifted(state[DimensionIndex::roller_radius], shift)
-                                     : RangeOver(shift);
-        return curvature_excess(own, state, factor, 1.0);
+    formula.over = [shift = held.shift, side = held.side, wider](const DiskCam& own, const StateOver& state) {
+        const RangeOver factor =
+            has_roller(own.follower) ? shifted(roller_on(own, state, side), shift + wider) : RangeOver(shift);
+        return curvature_excess(own, state, factor, 1.0, side);
     };
     formula.scale = held.scale;
     add_on_side(rules, cam, std::move(formula), held.side);

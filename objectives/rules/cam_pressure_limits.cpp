@@ -145,11 +145,9 @@ void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side
     formula.range = [side, length](const DiskCam& own, const StateAlong& state) {
         return pressure_range(own, state, side, length);
     };
-    if (side_count(cam->cam) == 1) {
-        formula.over = [side, length](const DiskCam& own, const StateOver& state) {
-            return pressure_over(own, state, side, length);
-        };
-    }
+    formula.over = [side, length](const DiskCam& own, const StateOver& state) {
+        return pressure_over(own, state, side, length);
+    };
     formula.convex = [cam, side](double least, double most) {
         return pressure_is_convex(*cam, side, least, most);
     };

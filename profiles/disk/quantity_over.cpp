@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/quantity_over.hpp"
 
-#include "core/errors.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 
 namespace camopt {
@@ -12,6 +12,12 @@ using enum DimensionIndex;
 
 RangeOver prime_radius_over(const DiskCam& cam, const StateOver& state) {
     return has_roller(cam.follower) ? state[base_radius] + state[roller_radius] : state[base_radius];
+}
+
+/// From the roller's centre to either flank of a groove, or to the surface of an open cam.
+RangeOver flank_offset(const DiskCam& cam, const StateOver& state) {
+    const double clearance = cam.form.is_grooved() ? cam.form.groove_clearance : 0.0;
+    return shifted(state[roller_radius], 0.5 * clearance);
 }
 
 formulas::TranslatingRoller<RangeOver> translating_roller_over(const DiskCam& cam, const StateOver& state) {
@@ -38,7 +44,7 @@ RangeOver roller_quantity_over(const DiskCam& cam, const StateOver& state, const
             return roller.pitch().curvature();
         case Quantity::regularity:
             if (!has_roller(cam.follower)) return {1.0};
-            return RangeOver(1.0) - state[roller_radius] * roller.pitch().curvature();
+            return RangeOver(1.0) - flank_offset(cam, state) * roller.pitch().curvature();
         case Quantity::normal_lever:
             return roller.normal_lever();
         case Quantity::cam_radius:
@@ -103,9 +109,62 @@ RangeOver excess_of(const formulas::PitchMotion<RangeOver>& pitch, const RangeOv
     return factor * (still - acceleration) - share * (cube_of_root(speed_squared) / coefficient);
 }
 
-void require_open(const DiskCam& cam, int side) {
-    if (side != 0 || cam.form.drives_both_ways())
-        throw ModelError("found a side of a groove or of a conjugate cam over a box; allowed: an open cam");
+RangeOver open_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor, double share) {
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return excess_of(translating_roller_over(cam, state).pitch(), {1.0}, state.acceleration, factor,
+                             share);
+        case FollowerType::oscillating_roller:
+            return excess_of(oscillating_roller_over(cam, state).pitch(), state[arm_length],
+                             state.acceleration, factor, share);
+        case FollowerType::translating_flat:
+        case FollowerType::oscillating_flat:
+            break;
+    }
+    refuse_quantity(cam.follower);
+}
+
+bool is_second_disk(const DiskCam& cam, int side) {
+    return side == 1 && cam.form.is_conjugate();
+}
+
+RangeOver given_or_own(const std::optional<double>& given, const RangeOver& own) {
+    return given ? RangeOver(*given) : own;
+}
+
+/// The motion and the dimensions of the second disk, seen in the mirror (disk_sides.hpp), by those of the
+/// cam.
+StateOver second_over(const DiskCam& cam, const StateOver& state) {
+    StateOver second{-state.s, -state.velocity, -state.acceleration, {}};
+    const auto at = [&second](DimensionIndex which) -> RangeOver& {
+        return second.dimensions[static_cast<std::size_t>(which)];
+    };
+    at(roller_radius) = given_or_own(cam.form.second_roller_radius, state[roller_radius]);
+    RangeOver prime_squared;
+    if (is_oscillating(cam.follower)) {
+        const RangeOver& a = at(center_distance) = state[center_distance];
+        const RangeOver& l = at(arm_length) = given_or_own(cam.form.second_arm_length, state[arm_length]);
+        const RangeOver angle = RangeOver(cam.form.arm_angle) -
+                                formulas::oscillating_roller_start(prime_radius_over(cam, state),
+                                                                   state[center_distance], state[arm_length]);
+        prime_squared = square(a) + square(l) - 2.0 * (a * l * cos(angle));
+    } else {
+        at(offset) = given_or_own(cam.form.second_offset, state[offset]);
+        const RangeOver rest =
+            RangeOver(cam.form.roller_distance) -
+            formulas::translating_roller_start(prime_radius_over(cam, state), state[offset]);
+        prime_squared = square(rest) + square(at(offset));
+    }
+    at(base_radius) = sqrt(prime_squared) - at(roller_radius);
+    return second;
+}
+
+/// Of the outer flank, whose pitch curvature is −κ.
+RangeOver outer_flank_over(const DiskCam& cam, const StateOver& state, Quantity which) {
+    if (which == Quantity::pitch_curvature) return -quantity(cam, state, which);
+    if (which != Quantity::regularity) return quantity(cam, state, which);
+    return RangeOver(1.0) + flank_offset(cam, state) * quantity(cam, state, Quantity::pitch_curvature);
 }
 
 }  // namespace
@@ -126,30 +185,20 @@ RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which) {
 }
 
 RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side) {
-    require_open(cam, side);
-    return quantity(cam, state, which);
+    if (is_second_disk(cam, side)) return quantity(second_disk(cam), second_over(cam, state), which);
+    return side == 0 ? quantity(cam, state, which) : outer_flank_over(cam, state, which);
 }
 
 RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side) {
-    require_open(cam, side);
+    if (is_second_disk(cam, side)) return given_or_own(cam.form.second_roller_radius, state[roller_radius]);
     return state[roller_radius];
 }
 
-RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
-                           double share) {
-    switch (cam.follower) {
-        case FollowerType::translating_roller:
-        case FollowerType::translating_knife:
-            return excess_of(translating_roller_over(cam, state).pitch(), {1.0}, state.acceleration, factor,
-                             share);
-        case FollowerType::oscillating_roller:
-            return excess_of(oscillating_roller_over(cam, state).pitch(), state[arm_length],
-                             state.acceleration, factor, share);
-        case FollowerType::translating_flat:
-        case FollowerType::oscillating_flat:
-            break;
-    }
-    refuse_quantity(cam.follower);
+RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor, double share,
+                           int side) {
+    if (is_second_disk(cam, side))
+        return open_excess(second_disk(cam), second_over(cam, state), factor, share);
+    return open_excess(cam, state, side == 0 ? factor : -factor, share);
 }
 
 }  // namespace camopt

@@ -27,14 +27,15 @@ struct StateOver {
 /// follower has no such quantity.
 [[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which);
 
-/// As those of disk_sides.hpp, of open cams alone: other forms throw ModelError.
+/// As those of disk_sides.hpp.
 [[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side);
 [[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
 
 /// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch
-/// curve: >= 0 where factor κ >= share, and linear in s''. Everything where that coefficient may vanish.
+/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Everything
+/// where that coefficient may vanish.
 [[nodiscard]] RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
-                                         double share);
+                                         double share, int side);
 
 [[nodiscard]] inline RangeOver sum(double factor_a, const RangeOver& a, double factor_b, const RangeOver& b) {
     return factor_a * a + factor_b * b;
