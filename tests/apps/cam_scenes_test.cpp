@@ -27,7 +27,7 @@ const std::map<std::string, Expected> expected = {
     {"cam_drdrd", {"optimal", "limits.pressure_angle_deg"}},
     {"cam_flat", {"optimal", "limits.cam_radius_min_mm"}},
     {"cam_forces", {"optimal", "limits.contact_force_min_n"}},
-    {"cam_grooved", {"local", "limits.hertz_pressure_max_mpa"}},
+    {"cam_grooved", {"optimal", "limits.hertz_pressure_max_mpa"}},
     {"cam_infeasible", {"infeasible", ""}},
     {"cam_knife", {"optimal", "limits.pressure_angle_deg"}},
     {"cam_laws_and_splines", {"optimal", ""}},
