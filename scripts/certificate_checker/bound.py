@@ -7,10 +7,11 @@ from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral
 
 
 class Row:
-    """function(control points of run) + base * base radius - (the peak, where there is one) <= most."""
+    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most."""
 
-    def __init__(self, name, run, function, most, peak=None, base=Fraction(0)):
-        self.name, self.run, self.function, self.most, self.peak, self.base = name, run, function, most, peak, base
+    def __init__(self, name, run, function, most, peak=None, searched=None):
+        self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
+        self.searched = searched or {}
 
 
 class Bound:
@@ -24,12 +25,12 @@ class Bound:
 
     Any motion at all is then either no better than `incumbent`, or not below the bound."""
 
-    def __init__(self, problem, incumbent, relaxed):
-        self.problem, self.incumbent = problem, incumbent
+    def __init__(self, problem, incumbent, relaxed, curve=None):
+        self.problem, self.incumbent, self.curve = problem, incumbent, curve
         self.functions = [{} for _ in problem.runs]
         self.constant = Fraction(0)
         self.peaks = [Fraction(0)] * len(problem.terms)   # multipliers that lean on each peak
-        self.base = Fraction(0)                           # what leans on a base radius that is searched, 1/m
+        self.leaning = {}                                 # what leans on each dimension that is searched, 1/m
         self.relaxed, self.left_out = relaxed, {}
         self.rows, self.remainders = [], []
         self.most = [self.most_of(term) for term in problem.terms]
@@ -81,6 +82,13 @@ class Bound:
                 known[order] = above
         return known
 
+    def displacements_at(self, k, x):
+        """What y can be at a place, from the ends of the run (and the top of a rise and return) and the velocity."""
+        run, velocity = self.problem.runs[k], self.supremum[k][1]
+        known = [(run.stretches[0].begin, run.stretches[0].start), (run.stretches[-1].end, run.stretches[-1].to)]
+        known += [(Fraction(1), Fraction(1))] if self.problem.type == "RR" else []
+        return max(y - velocity * abs(x - at) for at, y in known), min(y + velocity * abs(x - at) for at, y in known)
+
     def own_peaks(self):
         """A peak may be taken as that of the motion itself: it is no larger than the derivative can be."""
         for i, term in enumerate(self.problem.terms):
@@ -102,12 +110,13 @@ class Bound:
         return None, None, None
 
     def use(self, row, multiplier):
-        """function + base * base radius - peak <= most, times a multiplier."""
+        """function + searched . dimensions - peak <= most, times a multiplier."""
         function = self.functions[row.run]
         for j, value in row.function.items():
             function[j] = function.get(j, Fraction(0)) + multiplier * value
         self.constant -= multiplier * row.most
-        self.base += multiplier * row.base
+        for name, slope in row.searched.items():
+            self.leaning[name] = self.leaning.get(name, Fraction(0)) + multiplier * slope
         if row.peak is not None:
             self.peaks[row.peak] += multiplier
         self.rows.append((row, multiplier))
@@ -120,31 +129,35 @@ class Bound:
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
         at, side = number(origin["at"]), origin.get("side", "right")
-        order, sign = origin.get("order"), origin.get("sign", 0)
-        k, run, stretch = self.run_at(at, side)
-        rule = origin["rule"]
+        found = self.row_of(origin, at, side, *self.run_at(at, side))
+        if found is None:
+            return self.leave_out(origin["rule"], multiplier)
+        return self.use(found[0], multiplier * found[1])
+
+    def row_of(self, origin, at, side, k, run, stretch):
+        """(the row that an origin names, what camopt's row is in units of it), or None: this checker has no use for it."""
+        order, sign, rule = origin.get("order"), origin.get("sign", 0), origin["rule"]
+        name = f"{rule} at x = {float(at)}"
         peak = None
         if not origin["limit"] and rule[1:] in ORDERS:
             order, sign = ORDERS[rule[1:]], {"+": 1, "-": -1}[rule[0]]
             peak = next((i for i, t in enumerate(self.problem.terms) if t.kind == "peak" and t.order == order), None)
             if peak is None or origin.get("order", order) != order or origin.get("sign", sign) != sign:
-                raise Refuted(f"{row['name']}: the scene has no such rule")
+                raise Refuted(f"{name}: the scene has no such rule")
         if peak is not None:
             if run is None:
-                raise Refuted(f"{row['name']}: no spline is there")
+                raise Refuted(f"{name}: no spline is there")
             term = self.problem.terms[peak]
             weight = sign / (term.reference * stretch.scale(order))
             function = {j: w * weight for j, w in run.space.functional(at, order, side).items()}
-            return self.use(Row(row["name"], k, function, Fraction(0), peak), multiplier)
+            return Row(name, k, function, Fraction(0), peak), Fraction(1)
         cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
         if cap is not None and run is not None and sign:
             function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
-            return self.use(Row(row["name"], k, function, 1 + self.relaxed), multiplier)
+            return Row(name, k, function, 1 + self.relaxed), Fraction(1)
         if self.problem.cam and run is not None:
-            ready = self.problem.cam.row(self, k, run, row, at)
-            if ready:
-                return self.use(ready[0], multiplier * ready[1])
-        return self.leave_out(rule, multiplier)
+            return self.problem.cam.row(self, k, run, name, origin, at)
+        return None
 
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""
@@ -187,7 +200,7 @@ class Bound:
                 raise Unverified(f"multipliers lean on the peak of derivative {term.order}, which nothing bounds")
             total += slope * self.most[i]
         if self.problem.cam:
-            total += self.problem.cam.least(self.base, cost)
+            total += self.problem.cam.least(self.leaning, cost)
         self.residual = Fraction(0)
         for run, function, supremum in zip(self.problem.runs, self.functions, self.supremum):
             constant, residual = self.under(run, dict(function), supremum)

@@ -4,52 +4,78 @@ import math
 from fractions import Fraction
 
 from .bound import Row
+from . import enclosures
+from .disk_rules import FACE_TURNS, DiskRules, constant
 from .exact import (
-    KEPT, ORDERS, PI, ROUNDED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
+    KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
     largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
 from .problem import LENGTHS, angle_of
 
 
+def at_time(polynomial, t):
+    """A polynomial with coefficients that are enclosed, at a time that is."""
+    total = polynomial[-1]
+    for coefficient in reversed(polynomial[:-1]):
+        total = total * t + coefficient
+    return total
+
+
+DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
+              "translating_roller": ("base_radius", "roller_radius", "offset"),
+              "oscillating_roller": ("base_radius", "roller_radius", "center_distance", "arm_length"),
+              "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
+
+
 class Cam:
-    """A disk cam with a translating follower. Lengths in m; u = s' - sense * offset, D = start + s, start the
-    follower's height at displacement 0."""
+    """A disk cam. Lengths in m; of translating followers u = s' - sense * offset, D = start + s, start the follower's
+    height at displacement 0. Of other cams the motion alone is judged."""
 
     def __init__(self, problem, scene, result):
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
-        self.constant, self.judged = Fraction(0), True
+        self.judged, self.swings = self.kind == "disk", self.follower.startswith("oscillating")
+        self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
         self.lift = problem.lift[0]
         weights = {n: number(scene["objective"].get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
-        if self.kind != "disk" or not self.follower.startswith("translating"):
-            if any(weights.values()) or any(isinstance(v, dict) for v in cam.values()):
-                raise Unverified("dimensions of this kind of cam in the objective, or searched")
-            self.judged, self.free = False, None
-            self.fixed = self.weight = self.base = Fraction(0)
+        if (not self.judged or self.swings) and (any(weights.values()) or
+                                                 any(isinstance(v, dict) for v in cam.values())):
+            raise Unverified("dimensions of this kind of cam in the objective, or searched")
+        self.constant = self.fixed
+        if not self.judged:
             return
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
-        self.base, self.free = self.dimension(cam, "base_radius"), None
-        if isinstance(self.base, tuple):
-            self.free = self.base
-            found = result.get("cam") and result["cam"]["dimensions"]["base_radius_m"]
-            self.base = number(found) if found else None
-            if self.base is not None and not self.free[0] <= self.base <= self.free[1]:
-                raise Refuted("the base radius is outside its range")
-        self.roller = self.dimension(cam, "roller_radius") if self.follower == "translating_roller" else Fraction(0)
-        self.offset = self.dimension(cam, "offset") if self.follower != "translating_flat" else Fraction(0)
-        if isinstance(self.roller, tuple) or isinstance(self.offset, tuple):
-            raise Unverified("a dimension that is searched, other than the base radius")
-        self.weight = weights.pop("base_radius") / self.lift
-        if self.free and self.offset:
-            raise Unverified("a searched base radius beside an offset")
-        self.constant = (weights["roller_radius"] * self.roller + weights["offset"] * abs(self.offset)) / self.lift
-        self.fixed = self.constant
-        if self.base is not None:
-            self.constant += self.weight * self.base
+        given = {name: self.dimension(cam, name) for name in DIMENSIONS[self.follower]}
+        self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
+        self.weights = {name: weight / self.lift for name, weight in weights.items()}
+        self.sizes = {name: self.found(result, name) for name in given}
+        if "offset" in self.searched or (self.searched and given.get("offset")):
+            raise Unverified("an offset that is searched, or beside dimensions that are")
+        self.offset = given.get("offset", Fraction(0))
+        self.base, self.roller = (self.sizes.get(name, Fraction(0)) for name in ("base_radius", "roller_radius"))
+        self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
+                         Fraction(0))
+        self.constant = self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
+                                          if self.sizes[name] is not None), Fraction(0))
         unit = problem.unit_angle
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
         self.width = self.dimension(cam, "face_half_width") or None
         self.pressure = self.pressure_limits()
+        self.rules = DiskRules(problem, scene, self.follower, self.sense, {"roller_radius": Fraction(0)} | given)
+        self.as_found = DiskRules(problem, scene, self.follower, self.sense,
+                                  {"roller_radius": Fraction(0)} | self.sizes, 4 * KEPT)
+
+    def found(self, result, name):
+        """A dimension as a number: of those searched what was found."""
+        size = self.dimension(self.scene["cam"], name)
+        if not isinstance(size, tuple):
+            return size
+        if not result.get("cam"):
+            return None
+        found = number(result["cam"]["dimensions"][name + "_m"])
+        if not size[0] * (1 - STATED) <= found <= size[1] * (1 + STATED):
+            raise Refuted(f"the {name} is outside its range")
+        return found
 
     def dimension(self, cam, name):
         for unit, size in LENGTHS.items():
@@ -76,22 +102,21 @@ class Cam:
         return root(square) if self.offset else exactly(base + self.roller)
 
     def least_cost(self):
-        return self.fixed + self.weight * (self.free[0] if self.free else self.base)
+        return self.fixed + sum((self.weights[name] * low for name, (low, _) in self.searched.items()), Fraction(0))
 
     def least(self, leaning, cost):
-        """What the base radius adds to a bound: cost and multipliers, at its best."""
-        fixed = self.fixed if cost else Fraction(0)
-        weight = self.weight if cost else Fraction(0)
-        if not self.free:
-            return fixed + weight * self.base
-        return fixed + min((weight + leaning) * end for end in self.free)
+        """What the dimensions add to a bound: cost and multipliers, at their best."""
+        total = self.fixed if cost else Fraction(0)
+        for name, ends in self.searched.items():
+            lean = (self.weights[name] if cost else Fraction(0)) + leaning.get(name, Fraction(0))
+            total += min(lean * end for end in ends)
+        return total
 
     # -- rows of the bound
 
-    def row(self, bound, k, run, row, at):
+    def row(self, bound, k, run, name, origin, at):
         """(the row, factor of its multiplier), or None where this checker does not use it. Irrational numbers are taken
         at their middle, and what that can change is added to what the row may reach."""
-        origin = row["origin"]
         rule, order, sign = origin["rule"], origin.get("order"), origin.get("sign", 0)
         side = origin.get("side", "right")
         if not self.judged or bound.relaxed:
@@ -103,6 +128,8 @@ class Cam:
             for j, w in space.functional(at, derivative_order, side).items():
                 function[j] = function.get(j, Fraction(0)) + weight * w
 
+        if self.swings:
+            return self.row_of_arm(bound, k, run, name, origin, at)
         if rule.endswith("pressure_angle_deg") and order == 1 and sign:
             limit = self.pressure[0 if sign > 0 else 1]
             if limit is None or self.follower == "translating_flat":
@@ -113,19 +140,21 @@ class Cam:
             add(1, Fraction(sign))
             add(0, -middle)
             lean = max(sign * self.sense * self.offset * b for b in self.beta) / self.lift
-            nominal = float(self.free[0] + self.free[1]) / 2 if self.free else float(self.base)
-            angle = math.radians(float(limit))
-            factor = math.cos(angle) * float(self.lift) / (nominal + float(self.roller)) / float(self.beta[0])
-            if self.free:
-                most = steep[1] * self.roller / self.lift + half * most_y + half * self.free[1] / self.lift
-                return Row(row["name"], k, function, most, None, -middle / self.lift), number(factor)
+            factor = math.cos(math.radians(float(limit))) * float(self.lift / self.rules.reach()) / float(self.beta[0])
+            if self.searched:
+                fixed = sum(self.sizes[n] for n in ("base_radius", "roller_radius")
+                            if n in self.sizes and n not in self.searched)
+                most = max(s * fixed for s in steep) / self.lift + half * most_y + \
+                    half * sum(high for _, high in self.searched.values()) / self.lift
+                return Row(name, k, function, most, None, dict.fromkeys(self.searched, -middle / self.lift)), \
+                    number(factor)
             most = steep[1] * self.start(self.base)[1] / self.lift + lean + half * most_y
-            return Row(row["name"], k, function, most), number(factor)
+            return Row(name, k, function, most), number(factor)
         if rule == "cam.face_half_width" and order == 1 and sign and self.width:
             add(1, Fraction(sign))
-            return Row(row["name"], k, function, self.width * self.beta[1] / self.lift), \
+            return Row(name, k, function, self.width * self.beta[1] / self.lift), \
                 self.lift / self.width / number(float(self.beta[0]))
-        if rule.startswith("limits.cam_radius_min") and self.follower == "translating_flat" and not self.free:
+        if rule.startswith("limits.cam_radius_min") and self.follower == "translating_flat" and not self.searched:
             # -(base + s + s'') <= -least, times beta^2 / lift.
             square = times(self.beta, self.beta)
             middle, half = middle_of(square)
@@ -133,14 +162,14 @@ class Cam:
             add(0, -middle)
             room = (self.base - self.dimension(self.problem.limits, "cam_radius_min")) / self.lift
             most = max(room * b for b in square) + half * most_y
-            return Row(row["name"], k, function, most), number(float(self.lift / self.base / square[0]))
+            return Row(name, k, function, most), number(float(self.lift / self.base / square[0]))
         if rule.startswith("limits.contact_force_min"):
             mass, rate, preload, least = self.forces()
             speed = self.problem.turns_per_second()
             unit = max(abs(least), preload, mass * speed**2 * self.lift, Fraction(1, 1000))
             add(2, -mass * speed**2 * self.lift / unit)
             add(0, -rate * self.lift / unit)
-            return Row(row["name"], k, function, (preload - least) / unit), Fraction(1)
+            return Row(name, k, function, (preload - least) / unit), Fraction(1)
         return None
 
     def forces(self):
@@ -162,35 +191,94 @@ class Cam:
                 continue
             if laws:
                 missing.append(f"limits.{key} on segments with a law")
-            elif key.endswith("pressure_angle_deg"):
-                self.keep_pressure(curve)
-                kept.append("limits." + key)
-            elif key.startswith("cam_radius_min"):
-                self.keep_radius(curve, self.dimension(self.problem.limits, "cam_radius_min"))
-                kept.append("limits." + key)
-            elif key.startswith("concave_radius_min") and self.follower != "translating_flat":
-                self.keep_concave(curve, self.dimension(self.problem.limits, "concave_radius_min"))
-                kept.append("limits." + key)
-            elif key == "undercut_margin" and self.follower == "translating_roller":
-                self.keep_bend(curve, self.roller / (1 - number(self.problem.limits[key])), "undercut")
-                kept.append("limits." + key)
-            elif key == "contact_force_min_n":
-                self.keep_force(curve)
-                kept.append("limits." + key)
-            elif key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
-                self.keep_hertz(curve, number(self.problem.limits[key]) * 10**6)
-                kept.append("limits." + key)
-            elif key == "torque_max_nm":
-                self.keep_torque(curve, number(self.problem.limits[key]))
-                kept.append("limits." + key)
-            else:
+                continue
+            keep = self.keeper_of(key)
+            if keep is None:
                 missing.append("limits." + key)
+                continue
+            keep(curve)
+            kept.append("limits." + key)
         if self.width:
             slope = largest_magnitude(curve.along(1))[1] * self.lift / self.beta[0]
             if slope > self.width * (1 + KEPT):
                 raise Refuted(f"cam.face_half_width: the contact moves {float(slope)} m from the axis")
             kept.append("cam.face_half_width")
         return kept, missing
+
+    def keeper_of(self, key):
+        """What looks at a limit along the delivered motion; None: nothing here does."""
+        limits, pushed = self.problem.limits, not self.swings
+        if key.endswith("pressure_angle_deg"):
+            return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key == "contact_force_min_n" and pushed:
+            return self.keep_force
+        if key == "torque_max_nm" and pushed:
+            return lambda curve: self.keep_torque(curve, number(limits[key]))
+        if key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
+            return lambda curve: self.keep_hertz(curve, number(limits[key]) * 10**6)
+        if key.startswith("cam_radius_min") and pushed:
+            return lambda curve: self.keep_radius(curve, self.dimension(limits, "cam_radius_min"))
+        if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
+            if self.follower == "translating_flat":
+                return None
+            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
+        return None
+
+    def keep_formulas(self, curve, key, formulas):
+        """Formulas of one cam angle along the motion: nowhere above 0."""
+        for run in curve.pieces:
+            for p, width, _, _ in run:
+                orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
+                for formula in formulas:
+                    def room(numbers, formula=formula, orders=orders):
+                        return -formula([at_time(c, numbers[0]) for c in orders])
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) < 0:
+                        raise Refuted(f"limits.{key} is passed")
+
+    def keep_pressure_of_arm(self, curve, key):
+        """Both sides along the motion, and at rest the least of all limits."""
+        formulas = [f for sign in (1, -1) for f in self.as_found.formulas("limits." + key, 1, sign)]
+        self.keep_formulas(curve, key, formulas)
+        least = min(limit for limit in self.pressure if limit is not None)
+        levels = {level for s in self.problem.stretches for level in (s.start, s.to)}
+        for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
+            for sign in (1, -1):
+                rest = [enclosures.interval(level)[0], 0, 0]
+                if enclosures.at_place(self.as_found.pressure(least, sign), rest).value[1] > 0:
+                    raise Refuted("the pressure angle at rest passes its limit")
+
+    def row_of_arm(self, bound, k, run, name, origin, at):
+        """Rows of an arm. Where a rule is convex, camopt's rows are its tangents: here the tangent at the delivered motion,
+        lowered as far as it must be to lie under the rule wherever a motion can be."""
+        rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
+        if origin.get("remark") == "face turns back" and self.follower == "oscillating_flat":
+            unit = max(self.rules.lift) / min(self.rules.beta), min(self.rules.lift) / max(self.rules.beta)
+            middle, half = middle_of((unit[1], unit[0]))
+            function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
+            return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
+        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None:
+            return None
+        values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
+        ranges = [bound.displacements_at(k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
+        for formula in self.rules.formulas(rule, 1, sign):
+            def pressure(numbers, formula=formula):
+                return formula(numbers + [constant(0)])
+            place = [enclosures.interval(v)[0] for v in values]
+            found = enclosures.tangent_at(pressure, place)
+            slopes = [enclosures.fraction(sum(found.slopes[i]) // 2) for i in range(2)]
+            factors = [constant(s) for s in slopes]
+
+            def above(numbers, factors=factors, pressure=pressure):
+                return pressure(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
+            touching = enclosures.at_place(above, place).value[0]
+            lowest = enclosures.least(above, [enclosures.interval(*r) for r in ranges],
+                                      touching - enclosures.interval(Fraction(1, 10**12))[0])
+            function = {}
+            for order, slope in enumerate(slopes):
+                for j, w in run.space.functional(at, order, side).items():
+                    function[j] = function.get(j, Fraction(0)) + slope * w
+            return Row(name, k, function, -enclosures.fraction(lowest)), Fraction(1)
+        return None
 
     def keep_pressure(self, curve):
         if self.follower == "translating_flat":

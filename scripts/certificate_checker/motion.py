@@ -5,7 +5,7 @@ from fractions import Fraction
 from .conditions import Conditions
 from .exact import (
     JOINED, KEPT, Refuted, SAME_PLACE, STATED, Unverified, combination, derivative, integral,
-    largest_magnitude, number, product, root, shifted)
+    largest_magnitude, number, product, root, shifted, value_at)
 from .spaces import Space
 
 
@@ -102,6 +102,12 @@ class Curve:
                     raise Refuted("the motion's dwells or laws are not those of the scene")
         if curve < 0:
             raise Refuted("the motion has no spline")
+
+    def value_at(self, k, x, side, order):
+        """The derivative of this order of spline k at a place."""
+        i, x = self.problem.runs[k].space.segment_of(x, side)
+        piece, _, left, _ = self.pieces[k][i]
+        return value_at(derivative(piece, order), x - left)
 
     def along(self, order, stretch=None):
         """The derivative of this order on all spline pieces, or on those of one stretch."""

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from .any_curve import any_curve_bound
 from .bound import Bound
+from .box_proof import BoxProof
 from .cam import Cam
 from .conditions import Conditions
 from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
@@ -96,7 +97,7 @@ def judge(folder, report, vipr_path):
         raise Refuted(f"limits are relaxed by {float(relaxed)}")
     if verdict == "infeasible":
         if "boxes" in certificate:
-            raise Unverified("infeasibility over boxes")
+            return judge_empty_boxes(problem, certificate["boxes"], report)
         return judge_infeasible(problem, proof, report, vipr_path)
     return judge_motion(problem, certificate, result, relaxed, report, vipr_path)
 
@@ -123,6 +124,13 @@ def judge_infeasible(problem, proof, report, vipr_path):
             raise Unverified("rows of " + ", ".join(sorted(bound.left_out)))
         raise Refuted("the multipliers do not prove that there is no motion")
     write_vipr(vipr_path, bound, problem, False, value)
+    return []
+
+
+def judge_empty_boxes(problem, boxes, report):
+    proof = BoxProof(problem, Bound(problem, None, Fraction(0)), boxes, None)
+    proof.check()
+    report.say(f"boxes: {len(proof.steps)} steps, {proof.planes} planes, {len(boxes['parts'])} parts; nothing is left in any")
     return []
 
 
@@ -154,9 +162,21 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
         if verdict == "optimal":
             raise Refuted("optimal without a bound")
         return missing
+    allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
+    if "gap" not in problem.solver and not result["solver"]["convex"]:
+        allowed_gap = allowed * NOT_CONVEX
+    else:
+        allowed_gap = allowed
     if certificate["proof_kind"] == "boxes":
-        raise Unverified("a proof by cases" if certificate["cases"] else "a bound over boxes")
-    if certificate["proof_kind"] == "any_curve_limit":
+        if "boxes" not in certificate:
+            raise Unverified("a proof by cases")
+        proof = BoxProof(problem, Bound(problem, high, relaxed, curve), certificate["boxes"], high)
+        proof.check_holds(result)
+        value, left_out, allowed = proof.check(), proof.left_out, allowed_gap
+        value = high if value is None else min(value, high)
+        report.say(f"bound: {len(proof.steps)} steps over boxes, {proof.planes} planes, {len(certificate['boxes']['parts'])} "
+                   f"parts: no motion of the scene is below {float(value):.15g}")
+    elif certificate["proof_kind"] == "any_curve_limit":
         if proof:
             raise Refuted("a proof by the limit of any curve has no rows")
         value, left_out = any_curve_bound(problem, curve), {}
@@ -166,25 +186,22 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
             raise Refuted("there is no stored proof of the bound")
         factor = factor_of(proof, problem)
         check_box(proof, result, problem, factor)
-        bound = Bound(problem, high, relaxed)
+        bound = Bound(problem, high, relaxed, curve)
         for row in proof["rows"]:
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)
         value, left_out = bound.value(), bound.left_out
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
                    f"rounding {float(bound.residual):.1e}")
-    allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
     short = number(bound_stated) - value
     if short > allowed / 10:
         if left_out:
             raise Unverified("rows of " + ", ".join(sorted(left_out)))
         raise Refuted(f"the bound {bound_stated} is not proved: only {float(value):.15g} is")
-    if "gap" not in problem.solver and not result["solver"]["convex"]:
-        allowed *= NOT_CONVEX
-    if verdict == "optimal" and high - value > allowed:
+    if verdict == "optimal" and high - value > allowed_gap:
         if left_out:
             raise Unverified("rows of " + ", ".join(sorted(left_out)))
-        raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed):.1e}")
+        raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed_gap):.1e}")
     if certificate["proof_kind"] == "duality":
         write_vipr(vipr_path, bound, problem, True, value)
     return missing

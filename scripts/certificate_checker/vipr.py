@@ -12,8 +12,9 @@ def vipr(bound, problem, cost, proved):
         names += [f"c{k}_{j}" for j in range(run.space.size)]
     peaks = len(names)
     names += [f"peak{i}" for i in range(len(problem.terms))]
-    base = len(names)
-    names.append("base_radius")
+    cam = problem.cam
+    searched = {name: len(names) + i for i, name in enumerate(cam.searched if cam else {})}
+    names += searched
     rows, steps = [], []  # (sense, right side, {variable: weight}), (row, multiplier)
 
     def add(sense, right, row, multiplier):
@@ -25,23 +26,19 @@ def vipr(bound, problem, cost, proved):
             add("G", Fraction(0), {peaks + i: Fraction(1)}, slope)
         else:
             add("L", most, {peaks + i: Fraction(1)}, slope)
-    fixed = Fraction(0)
-    if problem.cam and problem.cam.judged:
-        cam = problem.cam
-        low, high = cam.free or (cam.base, cam.base)
-        fixed = cam.fixed if cost else Fraction(0)
-        lean = (cam.weight if cost else Fraction(0)) + bound.base
+    for name, variable in searched.items():
+        low, high = cam.searched[name]
+        lean = (cam.weights[name] if cost else Fraction(0)) + bound.leaning.get(name, Fraction(0))
         if lean >= 0:
-            add("G", low, {base: Fraction(1)}, lean)
+            add("G", low, {variable: Fraction(1)}, lean)
         else:
-            add("L", high, {base: Fraction(1)}, lean)
+            add("L", high, {variable: Fraction(1)}, lean)
     bounds = len(rows)
     for row, multiplier in bound.rows:
         weights = {first[row.run] + j: w for j, w in row.function.items()}
         if row.peak is not None:
             weights[peaks + row.peak] = Fraction(-1)
-        if row.base:
-            weights[base] = row.base
+        weights |= {searched[name]: slope for name, slope in row.searched.items()}
         add("L", row.most, weights, -multiplier)
     for k, (run, (conditions, original, remainder)) in enumerate(zip(problem.runs, bound.remainders)):
         order, weights, starts, most = remainder
@@ -69,9 +66,9 @@ def vipr(bound, problem, cost, proved):
         return " ".join([str(len(row))] + [f"{j} {w}" for j, w in sorted(row.items())])
 
     objective = {peaks + i: t.weight for i, t in enumerate(problem.terms) if t.weight} if cost else {}
-    if cost and problem.cam and problem.cam.judged and problem.cam.weight:
-        objective[base] = problem.cam.weight
-    target = proved - fixed
+    if cost:
+        objective |= {variable: cam.weights[name] for name, variable in searched.items() if cam.weights[name]}
+    target = proved - (cam.fixed if cam and cost else Fraction(0))
     lines = ["% The bound of certificate.json over the B-spline control points, in exact arithmetic.", "VER 1.0",
              f"VAR {len(names)}", " ".join(names), "INT 0", "OBJ min", text(objective), f"CON {len(rows)} {bounds}"]
     lines += [f"R{i} {sense} {right} {text(row)}" for i, (sense, right, row) in enumerate(rows)]
