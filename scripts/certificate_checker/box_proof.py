@@ -27,6 +27,7 @@ from .exact import ORDERS, STATED, Refuted, Unverified, number
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
+TOUCHING = Fraction(1, 10**6)  # a plane is pushed back by the square of this part of its size where it touches its rule
 SHORT = 2**150                 # sides are rounded up to parts of this
 
 
@@ -170,10 +171,19 @@ class BoxProof:
         if key not in self.known:
             k, run, stretch = self.bound.run_at(at, side)
             if run is None:
-                raise Refuted(f"a step speaks of x = {float(at)}, where no spline is")
-            weights, fixed = self.in_variables(k, run.space.functional(at, order, side))
-            self.known[key] = (weights, fixed, k, stretch)
+                self.known[key] = self.at_rest(at, order)
+            else:
+                weights, fixed = self.in_variables(k, run.space.functional(at, order, side))
+                self.known[key] = (weights, fixed, k, stretch)
         return self.known[key]
+
+    def at_rest(self, at, order):
+        stretch = next((s for s in self.problem.stretches if s.begin <= at <= s.end), None)
+        if stretch is None:
+            raise Refuted(f"a step speaks of x = {float(at)}, outside the motion")
+        if stretch.kind != "dwell":
+            raise Unverified("a bound over boxes along a law")
+        return {}, stretch.start if order == 0 else Fraction(0), None, stretch
 
     # -- steps
 
@@ -234,14 +244,13 @@ class BoxProof:
         if "at" not in origin:
             return self.condition(step, index)
         at, side = number(origin["at"]), origin.get("side", "right")
-        weights, fixed, k, stretch = self.state(at, side, 0)
-        row = self.bound.row_of(origin, at, side, k, self.problem.runs[k], stretch)
+        row = self.bound.row_of(origin, at, side, *self.bound.run_at(at, side))
         if row is None:  # it adds nothing
             self.left_out[origin["rule"]] = True
             step.side = greatest(step.weights, self.box)
             return None
         row, factor = row
-        weights, fixed = self.in_variables(k, row.function)
+        weights, fixed = self.in_variables(row.run, row.function)
         if row.peak is not None:
             weights[self.place["peak", row.peak]] = Fraction(-1)
         for name, slope in row.searched.items():
@@ -318,12 +327,10 @@ class BoxProof:
             step.side = greatest(step.weights, self.box)
             return
         box = self.box_of_plane(step, index, states, parameters)
-        lowest = max(self.lowest(formula, slopes, box, number(data["constant"])) for formula in formulas)
-        size = max([Fraction(1, 10**6), abs(number(data["constant"]))] +
-                   [abs(s) * max(map(abs, ends)) for s, ends in zip(slopes, box)])
-        if lowest < number(data["constant"]) - 2 * SAME_ROW * size:
-            raise Refuted(f"step {index}: the plane passes {origin['rule']} at x = {float(at)} by "
-                          f"{float(number(data['constant']) - lowest):.1e}")
+        found = [self.lowest(formula, slopes, box, number(data["constant"])) for formula in formulas]
+        lowest = max((value for value in found if value is not None), default=None)
+        if lowest is None:
+            raise Refuted(f"step {index}: the plane passes {origin['rule']} at x = {float(at)}")
         self.planes += 1
         self.of_scene(step, index, weights, -lowest - fixed)
 
@@ -367,7 +374,8 @@ class BoxProof:
 
     @staticmethod
     def lowest(formula, slopes, box, stated):
-        """The least of rule - slope . z over the box, or less: enough is what the file says, less rounding."""
+        """The least of rule - slope . z over the box, or less; None: it lies below what the file says by more than
+        rounding. Where the plane touches its rule it is pushed back by as little as is needed."""
         used = [i for i, slope in enumerate(slopes) if slope]
         factors = [constant(s) for s in slopes]
 
@@ -377,10 +385,13 @@ class BoxProof:
                 value = value - factors[i] * z[i]
             return value
 
-        size = max([Fraction(1, 10**6), abs(stated)] +
-                   [abs(slopes[i]) * max(map(abs, box[i])) for i in used])
-        enough = enclosures.interval(stated - SAME_ROW / 1000 * size)[0]
-        return enclosures.fraction(enclosures.least(above, [enclosures.interval(*ends) for ends in box], enough))
+        size = max([TOUCHING, abs(stated)] + [abs(slopes[i]) * max(map(abs, box[i])) for i in used])
+        ends = [enclosures.interval(*e) for e in box]
+        for back in (TOUCHING**2, TOUCHING**2 * 30, SAME_ROW):
+            found = enclosures.least(above, ends, enclosures.interval(stated - back * size)[0])
+            if found is not None:
+                return enclosures.fraction(found)
+        return None
 
     # -- parts
 

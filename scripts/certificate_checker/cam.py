@@ -61,9 +61,9 @@ class Cam:
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
         self.width = self.dimension(cam, "face_half_width") or None
         self.pressure = self.pressure_limits()
-        self.rules = DiskRules(problem, scene, self.follower, self.sense, {"roller_radius": Fraction(0)} | given)
+        self.rules = DiskRules(problem, scene, self.follower, self.sense, given)
         self.as_found = DiskRules(problem, scene, self.follower, self.sense,
-                                  {"roller_radius": Fraction(0)} | self.sizes, 4 * KEPT)
+                                  self.sizes, 4 * KEPT)
 
     def found(self, result, name):
         """A dimension as a number: of those searched what was found."""
@@ -232,7 +232,7 @@ class Cam:
                 for formula in formulas:
                     def room(numbers, formula=formula, orders=orders):
                         return -formula([at_time(c, numbers[0]) for c in orders])
-                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) < 0:
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) is None:
                         raise Refuted(f"limits.{key} is passed")
 
     def keep_pressure_of_arm(self, curve, key):
@@ -270,9 +270,12 @@ class Cam:
 
             def above(numbers, factors=factors, pressure=pressure):
                 return pressure(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
-            touching = enclosures.at_place(above, place).value[0]
-            lowest = enclosures.least(above, [enclosures.interval(*r) for r in ranges],
-                                      touching - enclosures.interval(Fraction(1, 10**12))[0])
+            touching, lowest = enclosures.at_place(above, place).value[0], None
+            for below in (Fraction(1, 10**12), Fraction(1, 10**9), Fraction(1, 10**6)):
+                lowest = lowest if lowest is not None else enclosures.least(above, [enclosures.interval(*r) for r in ranges],
+                                                    touching - enclosures.interval(below)[0])
+            if lowest is None:
+                return None
             function = {}
             for order, slope in enumerate(slopes):
                 for j, w in run.space.functional(at, order, side).items():

@@ -26,7 +26,8 @@ class DiskRules:
     def __init__(self, problem, scene, follower, sense, dimensions, room=Fraction(0)):
         self.problem, self.follower = problem, follower
         self.limits, self.forces = problem.limits, scene.get("forces", {})
-        self.sense, self.dimensions, self.room = sense, dimensions, constant(room)
+        self.sense, self.room = sense, constant(room)
+        self.dimensions = dimensions if "roller_radius" in dimensions else dimensions | {"roller_radius": Fraction(0)}
         self.swings = follower.startswith("oscillating")
         self.searched = [name for name, size in dimensions.items() if isinstance(size, tuple)]
         size, unit = problem.lift

@@ -142,8 +142,8 @@ def tangent_at(formula, place):
 
 
 def least(formula, box, enough):
-    """What no value of the formula over the box lies below. The box is halved until that is `enough`; where some place has
-    less than `enough`, the answer is below it too.
+    """What no value of the formula over the box lies below, at least `enough`; None where some place has less than that.
+    The box is halved until it is decided.
 
     A part of the box is never halved along a variable in whose direction the formula rises or falls throughout: its
     least value lies on that side. What is left is bounded from its middle and its slopes."""
@@ -167,11 +167,11 @@ def least(formula, box, enough):
         fall = {i: -multiplied(slope, (part[i][0] - middle[i], part[i][1] - middle[i]))[0]
                 for i, slope in found.slopes.items()}
         low = max(found.value[0], there[0] - sum(fall.values()))
-        if low >= enough or not fall:
+        if low >= enough:
             lowest = low if lowest is None else min(lowest, low)
             continue
-        if there[1] < enough:
-            return there[0]
+        if there[1] < enough or not fall:
+            return None
         worst = max(fall, key=fall.get)
         a, b = part[worst]
         if b - a < 4:

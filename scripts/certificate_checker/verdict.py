@@ -172,6 +172,8 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
             raise Unverified("a proof by cases")
         proof = BoxProof(problem, Bound(problem, high, relaxed, curve), certificate["boxes"], high)
         proof.check_holds(result)
+        if number(bound_stated) > number(certificate["boxes"]["bound"]):
+            raise Refuted("the lower bound is above that of the boxes")
         value, left_out, allowed = proof.check(), proof.left_out, allowed_gap
         value = high if value is None else min(value, high)
         report.say(f"bound: {len(proof.steps)} steps over boxes, {proof.planes} planes, {len(certificate['boxes']['parts'])} "
