@@ -18,7 +18,7 @@ class Curve:
         curves = result["motion"]["curves"]
         if len(curves) != len(problem.runs):
             raise Refuted(f"the motion has {len(curves)} splines, the scene {len(problem.runs)}")
-        self.pieces, self.distance = [], [Fraction(0)] * 4
+        self.pieces, self.control, self.distance = [], [], [Fraction(0)] * 4
         for run, curve in zip(problem.runs, curves):
             self.add(run, curve)
         self.parts(result["motion"]["parts"])
@@ -47,6 +47,7 @@ class Curve:
             control = self.from_the_top(run, points, delivered)
         else:
             control = conditions.completed(space.control_points(points, delivered))
+        self.control.append(control)
         exact = space.pieces(control)
         own = []
         for i, piece in enumerate(exact):

@@ -19,6 +19,8 @@ from .vipr import vipr
 
 
 class Report:
+    box_proof = None  # what the bound was proved by, where that was over boxes
+
     def __init__(self, quiet):
         self.quiet = quiet
 
@@ -130,7 +132,8 @@ def judge_infeasible(problem, proof, report, vipr_path):
 def judge_empty_boxes(problem, boxes, report):
     proof = BoxProof(problem, Bound(problem, None, Fraction(0)), boxes, None)
     proof.check()
-    report.say(f"boxes: {len(proof.steps)} steps, {proof.planes} planes, {len(boxes['parts'])} parts; nothing is left in any")
+    report.say(f"boxes: {len(proof.steps)} steps, {proof.planes} planes, {len(boxes['parts'])} parts; nothing is left in "
+               "any of them")
     return []
 
 
@@ -163,21 +166,20 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
             raise Refuted("optimal without a bound")
         return missing
     allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
-    if "gap" not in problem.solver and not result["solver"]["convex"]:
-        allowed_gap = allowed * NOT_CONVEX
-    else:
-        allowed_gap = allowed
+    not_convex = "gap" not in problem.solver and not result["solver"]["convex"]
+    allowed_gap = allowed * (NOT_CONVEX if not_convex else 1)
     if certificate["proof_kind"] == "boxes":
         if "boxes" not in certificate:
             raise Unverified("a proof by cases")
-        proof = BoxProof(problem, Bound(problem, high, relaxed, curve), certificate["boxes"], high)
-        proof.check_holds(result)
-        if number(bound_stated) > number(certificate["boxes"]["bound"]):
+        boxes, allowed = certificate["boxes"], allowed_gap
+        if number(bound_stated) > number(boxes["bound"]):
             raise Refuted("the lower bound is above that of the boxes")
-        value, left_out, allowed = proof.check(), proof.left_out, allowed_gap
+        proof = report.box_proof = BoxProof(problem, Bound(problem, high, relaxed, curve), boxes, high)
+        proof.check_holds(result)
+        value, left_out = proof.check(), proof.left_out
         value = high if value is None else min(value, high)
-        report.say(f"bound: {len(proof.steps)} steps over boxes, {proof.planes} planes, {len(certificate['boxes']['parts'])} "
-                   f"parts: no motion of the scene is below {float(value):.15g}")
+        report.say(f"bound: {len(proof.steps)} steps over boxes, {proof.planes} planes, {len(boxes['parts'])} parts: "
+                   f"no motion of the scene is below {float(value):.15g}")
     elif certificate["proof_kind"] == "any_curve_limit":
         if proof:
             raise Refuted("a proof by the limit of any curve has no rows")

@@ -31,11 +31,13 @@ def solve(camopt, scene, folder, settings=()):
 
 
 class Silent:
+    box_proof = None
+
     def say(self, text):
         pass
 
 
-def outcome(module, folder, vipr=None):
+def outcome(module, folder, vipr=None, report=None):
     """("confirmed" | "refuted" | "not verified", why)."""
-    code, why = module.outcome_of(Path(folder), Silent(), vipr)
+    code, why = module.outcome_of(Path(folder), report or Silent(), vipr)
     return {0: "confirmed", 1: "refuted", 2: "not verified"}[code], why
