@@ -15,7 +15,7 @@ from pathlib import Path
 import checker
 
 SETTINGS = ("solver.max_seconds=40",)
-LEAST_PROOFS = 9
+LEAST_PROOFS = 30
 # The motion keeps its limits to 1e-8, and a step may say so of it, relative to the sizes of its terms.
 KEPT = 1e-7
 
@@ -56,19 +56,20 @@ def torque(r):
 
 def scenes(seed):
     r = random.Random(seed)
+    for _ in range(10):
+        yield "roller, convex radius", roller(r, f"pressure_angle_deg = 36\ncam_radius_min_mm = {r.randint(7, 11)}")
+    for _ in range(8):
+        yield "roller, undercut margin", roller(r, f"undercut_margin = {r.choice((0.45, 0.5, 0.55))}")
     for _ in range(4):
-        yield "roller, convex radius", roller(r, f"pressure_angle_deg = 34\ncam_radius_min_mm = {r.randint(5, 9)}")
-    for _ in range(2):
-        yield "roller, undercut margin", roller(r, f"undercut_margin = {r.choice((0.3, 0.35, 0.4))}")
-    yield "roller, concave radius", roller(r, f"concave_radius_min_mm = {r.randint(35, 42)}")
-    yield "roller beside the centre", roller(r, f"undercut_margin = {r.choice((0.3, 0.35))}", "offset_mm = 4")
-    yield "roller, base radius searched", roller(
-        r, "pressure_angle_deg = 34\ncam_radius_min_mm = 7",
-        sizes="base_radius_mm = { min = 15, max = 60 }\nroller_radius_mm = 8", objective=PEAKS | {"base_radius": 0.3})
-    for _ in range(2):
-        yield "arm with a roller", arm(r, f"undercut_margin = {r.choice((0.4, 0.45, 0.5))}")
-    yield "arm with a face", flat_arm(r)
-    for _ in range(3):
+        yield "roller, concave radius", roller(r, f"concave_radius_min_mm = {r.randint(38, 44)}")
+        yield "roller beside the centre", roller(r, f"undercut_margin = {r.choice((0.45, 0.5))}", "offset_mm = 4")
+        yield "roller, base radius searched", roller(
+            r, "pressure_angle_deg = 38\ncam_radius_min_mm = 9",
+            sizes="base_radius_mm = { min = 15, max = 60 }\nroller_radius_mm = 8", objective=PEAKS | {"base_radius": 0.3})
+    for _ in range(6):
+        yield "arm with a roller", arm(r, f"undercut_margin = {r.choice((0.45, 0.5, 0.55))}")
+        yield "arm with a face", flat_arm(r)
+    for _ in range(8):
         yield "torque peak", torque(r)
 
 
