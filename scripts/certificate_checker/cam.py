@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from .bound import Row
 from . import enclosures
+from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, constant
 from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
@@ -33,7 +34,7 @@ class Cam:
     def __init__(self, problem, scene, result):
         cam, self.problem, self.scene = scene["cam"], problem, scene
         self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
-        self.judged, self.swings = self.kind == "disk", self.follower.startswith("oscillating")
+        self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
         self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
         self.lift = problem.lift[0]
         weights = {n: number(scene["objective"].get(n, 0)) for n in
@@ -42,7 +43,10 @@ class Cam:
                                                  any(isinstance(v, dict) for v in cam.values())):
             raise Unverified("dimensions of this kind of cam in the objective, or searched")
         self.constant = self.fixed
-        if not self.judged:
+        if self.kind in ("barrel", "cylindrical"):
+            self.judged, self.swings, self.width = True, True, None
+            self.rules, self.as_found = SpatialRules(problem, scene), SpatialRules(problem, scene, 4 * KEPT)
+        if self.kind != "disk":
             return
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         given = {name: self.dimension(cam, name) for name in DIMENSIONS[self.follower]}
@@ -128,7 +132,7 @@ class Cam:
             for j, w in space.functional(at, derivative_order, side).items():
                 function[j] = function.get(j, Fraction(0)) + weight * w
 
-        if self.swings:
+        if self.swings:  # and what moves in space
             return self.row_of_arm(bound, k, run, name, origin, at)
         if rule.endswith("pressure_angle_deg") and order == 1 and sign:
             limit = self.pressure[0 if sign > 0 else 1]
@@ -208,6 +212,8 @@ class Cam:
     def keeper_of(self, key):
         """What looks at a limit along the delivered motion; None: nothing here does."""
         limits, pushed = self.problem.limits, not self.swings
+        if self.kind != "disk":
+            return self.keeper_in_space(key)
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
         if key == "contact_force_min_n" and pushed:
@@ -224,15 +230,26 @@ class Cam:
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
-    def keep_formulas(self, curve, key, formulas):
-        """Formulas of one cam angle along the motion: nowhere above 0."""
+    def keeper_in_space(self, key):
+        rules = self.as_found
+        if key == "pressure_angle_deg":
+            return lambda curve: self.keep_formulas(
+                curve, key, [f for sign in (1, -1) for f in rules.formulas("limits." + key, 1, sign)])
+        if key == "undercut_margin":
+            margin = number(self.problem.limits[key])
+            return lambda curve: self.keep_formulas(curve, key, [rules.margin(margin, flank) for flank in (1, -1)],
+                                                    [(0, enclosures.ONE)])
+        return None
+
+    def keep_formulas(self, curve, key, formulas, more=()):
+        """Formulas of one cam angle along the motion: nowhere above 0. `more`: intervals of further numbers of a formula."""
         for run in curve.pieces:
             for p, width, _, _ in run:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
                 for formula in formulas:
                     def room(numbers, formula=formula, orders=orders):
-                        return -formula([at_time(c, numbers[0]) for c in orders])
-                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) is None:
+                        return -formula([at_time(c, numbers[0]) for c in orders] + numbers[1:])
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width), *more], 0) is None:
                         raise Refuted(f"limits.{key} is passed")
 
     def keep_pressure_of_arm(self, curve, key):
@@ -259,13 +276,14 @@ class Cam:
         if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None:
             return None
         values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
-        ranges = [bound.displacements_at(k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
-        for formula in self.rules.formulas(rule, 1, sign):
-            def pressure(numbers, formula=formula):
-                return formula(numbers + [constant(0)])
-            place = [enclosures.interval(v)[0] for v in values]
+        place = [enclosures.interval(v)[0] for v in values]
+        ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
+        formulas = [lambda numbers, f=f: f(numbers + [constant(0)]) for f in self.rules.formulas(rule, 1, sign)]
+        # Of several rules of one name the one that the motion comes nearest to.
+        formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
+        for pressure in formulas[:1]:
             found = enclosures.tangent_at(pressure, place)
-            slopes = [enclosures.fraction(sum(found.slopes[i]) // 2) for i in range(2)]
+            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(2)]
             factors = [constant(s) for s in slopes]
 
             def above(numbers, factors=factors, pressure=pressure):
@@ -280,8 +298,18 @@ class Cam:
             for order, slope in enumerate(slopes):
                 for j, w in run.space.functional(at, order, side).items():
                     function[j] = function.get(j, Fraction(0)) + slope * w
-            return Row(name, k, function, -enclosures.fraction(lowest)), Fraction(1)
+            return Row(name, k, function, -enclosures.fraction(lowest)), 1 / self.row_size()
         return None
+
+    def row_size(self):
+        """What rows of arms and of cams in space are divided by beyond the formulas here."""
+        return self.rules.sizes["center_distance"] if self.kind != "disk" else Fraction(1)
+
+    def displacements(self, bound, k, at):
+        """What y can be at a place."""
+        low, high = bound.displacements_at(k, at)
+        own = self.rules.displacements() if self.problem.type == "DRD" else None
+        return (max(low, own[0]), min(high, own[1])) if own else (low, high)
 
     def keep_pressure(self, curve):
         if self.follower == "translating_flat":

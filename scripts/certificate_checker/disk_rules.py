@@ -37,6 +37,10 @@ class DiskRules:
         self.beta = times(exactly(angle), degree if unit == "deg" else exactly(1))
         self.roller = follower in ("translating_roller", "oscillating_roller")
 
+    @staticmethod
+    def displacements():
+        """What the limits alone say of the displacement: nothing is made of it here."""
+
     # -- the motion and the cam
 
     def states(self, numbers):
