@@ -10,15 +10,8 @@ from .disk_rules import FACE_TURNS, DiskRules, constant
 from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
     largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
+from .laws import at_time, motion_along
 from .problem import LENGTHS, angle_of
-
-
-def at_time(polynomial, t):
-    """A polynomial with coefficients that are enclosed, at a time that is."""
-    total = polynomial[-1]
-    for coefficient in reversed(polynomial[:-1]):
-        total = total * t + coefficient
-    return total
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -189,20 +182,22 @@ class Cam:
         kept, missing = [], []
         if not self.judged:
             return [], [f"limits.{key} of a {self.kind} cam" for key in self.problem.limits if key not in ORDERS]
-        laws = any(s.kind == "law" for s in self.problem.stretches)
+        laws = [s for s in self.problem.stretches if s.kind == "law"]
         for key in self.problem.limits:
             if key.split("_")[0] in ORDERS:
-                continue
-            if laws:
-                missing.append(f"limits.{key} on segments with a law")
                 continue
             keep = self.keeper_of(key)
             if keep is None:
                 missing.append("limits." + key)
                 continue
+            if laws and not self.keep_along_laws(key, laws):
+                missing.append(f"limits.{key} on segments with a law")
+                continue
             keep(curve)
             kept.append("limits." + key)
-        if self.width:
+        if self.width and laws:
+            missing.append("cam.face_half_width on segments with a law")
+        elif self.width:
             slope = largest_magnitude(curve.along(1))[1] * self.lift / self.beta[0]
             if slope > self.width * (1 + KEPT):
                 raise Refuted(f"cam.face_half_width: the contact moves {float(slope)} m from the axis")
@@ -241,6 +236,19 @@ class Cam:
                                                     [(0, enclosures.ONE)])
         return None
 
+    def keep_along_laws(self, key, laws):
+        """False: nothing here looks at the limit there."""
+        signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
+        formulas = [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
+        for stretch in laws:
+            for width, motion in motion_along(stretch):
+                for formula in formulas:
+                    def room(numbers, formula=formula, motion=motion):
+                        return -formula(motion(numbers[0]))
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) is None:
+                        raise Refuted(f"limits.{key} is passed along a law")
+        return bool(formulas)
+
     def keep_formulas(self, curve, key, formulas, more=()):
         """Formulas of one cam angle along the motion: nowhere above 0. `more`: intervals of further numbers of a formula."""
         for run in curve.pieces:
@@ -278,8 +286,10 @@ class Cam:
         values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
         place = [enclosures.interval(v)[0] for v in values]
         ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
-        formulas = [lambda numbers, f=f: f(numbers + [constant(0)]) for f in self.rules.formulas(rule, 1, sign)]
-        # Of several rules of one name the one that the motion comes nearest to.
+        formulas = [lambda numbers, f=f: f(numbers + [constant(0)])
+                    for f in self.rules.formulas(rule, 1, sign, origin.get("remark", ""))]
+        if len(formulas) > 1:  # which of several rules of one name is not said: the one that the motion comes nearest to
+            bound.left_out.setdefault(rule, Fraction(0))
         formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
         for pressure in formulas[:1]:
             found = enclosures.tangent_at(pressure, place)

@@ -50,8 +50,8 @@ def sine_and_cosine(a):
     """Taylor's series in the middle m, and sin(m + d) = sin m cos d + cos m sin d, 1 - d^2/2 <= cos d <= 1,
     |sin d| <= |d|."""
     middle = (a[0] + a[1]) // 2
-    if abs(middle) > 4 * ONE:
-        raise Unverified("an angle of more than half a turn")
+    if abs(middle) > 8 * ONE:
+        raise Unverified("an angle of more than a turn")
     x, unit = middle << GUARD, BITS + GUARD
     terms, term = [1 << unit], 1 << unit
     while term:

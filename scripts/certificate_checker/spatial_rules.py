@@ -59,10 +59,9 @@ class SpatialRules:
             constant(2) * sense * rho * slope * sine - beside, slope, -sense * cosine
 
     def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that a limit stands for: at the near and the far end of the roller, on both flanks."""
-        if remark:
-            return []
-        ends = [constant(0), constant(self.sizes["roller_length"])]
+        """All rules that a limit stands for: at the near and the far end of the roller, or at that which the remark names."""
+        ends = {"0 %": constant(0), "100 %": constant(self.sizes["roller_length"])}
+        ends = [height for share, height in ends.items() if not remark or remark.startswith(share)]
         if key == "limits.pressure_angle_deg" and sign:
             return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, height) for height in ends]
         return []
