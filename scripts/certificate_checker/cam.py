@@ -6,7 +6,7 @@ from fractions import Fraction
 from .bound import Row
 from . import enclosures
 from .spatial_rules import SpatialRules
-from .disk_rules import FACE_TURNS, DiskRules, constant
+from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
     largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
@@ -37,7 +37,7 @@ class Cam:
             raise Unverified("dimensions of this kind of cam in the objective, or searched")
         self.constant = self.fixed
         if self.kind in ("barrel", "cylindrical"):
-            self.judged, self.swings, self.width = True, True, None
+            self.judged, self.swings, self.width, self.form = True, True, None, "open"
             self.rules, self.as_found = SpatialRules(problem, scene), SpatialRules(problem, scene, 4 * KEPT)
         if self.kind != "disk":
             return
@@ -58,9 +58,34 @@ class Cam:
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
         self.width = self.dimension(cam, "face_half_width") or None
         self.pressure = self.pressure_limits()
-        self.rules = DiskRules(problem, scene, self.follower, self.sense, given)
-        self.as_found = DiskRules(problem, scene, self.follower, self.sense,
-                                  self.sizes, 4 * KEPT)
+        self.form = cam.get("form", "open")
+        self.rules = self.rules_of(scene, given, Fraction(0))
+        self.as_found = self.rules_of(scene, self.sizes, 4 * KEPT)
+
+    def rules_of(self, scene, sizes, room):
+        """The rules of the cam's one side or of its two."""
+        def make(side, more=()):
+            return DiskRules(self.problem, scene, self.follower, self.sense, sizes | dict(more), room, side)
+
+        cam = scene["cam"]
+        if self.form == "open":
+            return make(Side())
+        if self.searched or self.follower not in ("translating_roller", "oscillating_roller"):
+            raise Unverified(f'cam.form = "{self.form}" with dimensions that are searched, or without a roller')
+        if self.form == "grooved":
+            wider = self.dimension(cam, "groove_clearance") / 2
+            return TwoSides(make(Side("inner flank", 1, wider)), make(Side("outer flank", -1, wider, None, -1)))
+        if self.form != "conjugate":
+            raise Unverified(f'cam.form = "{self.form}"')
+        turn = exactly(self.dimension(cam, "roller_distance"))
+        if self.swings:
+            angle, unit = angle_of(cam, "arm_angle")
+            turn = exactly(angle) if unit == "rad" else times(exactly(angle / 180), PI)
+        second = {"second_" + name: self.dimension(cam, "second_" + name) or sizes.get(name, Fraction(0))
+                  for name in ("roller_radius", "arm_length", "offset")}
+        if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
+            second["second_offset"] = self.dimension(cam, "second_offset")
+        return TwoSides(make(Side("first disk")), make(Side("second disk", 1, Fraction(0), turn, -1), second))
 
     def found(self, result, name):
         """A dimension as a number: of those searched what was found."""
@@ -125,7 +150,7 @@ class Cam:
             for j, w in space.functional(at, derivative_order, side).items():
                 function[j] = function.get(j, Fraction(0)) + weight * w
 
-        if self.swings:  # and what moves in space
+        if self.swings or self.form == "conjugate":  # and what moves in space
             return self.row_of_arm(bound, k, run, name, origin, at)
         if rule.endswith("pressure_angle_deg") and order == 1 and sign:
             limit = self.pressure[0 if sign > 0 else 1]
@@ -209,6 +234,8 @@ class Cam:
         limits, pushed = self.problem.limits, not self.swings
         if self.kind != "disk":
             return self.keeper_in_space(key)
+        if self.form != "open" and key not in ("contact_force_min_n", "torque_max_nm"):
+            return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
             return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
         if key == "contact_force_min_n" and pushed:
@@ -222,6 +249,13 @@ class Cam:
         if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
             if self.follower == "translating_flat":
                 return None
+            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
+        return None
+
+    def keeper_on_sides(self, key):
+        if key.endswith("pressure_angle_deg"):
+            return lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key.startswith(("cam_radius_min", "concave_radius_min", "hertz_pressure_max_mpa")) or key == "undercut_margin":
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
@@ -269,7 +303,7 @@ class Cam:
         for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
             for sign in (1, -1):
                 rest = [enclosures.interval(level)[0], 0, 0]
-                if enclosures.at_place(self.as_found.pressure(least, sign), rest).value[1] > 0:
+                if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
                     raise Refuted("the pressure angle at rest passes its limit")
 
     def row_of_arm(self, bound, k, run, name, origin, at):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The limits of open disk cams as formulas of one cam angle: below 0, or at 0, is kept.
+"""The limits of disk cams as formulas of one cam angle: below 0, or at 0, is kept.
 
 A formula takes y, y', y'' and the dimensions that are searched as `Over` and gives the rule, or the rule times what is
 above 0: so the planes of a bound over boxes are compared with it, and the delivered motion is judged where nothing else
@@ -9,7 +9,7 @@ v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
 from fractions import Fraction
 
 from .enclosures import Over
-from .exact import PI, Unverified, exactly, number, tangent, times
+from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
 
 FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
 TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
@@ -19,11 +19,22 @@ def constant(value):
     return Over.number(Fraction(value))
 
 
+class Side:
+    """What one side of a cam is beside an open cam of the same dimensions. `flank`: -1 on the outer flank of a groove, where
+    the pitch curve bends the other way; `wider`: what a flank lies beyond the roller's radius; `turn`: of the second disk of a
+    conjugate cam, in whose mirror the follower moves the other way: between the arms (rad, enclosed) or the rollers (m);
+    `pressed`: the sign of the force that presses on it."""
+
+    def __init__(self, name="", flank=1, wider=Fraction(0), turn=None, pressed=1):
+        self.name, self.flank, self.wider, self.turn, self.pressed = name, flank, wider, turn, pressed
+
+
 class DiskRules:
     """`dimensions`: of names, the number, or (lowest, highest) where it is searched. Lengths in m, angles in rad. `room`:
     by how much a rule may be passed, in parts of its limit."""
 
-    def __init__(self, problem, scene, follower, sense, dimensions, room=Fraction(0)):
+    def __init__(self, problem, scene, follower, sense, dimensions, room=Fraction(0), side=None):
+        self.side = side or Side()
         self.problem, self.follower = problem, follower
         self.limits, self.forces = problem.limits, scene.get("forces", {})
         self.sense, self.room = sense, constant(room)
@@ -46,6 +57,7 @@ class DiskRules:
     def states(self, numbers):
         """s, s', s'' from y, y', y'': each is lift / unit angle^order times it."""
         lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        lift = -lift if self.side.turn else lift
         return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
 
     def sizes(self, numbers):
@@ -58,14 +70,19 @@ class DiskRules:
         s, slope, bend = self.states(numbers)
         size = self.sizes(numbers)
         prime = size["base_radius"] + size["roller_radius"]
-        sense = constant(self.sense)
+        sense, second = constant(-self.sense if self.side.turn else self.sense), self.side.turn
         if not self.swings:
-            offset = size["offset"] * sense
-            start = (prime.square() - size["offset"].square()).root() if self.dimensions["offset"] else prime
-            return slope - offset, start + s, slope, constant(1), bend
+            offset = size["offset"]
+            start = (prime.square() - offset.square()).root() if self.dimensions["offset"] else prime
+            if second:
+                start, offset = Over.number(*second) - start, size["second_offset"]
+            return slope - offset * sense, start + s, slope, constant(1), bend
         distance, arm = size["center_distance"], size["arm_length"]
         start = (distance.square() + arm.square() - prime.square()) * (constant(2) * distance * arm).inverse()
-        sine, cosine = self.turned((constant(1) - start.square()).root(), start, s)
+        rest = (constant(1) - start.square()).root(), start
+        if second:
+            rest, arm = self.turned(-rest[0], rest[1], Over.number(*second)), size["second_arm_length"]
+        sine, cosine = self.turned(*rest, s)
         turning = constant(1) + slope * sense
         end = arm * turning
         return end - distance * cosine, distance * sine, end * slope * sense, arm, bend
@@ -75,21 +92,28 @@ class DiskRules:
         more, less = by.sine_and_cosine()
         return sine * less + cosine * more, cosine * less - sine * more
 
+    def own_roller(self, numbers):
+        return self.sizes(numbers)["second_roller_radius" if self.side.turn else "roller_radius"]
+
+    def surface(self, numbers):
+        """From the roller's centre to the cam's surface."""
+        return self.own_roller(numbers) + constant(self.side.wider)
+
     def excess(self, numbers, factor, share):
-        """factor * curvature - share, times v^3 / (D lever)."""
+        """factor * curvature of the side - share, times v^3 / (D lever)."""
         across, along, drift, lever, bend = self.pitch(numbers)
         square = across.square() + along.square()
         inverse = (along * lever).inverse()
         still = (square + drift * across) * inverse - bend
-        return factor * still - (share + self.room) * (square * square.root() * inverse)
+        return constant(self.side.flank) * factor * still - (share + self.room) * (square * square.root() * inverse)
 
-    def regularity(self, numbers):
-        """1 - roller * curvature, and v."""
+    def curvature(self, numbers):
+        """Of the side, and v."""
         across, along, drift, lever, bend = self.pitch(numbers)
         square = across.square() + along.square()
         speed = square.root()
         curvature = (square + drift * across - along * lever * bend) * (square * speed).inverse()
-        return constant(1) - self.sizes(numbers)["roller_radius"] * curvature, speed
+        return constant(self.side.flank) * curvature, speed
 
     def face(self, numbers):
         """Of a flat face on an arm: turning, D, and the cam's radius times turning."""
@@ -141,6 +165,9 @@ class DiskRules:
         units = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
         return number(self.limits[name]) * units[name.rsplit("_", 1)[1]]
 
+    def pressures(self, limit, sign):
+        return [self.pressure(limit, sign)]
+
     def reach(self):
         """The length by which pressure angles and heights are measured."""
         if self.swings:
@@ -175,13 +202,13 @@ class DiskRules:
             return rule
         if self.follower == "translating_flat":
             return None
-        return lambda numbers: self.excess(numbers, self.sizes(numbers)["roller_radius"] + constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) + constant(least), constant(1))
 
     def concave_radius(self, least):
         """(roller - least) curvature <= 1: where the pitch curve bends the other way, it bends by no less than least."""
         if not self.roller and self.follower != "translating_knife":
             return None
-        return lambda numbers: self.excess(numbers, self.sizes(numbers)["roller_radius"] - constant(least), constant(1))
+        return lambda numbers: self.excess(numbers, self.surface(numbers) - constant(least), constant(1))
 
     def margin(self, least):
         """1 - roller curvature >= least; of a flat face its radius in parts of the base radius."""
@@ -190,7 +217,7 @@ class DiskRules:
             return lambda numbers: constant(least) - self.face(numbers)[2] * inverse - self.room
         if not self.roller:
             return None
-        return lambda numbers: self.excess(numbers, self.sizes(numbers)["roller_radius"], constant(1 - least))
+        return lambda numbers: self.excess(numbers, self.surface(numbers), constant(1 - least))
 
     def height(self):
         inverse = constant(1 / self.reach())
@@ -199,22 +226,26 @@ class DiskRules:
         return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
 
     def force(self, numbers):
-        """F = mass speed^2 s'' + rate s + preload."""
-        mass, rate, preload, swing = self.pressing()
-        size = constant(swing) if isinstance(swing, Fraction) else Over.number(*swing)
+        """F = mass speed^2 s'' + rate s + preload; of an arm the moment."""
+        rate, preload, swing = self.pressing()
         lift = Over.number(*self.lift)
-        return numbers[2] * size + numbers[0] * lift * constant(rate) + constant(preload)
+        return numbers[2] * Over.number(*swing) + numbers[0] * lift * constant(rate) + constant(preload)
 
     def pressing(self):
+        """Rate, preload and the enclosure of mass speed^2 lift."""
+        forces, speed = self.forces, self.problem.turns_per_second()
         if self.swings:
-            raise Unverified("forces on an arm")
-        rate = number(self.forces.get("spring_rate_n_mm", 0)) * 1000 + number(self.forces.get("spring_rate_n_m", 0))
-        mass = number(self.forces["mass_kg"])
-        return mass, rate, number(self.forces.get("preload_n", 0)), \
-            mass * self.problem.turns_per_second()**2 * self.lift[0]
+            known = ("inertia_kg_m2", "contact_width_mm", "contact_width_m")
+            if any(key not in known and "modulus" not in key and "poisson" not in key for key in forces):
+                raise Unverified("a spring or a preload on an arm")
+            return Fraction(0), Fraction(0), times(exactly(number(forces["inertia_kg_m2"]) * speed**2), self.lift)
+        rate = number(forces.get("spring_rate_n_mm", 0)) * 1000 + number(forces.get("spring_rate_n_m", 0))
+        return rate, number(forces.get("preload_n", 0)), \
+            times(exactly(number(forces["mass_kg"]) * speed**2), self.lift)
 
     def hertz(self, most):
-        """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force."""
+        """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
+        of radius r lies on its side with the radius r (1 - R curvature) / (1 - (R - r) curvature), R to the surface."""
         if not self.roller:
             return None
         compliance = Fraction(0)
@@ -226,18 +257,43 @@ class DiskRules:
         width = next(number(self.forces[key]) * size for key, size in (("contact_width_mm", Fraction(1, 1000)),
                                                                        ("contact_width_m", Fraction(1)))
                      if key in self.forces)
-        _, _, preload, swing = self.pressing()
-        unit = max(preload, swing / 100, Fraction(1, 1000))
+        _, preload, swing = self.pressing()
+        unit = middle_of((max(preload, swing[0] / 100, Fraction(1, 1000)),) * 2)[0]
         carried = Over.number(*times(PI, exactly(compliance * width * most**2 / unit)))
 
         def rule(numbers):
-            radius, speed = self.regularity(numbers)
-            lever = self.pitch(numbers)[1] * speed.inverse()
-            return self.force(numbers) * constant(1 / unit) - \
-                carried * radius * self.sizes(numbers)["roller_radius"] * lever - self.room
+            curvature, speed = self.curvature(numbers)
+            along, _, arm = self.pitch(numbers)[1:4]
+            radius = (constant(1) - self.surface(numbers) * curvature) * self.own_roller(numbers)
+            press = self.force(numbers) * constant(self.side.pressed / unit)
+            if self.side.wider:
+                press = press * (constant(1) - constant(self.side.wider) * curvature)
+            return press - carried * radius * arm * along * speed.inverse() - self.room
         return rule
 
     def torque(self, sign):
         """sign F s' / most - 1."""
         most = number(self.limits["torque_max_nm"])
         return lambda numbers: self.force(numbers) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
+
+
+class TwoSides:
+    """The rules of a groove or of a conjugate cam: those of either side. Both flanks of a groove have one normal, so that
+    the pressure angle is that of the first alone."""
+
+    searched = ()
+    displacements = staticmethod(DiskRules.displacements)
+
+    def __init__(self, first, second):
+        self.first, self.sides = first, (first, second)
+
+    def formulas(self, key, order=None, sign=0, remark=""):
+        once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
+        named = [side for side in self.sides if not remark or side.side.name == remark]
+        return [f for side in (named[:1] if once else named) for f in side.formulas(key, order, sign)]
+
+    def pressures(self, limit, sign):
+        return [side.pressure(limit, sign) for side in (self.sides if self.sides[1].side.turn else self.sides[:1])]
+
+    def reach(self):
+        return self.first.reach()
