@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 
+from .conditions import solved
 from .exact import Unverified, largest_magnitude, number
 
 
@@ -78,17 +79,3 @@ def stationary(weights, peaks, used):
     if min(multipliers) < 0:
         return None
     return [number(p) for p in point], [number(m) for m in multipliers]
-
-
-def solved(a):
-    """The solution of linear equations (rows with the right side last), or None."""
-    for i in range(len(a)):
-        pivot = max(range(i, len(a)), key=lambda r: abs(a[r][i]))
-        if not a[pivot][i]:
-            return None
-        a[i], a[pivot] = a[pivot], a[i]
-        for r in range(len(a)):
-            if r != i:
-                factor = a[r][i] / a[i][i]
-                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
-    return [number(float(a[i][-1] / a[i][i])) for i in range(len(a))]

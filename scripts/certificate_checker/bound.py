@@ -2,16 +2,27 @@
 """The lower bound: weak duality."""
 from fractions import Fraction
 
-from .conditions import Conditions
+from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
 
 
-class Row:
-    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most."""
+MOST_LEANING = 30           # tangents whose slopes are chosen anew
+STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
 
-    def __init__(self, name, run, function, most, peak=None, searched=None):
+
+class Row:
+    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most. Of a tangent of a
+    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that."""
+
+    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None):
+        self.leaning = leaning
         self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
         self.searched = searched or {}
+
+
+def inner(a, b):
+    """The product of two rows, rounded."""
+    return number(sum(float(w) * float(b[j]) for j, w in a.items() if j in b))
 
 
 class Bound:
@@ -32,7 +43,7 @@ class Bound:
         self.peaks = [Fraction(0)] * len(problem.terms)   # multipliers that lean on each peak
         self.leaning = {}                                 # what leans on each dimension that is searched, 1/m
         self.relaxed, self.left_out = relaxed, {}
-        self.rows, self.remainders = [], []
+        self.rows, self.remainders, self.tangents = [], [], []
         self.most = [self.most_of(term) for term in problem.terms]
         self.supremum = [self.supremum_of(run) for run in problem.runs]
         self.own_peaks()
@@ -132,6 +143,8 @@ class Bound:
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
             return self.leave_out(origin["rule"], multiplier)
+        if found[0].leaning:
+            return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
 
     def row_of(self, origin, at, side, k, run, stretch):
@@ -187,8 +200,35 @@ class Bound:
             self.use(Row(f"tangent of the root mean square of derivative {problem.terms[t].order}", 0, functions[0],
                          Fraction(0), t), problem.terms[t].weight)
 
+    def lean_tangents(self):
+        """camopt took tangents of convex rules at its optimum, from which the delivered motion may stand aside by what breaks
+        ties. Which tangents are taken is free: the slopes of the heaviest are chosen such that, with the other rows, as little
+        of a function of the control points is left as can be."""
+        heaviest = max((m for _, m, _, _ in self.tangents), default=Fraction(0))
+        free = sorted((t for t in self.tangents if t[1] > heaviest / 10**7), key=lambda t: -t[1])[:MOST_LEANING]
+        for row, multiplier, at, side in self.tangents:
+            self.use(row, multiplier)
+        if not free:
+            return
+        rests = [Conditions(run.conditions) for run in self.problem.runs]
+        left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(dict(self.functions[k]), Fraction(0))[0].items()}
+        columns = []
+        for row, multiplier, at, side in free:
+            function = self.problem.runs[row.run].space.functional(at, 0, side)
+            own = rests[row.run].reduced(function, Fraction(0))[0]
+            columns.append({(row.run, j): number(float(multiplier * w)) for j, w in own.items()})
+        matrix = [[inner(a, b) for b in columns] + [-inner(a, left)] for a in columns]
+        for i, line in enumerate(matrix):
+            line[i] *= 1 + STEADY
+        for (row, multiplier, _, _), by in zip(free, solved(matrix) or []):
+            other = row.leaning(by)
+            if other is not None:
+                self.use(row, -multiplier)
+                self.use(other, multiplier)
+
     def value(self, cost=True):
         """What follows from all rows used."""
+        self.lean_tangents()
         total = self.constant
         self.slopes = []
         for i, term in enumerate(self.problem.terms):

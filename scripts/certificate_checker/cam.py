@@ -328,22 +328,37 @@ class Cam:
         for pressure in formulas[:1]:
             found = enclosures.tangent_at(pressure, place)
             slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(2)]
-            factors = [constant(s) for s in slopes]
 
-            def above(numbers, factors=factors, pressure=pressure):
-                return pressure(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
-            touching, lowest = enclosures.at_place(above, place).value[0], None
-            for below in (Fraction(1, 10**12), Fraction(1, 10**9), Fraction(1, 10**6)):
-                lowest = lowest if lowest is not None else enclosures.least(above, [enclosures.interval(*r) for r in ranges],
-                                                    touching - enclosures.interval(below)[0])
-            if lowest is None:
+            def leaning(by, pressure=pressure, slopes=tuple(slopes)):
+                return self.row_under(pressure, [slopes[0] + by, slopes[1]], place, ranges,
+                                      (name, k, run, at, side))
+            row = leaning(Fraction(0))
+            if row is None:
                 return None
-            function = {}
-            for order, slope in enumerate(slopes):
-                for j, w in run.space.functional(at, order, side).items():
-                    function[j] = function.get(j, Fraction(0)) + slope * w
-            return Row(name, k, function, -enclosures.fraction(lowest)), 1 / self.row_size()
+            row.leaning = leaning
+            return row, 1 / self.row_size()
         return None
+
+    @staticmethod
+    def row_under(rule, slopes, place, ranges, where):
+        """slopes . (y, y') + constant <= rule in these ranges as a row; None where the slopes fit too badly."""
+        name, k, run, at, side = where
+        factors = [constant(s) for s in slopes]
+
+        def above(numbers):
+            return rule(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
+        ends = [enclosures.interval(*r) for r in ranges]
+        touching, lowest = enclosures.at_place(above, place).value[0], None
+        for below in (Fraction(1, 10**12), Fraction(1, 10**9), Fraction(1, 10**6)):
+            enough = touching - enclosures.interval(below)[0]
+            lowest = lowest if lowest is not None else enclosures.least(above, ends, enough)
+        if lowest is None:
+            return None
+        function = {}
+        for order, slope in enumerate(slopes):
+            for j, w in run.space.functional(at, order, side).items():
+                function[j] = function.get(j, Fraction(0)) + slope * w
+        return Row(name, k, function, -enclosures.fraction(lowest))
 
     def row_size(self):
         """What rows of arms and of cams in space are divided by beyond the formulas here."""

@@ -2,6 +2,8 @@
 """Conditions, exactly."""
 from fractions import Fraction
 
+from .exact import number
+
 
 class Conditions:
     """The conditions of a run solved for as many control points: each is then a function of the others. Redundant ones
@@ -45,3 +47,17 @@ class Conditions:
         for pivot, (row, value) in self.rows.items():
             control[pivot] = value - sum((w * control[j] for j, w in row.items()), Fraction(0))
         return control
+
+
+def solved(a):
+    """The solution of linear equations (rows with the right side last), or None."""
+    for i in range(len(a)):
+        pivot = max(range(i, len(a)), key=lambda r: abs(a[r][i]))
+        if not a[pivot][i]:
+            return None
+        a[i], a[pivot] = a[pivot], a[i]
+        for r in range(len(a)):
+            if r != i:
+                factor = a[r][i] / a[i][i]
+                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
+    return [number(float(a[i][-1] / a[i][i])) for i in range(len(a))]
