@@ -26,30 +26,18 @@ MechanismValue product(const MechanismValue& a, const MechanismValue& b) {
             a.value * b.by_angle + b.value * a.by_angle};
 }
 
-/// At how many stations the pressure angle's limit is posed.
-int binding_stations(const CamMechanism& formulas) {
-    int count = 0;
-    for (int station = 0; station < formulas.stations(); ++station)
-        if (formulas.binds(MechanismQuantity::pressure_numerator, station)) ++count;
-    return count;
-}
-
 void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechanism& mechanism, int station) {
     const auto& limit = limit_on(scene.limits, LimitedFigure::pressure_angle);
     if (!limit || !mechanism->cam.formulas->binds(MechanismQuantity::pressure_numerator, station)) return;
     const double length = mechanism->cam.formulas->length(mechanism->cam.dimensions);
     std::vector<int> active;
     for (const CamVariables::Variable& variable : mechanism->variables) active.push_back(variable.dimension);
-    // Where it binds at several stations a row says at which: proofs are checked by that.
-    const std::string remark = binding_stations(*mechanism->cam.formulas) > 1
-                                   ? mechanism->cam.formulas->station_name(station)
-                                   : std::string{};
     for (const int sign : {1, -1}) {
         const auto value = [sign, length, angle = limit->value](const MechanismCall& call) {
             const MechanismValue excess = call.pressure_excess(angle, sign);
             return combined(1.0 / length, excess, 0.0, excess);
         };
-        MechanismFormula formula{{limit->key, remark, sign, 1, limit->value},
+        MechanismFormula formula{{limit->key, {}, sign, 1, limit->value},
                                  station,
                                  value,
                                  mechanism->cam.formulas->pressure_shape(active)};

@@ -144,6 +144,7 @@ class Bound:
         if found is None:
             return self.leave_out(origin["rule"], multiplier)
         if found[0].leaning:
+            self.left_out.setdefault(origin["rule"], Fraction(0))  # another tangent could say more
             return self.tangents.append((found[0], multiplier * found[1], at, side))
         return self.use(found[0], multiplier * found[1])
 
@@ -211,7 +212,8 @@ class Bound:
         if not free:
             return
         rests = [Conditions(run.conditions) for run in self.problem.runs]
-        left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(dict(self.functions[k]), Fraction(0))[0].items()}
+        left = {(k, j): w for k, rest in enumerate(rests)
+                for j, w in rest.reduced(dict(self.functions[k]), Fraction(0))[0].items()}
         columns = []
         for row, multiplier, at, side in free:
             function = self.problem.runs[row.run].space.functional(at, 0, side)

@@ -322,8 +322,7 @@ class Cam:
         ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
         formulas = [lambda numbers, f=f: f(numbers + [constant(0)])
                     for f in self.rules.formulas(rule, 1, sign, origin.get("remark", ""))]
-        if len(formulas) > 1:  # which of several rules of one name is not said: the one that the motion comes nearest to
-            bound.left_out.setdefault(rule, Fraction(0))
+        # Which of several rules of one name is not said: the one that the motion comes nearest to.
         formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
         for pressure in formulas[:1]:
             found = enclosures.tangent_at(pressure, place)

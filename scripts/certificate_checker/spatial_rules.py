@@ -59,9 +59,8 @@ class SpatialRules:
             constant(2) * sense * rho * slope * sine - beside, slope, -sense * cosine
 
     def formulas(self, key, order=None, sign=0, remark=""):
-        """All rules that a limit stands for: at the near and the far end of the roller, or at that which the remark names."""
-        ends = {"0 %": constant(0), "100 %": constant(self.sizes["roller_length"])}
-        ends = [height for share, height in ends.items() if not remark or remark.startswith(share)]
+        """All rules that a limit stands for: at the near and the far end of the roller."""
+        ends = [] if remark else [constant(0), constant(self.sizes["roller_length"])]
         if key == "limits.pressure_angle_deg" and sign:
             return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, height) for height in ends]
         return []
