@@ -20,6 +20,41 @@ SCENES = ("drd_cubic_8", "drd_cubic_12", "drd_via_points", "drd_quintic_12", "dr
           "drd_physical_limits", "drd_symmetric", "drd_rms_jerk", "rr_unequal_return", "infeasible_velocity_cap",
           "pusher_set_points", "cam_knife", "drd_free_knots")
 COUNT = 200
+# Bounds over boxes; the torque peak's has two parts.
+BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin")
+BOX_COUNT = 120
+TEXTS = {
+    "torque": """
+[motion]
+type = "DRD"
+[spline]
+segments = 10
+[objective]
+velocity = 0.1
+acceleration = 0.2
+jerk = 0.2
+torque = 0.5
+""",
+    "margin": """
+[motion]
+type = "DRD"
+lift_mm = 15
+rise_deg = 50
+[spline]
+segments = 14
+[objective]
+velocity = 0.4
+acceleration = 0.4
+jerk = 0.2
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = 22
+roller_radius_mm = 12
+[limits]
+undercut_margin = 0.4
+""",
+}
 
 
 class Spoiled:
@@ -144,46 +179,183 @@ class Spoiled:
         return True
 
 
+class SpoiledBoxes:
+    """A bound over boxes, in the same way. Planes have room below their rules, and what a box says is often not needed:
+    so planes are lifted by all that they fall over their box, and boxes lose half."""
+
+    def __init__(self, random_numbers, certificate, result):
+        self.random, self.certificate, self.result = random_numbers, certificate, result
+        self.proof = certificate["boxes"]
+        self.steps, self.parts = self.proof["steps"], self.proof["parts"]
+
+    def step(self, *kinds):
+        found = [step for step in self.steps if step["kind"] in kinds]
+        return self.random.choice(found) if found else None
+
+    def multiplier(self):
+        """The heaviest of a step or part: what it gives is then more than is stated."""
+        claims = [step for step in self.steps if step["kind"] == "derived"] + self.parts
+        heaviest = max(self.random.choice(claims)["multipliers"], key=lambda m: abs(m[1]), default=None)
+        if heaviest is None or heaviest[1] < 1e-6:
+            return False
+        heaviest[1] *= self.random.choice((-1.0, 0.0, 0.5, 0.9, 1.1, 2.0))
+        return True
+
+    def derived_side(self):
+        step = self.step("derived")
+        step["side"] -= 10 ** self.random.uniform(-6, -1) * max(1.0, abs(step["side"]))
+        return True
+
+    def plane_constant(self):
+        step = self.step("plane")
+        ends = list(zip(step["slope"], step["box"]["lower"], step["box"]["upper"]))
+        lifted = sum(abs(s) * (high - low) for s, low, high in ends if s) + 0.1 * abs(step["constant"]) + 1e-6
+        step["constant"] += lifted
+        step["side"] -= lifted
+        return True
+
+    def plane_slope(self):
+        step = self.step("plane")
+        i = max(range(3), key=lambda i: abs(step["slope"][i]))
+        if not step["slope"][i] or not step["indices"]:
+            return False
+        step["slope"][i] *= self.random.choice((-1.0, 0.5, 1.5))
+        return True
+
+    def box_end(self):
+        step = self.step("plane")
+        orders = [i for i in range(3) if min(step["ends"][i]) >= 0 and
+                  step["box"]["upper"][i] - step["box"]["lower"][i] > 1e-3]
+        if not orders:
+            return False
+        i, end = self.random.choice(orders), self.random.choice(("lower", "upper"))
+        step["box"][end][i] = (step["box"]["lower"][i] + step["box"]["upper"][i]) / 2
+        return True
+
+    def place(self):
+        """Elsewhere; a cubic's jerk is the same along a segment."""
+        step = self.step("plane", "linear")
+        if step["origin"].get("at", 0) < 0.05 or len(step["indices"]) < 2 or "jerk" in step["origin"]["rule"]:
+            return False
+        step["origin"]["at"] *= self.random.uniform(0.9, 0.98)
+        return True
+
+    def linear_side(self):
+        step = self.step("linear", "cost")
+        step["side"] -= 10 ** self.random.uniform(-4, -1) * max(1.0, abs(step["side"]))
+        return True
+
+    def rule(self):
+        """A plane of another rule, or a row of the other side."""
+        step = self.step("plane", "linear")
+        origin = step["origin"]
+        if origin["rule"][0] not in "+-" or len(step["indices"]) < 2:
+            return False
+        origin["rule"] = {"+": "-", "-": "+"}[origin["rule"][0]] + origin["rule"][1:]
+        if "sign" in origin:
+            origin["sign"] = -origin["sign"]
+        return True
+
+    def split(self):
+        """A gap between two parts."""
+        step = self.step("split")
+        if step is None:
+            return False
+        step["side"] -= self.random.uniform(0.01, 0.5) * max(1.0, abs(step["side"]))
+        return True
+
+    def part(self):
+        """One part removed, its assumption dropped, or that of another part taken."""
+        if len(self.parts) < 2:
+            return False
+        i = self.random.randrange(len(self.parts))
+        if self.random.random() < 0.5:
+            del self.parts[i]
+        elif self.random.random() < 0.5:
+            self.parts[i]["splits"] = []
+        else:
+            self.parts[i]["splits"] = self.parts[1 - i]["splits"]
+        return True
+
+    def part_bound(self):
+        part = self.random.choice(self.parts)
+        if part["infeasible"]:
+            return False
+        if self.random.random() < 0.5:
+            part["infeasible"], part["bound"] = True, None
+        else:
+            part["bound"] += self.random.uniform(1e-3, 0.1)
+        return True
+
+    def bound(self):
+        higher = self.certificate["lower_bound"] + self.random.uniform(0.001, 0.5)
+        self.certificate["lower_bound"] = self.result["bound"]["lower"] = self.proof["bound"] = higher
+        return True
+
+    def order(self):
+        """A step that follows from itself."""
+        k = self.random.randrange(len(self.steps))
+        if not self.steps[k].get("multipliers"):
+            return False
+        self.steps[k]["multipliers"].append([k, 1.0])
+        return True
+
+
 WAYS = ("multiplier", "place", "rule", "coefficient", "side", "box", "bound", "objective", "verdict", "knot", "curve",
         "reference")
 
 
-def main():
-    camopt, seed = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
-    module, faults, tried = checker.load(), [], dict.fromkeys(WAYS, 0)
-    numbers = random.Random(seed)
-    with tempfile.TemporaryDirectory() as place:
-        files = {}
-        for scene in SCENES:
-            folder = Path(place) / scene
-            checker.solve(camopt, checker.ROOT / "scenes" / (scene + ".toml"), folder)
-            found, why = checker.outcome(module, folder)
-            if found != "confirmed":
-                faults.append(f"{scene} as it was written: {why}")
-            files[scene] = [json.loads((folder / name).read_text()) for name in ("certificate.json", "result.json")]
-        spoiled = Path(place) / "spoiled"
-        spoiled.mkdir()
-        done = 0
-        while done < COUNT:
-            scene, way = numbers.choice(SCENES), WAYS[done % len(WAYS)]
+BOX_WAYS = ("multiplier", "derived_side", "plane_constant", "plane_slope", "box_end", "place", "linear_side", "rule", "split",
+            "part", "part_bound", "bound", "order")
+
+
+class Spoiling:
+    """Scenes as they were written, then spoiled one after another."""
+
+    def __init__(self, camopt, seed, place):
+        self.camopt, self.place, self.numbers = camopt, Path(place), random.Random(seed)
+        self.module, self.faults = checker.load(), []
+
+    def written(self, scene):
+        """[certificate, result] of a scene, which must be confirmed."""
+        folder = self.place / scene
+        checker.solve(self.camopt, TEXTS.get(scene, checker.ROOT / "scenes" / (scene + ".toml")), folder)
+        found, why = checker.outcome(self.module, folder)
+        if found != "confirmed":
+            self.faults.append(f"{scene} as it was written: {why}")
+        return [json.loads((folder / name).read_text()) for name in ("certificate.json", "result.json")]
+
+    def run(self, scenes, spoiler, ways, count):
+        files = {scene: self.written(scene) for scene in scenes}
+        spoiled, tried, done, faults = self.place / "spoiled", dict.fromkeys(ways, 0), 0, len(self.faults)
+        spoiled.mkdir(exist_ok=True)
+        while done < count:
+            scene, way = self.numbers.choice(scenes), ways[done % len(ways)]
             certificate, result = copy.deepcopy(files[scene])
-            if not getattr(Spoiled(numbers, certificate, result), way)():
+            if not getattr(spoiler(self.numbers, certificate, result), way)():
                 continue
             done += 1
             tried[way] += 1
-            shutil.copy(Path(place) / scene / "scene.toml", spoiled / "scene.toml")
+            shutil.copy(self.place / scene / "scene.toml", spoiled / "scene.toml")
             (spoiled / "certificate.json").write_text(json.dumps(certificate))
             (spoiled / "result.json").write_text(json.dumps(result))
-            found, why = checker.outcome(module, spoiled)
+            found, why = checker.outcome(self.module, spoiled)
             if found != "refuted":
-                faults.append(f"{done}: {scene}, {way}: {why}")
-                keep = Path("spoiled") / str(done)
+                self.faults.append(f"{done}: {scene}, {way}: {why}")
                 if len(sys.argv) > 3:
-                    shutil.copytree(spoiled, keep, dirs_exist_ok=True)
-    print(f"{done} spoiled, {done - len(faults)} refuted: " + ", ".join(f"{way} {n}" for way, n in tried.items()))
-    for fault in faults:
+                    shutil.copytree(spoiled, Path("spoiled") / str(done), dirs_exist_ok=True)
+        print(f"{done} spoiled, {done - len(self.faults) + faults} refuted: " +
+              ", ".join(f"{way} {n}" for way, n in tried.items()), flush=True)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as place:
+        spoiling = Spoiling(sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20, place)
+        spoiling.run(SCENES, Spoiled, WAYS, COUNT)
+        spoiling.run(BOX_SCENES, SpoiledBoxes, BOX_WAYS, BOX_COUNT)
+    for fault in spoiling.faults:
         print("FAULT:", fault)
-    return 1 if faults else 0
+    return 1 if spoiling.faults else 0
 
 
 if __name__ == "__main__":

@@ -11,6 +11,6 @@ fi
 shopt -s nullglob
 scripts=()
 for file in scripts/* .ci/* tests/*/*.sh benchmarks/*.sh; do
-    [[ "$(head -c 2 "$file")" == '#!' && "$(head -n 1 "$file")" == *bash* ]] && scripts+=("$file")
+    [[ -f "$file" && "$(head -c 2 "$file")" == '#!' && "$(head -n 1 "$file")" == *bash* ]] && scripts+=("$file")
 done
 shellcheck "${scripts[@]}"

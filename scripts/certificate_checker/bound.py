@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: MIT
+"""The lower bound: weak duality."""
+from fractions import Fraction
+
+from .conditions import Conditions, solved
+from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
+
+
+MOST_LEANING = 30           # tangents whose slopes are chosen anew
+STEADY = Fraction(1, 10**5)  # they move little: neighbours are not to be played off against each other
+
+
+class Row:
+    """function(control points of run) + searched . dimensions - (the peak, where there is one) <= most. Of a tangent of a
+    convex rule `leaning(by)` is another row under the rule, whose slope by y is larger by that."""
+
+    def __init__(self, name, run, function, most, peak=None, searched=None, leaning=None):
+        self.leaning = leaning
+        self.name, self.run, self.function, self.most, self.peak = name, run, function, most, peak
+        self.searched = searched or {}
+
+
+def inner(a, b):
+    """The product of two rows, rounded."""
+    return number(sum(float(w) * float(b[j]) for j, w in a.items() if j in b))
+
+
+class Bound:
+    """Weak duality. With multipliers m >= 0 of rows "function of the spline <= what it may reach" every motion has
+
+        objective >= constant + sum over peaks of (weight - its multipliers) * peak + f(spline),
+
+    f linear in the control points. Multipliers of conditions are free, and are chosen so that f does not see the
+    control points that the conditions fix. What rounding leaves in f is bounded by what derivatives can be: a motion
+    that is better than `incumbent` has peaks of at most incumbent / weight, and limits are limits.
+
+    Any motion at all is then either no better than `incumbent`, or not below the bound."""
+
+    def __init__(self, problem, incumbent, relaxed, curve=None):
+        self.problem, self.incumbent, self.curve = problem, incumbent, curve
+        self.functions = [{} for _ in problem.runs]
+        self.constant = Fraction(0)
+        self.peaks = [Fraction(0)] * len(problem.terms)   # multipliers that lean on each peak
+        self.leaning = {}                                 # what leans on each dimension that is searched, 1/m
+        self.relaxed, self.left_out = relaxed, {}
+        self.rows, self.remainders, self.tangents = [], [], []
+        self.most = [self.most_of(term) for term in problem.terms]
+        self.supremum = [self.supremum_of(run) for run in problem.runs]
+        self.own_peaks()
+
+    def most_of(self, term):
+        """The largest a peak can be, in units of its reference; None: nothing is known."""
+        options = []
+        if term.weight and self.incumbent is not None:
+            options.append((self.incumbent - self.problem.least_cost()) / term.weight)
+        if term.cap is not None:
+            options.append(term.cap * (1 + self.relaxed) / term.reference)
+        return min(options) if options else None
+
+    def supremum_of(self, run):
+        """Bounds of |y|, |y'|, |y''|, |y'''| on a run (None: none)."""
+        known = [Fraction(1000), None, None, None]
+        for term, most in zip(self.problem.terms, self.most):
+            if most is None or term.kind != "peak":
+                continue
+            size = most * term.reference * max(s.scale(term.order) for s in run.stretches)
+            if known[term.order] is None or size < known[term.order]:
+                known[term.order] = size
+        for order, cap, _ in self.problem.motion_caps:
+            cap *= 1 + self.relaxed
+            if known[order] is None or cap < known[order]:
+                known[order] = cap
+        length = run.space.breakpoints[-1] - run.space.breakpoints[0]
+        ends = max(abs(s) for stretch in run.stretches for s in (stretch.start, stretch.to))
+        for term, most in zip(self.problem.terms, self.most):
+            # From rest, and by Cauchy and Schwarz: |y^(r-1)| <= length * root mean square of y^(r).
+            if term.kind == "rms" and most is not None and run.rests[0] and len(self.problem.runs) == 1:
+                size = most * term.reference * length * max(s.scale(term.order) for s in run.stretches)
+                if known[term.order - 1] is None or size < known[term.order - 1]:
+                    known[term.order - 1] = size
+        for order in (3, 2, 1):
+            if known[order] is None or (order > 1 and not run.rests[0]):
+                continue
+            below = known[order] * length + (ends if order == 1 else 0)
+            if known[order - 1] is None or below < known[order - 1]:
+                known[order - 1] = below
+        narrowest = min(run.space.width(i) for i in range(run.space.segments))
+        for order in (1, 2, 3):
+            # Markov: a polynomial of degree d within B over a width h has a slope within 2 d^2 B / h.
+            d = run.space.degree - order + 1
+            above = None if known[order - 1] is None else 2 * d * d * known[order - 1] / narrowest
+            if known[order] is None or (above is not None and above < known[order]):
+                known[order] = above
+        return known
+
+    def displacements_at(self, k, x):
+        """What y can be at a place, from the ends of the run (and the top of a rise and return) and the velocity."""
+        run, velocity = self.problem.runs[k], self.supremum[k][1]
+        known = [(run.stretches[0].begin, run.stretches[0].start), (run.stretches[-1].end, run.stretches[-1].to)]
+        known += [(Fraction(1), Fraction(1))] if self.problem.type == "RR" else []
+        return max(y - velocity * abs(x - at) for at, y in known), min(y + velocity * abs(x - at) for at, y in known)
+
+    def own_peaks(self):
+        """A peak may be taken as that of the motion itself: it is no larger than the derivative can be."""
+        for i, term in enumerate(self.problem.terms):
+            sizes = [s[term.order] / min(t.scale(term.order) for t in run.stretches) / term.reference
+                     for run, s in zip(self.problem.runs, self.supremum)]
+            if term.kind == "peak" and (self.most[i] is None or max(sizes) < self.most[i]):
+                self.most[i] = max(sizes)
+
+    def run_at(self, x, side):
+        for k, run in enumerate(self.problem.runs):
+            begin, end = run.space.breakpoints[0], run.space.breakpoints[-1]
+            if (begin < x < end) or (abs(x - begin) <= SAME_PLACE and side == "right") or \
+                    (abs(x - end) <= SAME_PLACE and side == "left"):
+                for stretch in run.stretches:
+                    inner = stretch.begin < x < stretch.end and min(x - stretch.begin, stretch.end - x) > SAME_PLACE
+                    if inner or (abs(x - stretch.begin) <= SAME_PLACE and side == "right") or \
+                            (abs(x - stretch.end) <= SAME_PLACE and side == "left"):
+                        return k, run, stretch
+        return None, None, None
+
+    def use(self, row, multiplier):
+        """function + searched . dimensions - peak <= most, times a multiplier."""
+        function = self.functions[row.run]
+        for j, value in row.function.items():
+            function[j] = function.get(j, Fraction(0)) + multiplier * value
+        self.constant -= multiplier * row.most
+        for name, slope in row.searched.items():
+            self.leaning[name] = self.leaning.get(name, Fraction(0)) + multiplier * slope
+        if row.peak is not None:
+            self.peaks[row.peak] += multiplier
+        self.rows.append((row, multiplier))
+
+    def add_row(self, row, factor=1):
+        """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
+        origin, multiplier = row["origin"], factor * number(row["multiplier"])
+        if "at" not in origin or not multiplier:
+            return  # conditions and limits of peaks: their multipliers are chosen here
+        if multiplier < 0:
+            raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
+        at, side = number(origin["at"]), origin.get("side", "right")
+        found = self.row_of(origin, at, side, *self.run_at(at, side))
+        if found is None:
+            return self.leave_out(origin["rule"], multiplier)
+        if found[0].leaning:
+            self.left_out.setdefault(origin["rule"], Fraction(0))  # another tangent could say more
+            return self.tangents.append((found[0], multiplier * found[1], at, side))
+        return self.use(found[0], multiplier * found[1])
+
+    def row_of(self, origin, at, side, k, run, stretch):
+        """(the row that an origin names, what camopt's row is in units of it), or None: this checker has no use for it."""
+        order, sign, rule = origin.get("order"), origin.get("sign", 0), origin["rule"]
+        name = f"{rule} at x = {float(at)}"
+        peak = None
+        if not origin["limit"] and rule[1:] in ORDERS:
+            order, sign = ORDERS[rule[1:]], {"+": 1, "-": -1}[rule[0]]
+            peak = next((i for i, t in enumerate(self.problem.terms) if t.kind == "peak" and t.order == order), None)
+            if peak is None or origin.get("order", order) != order or origin.get("sign", sign) != sign:
+                raise Refuted(f"{name}: the scene has no such rule")
+        if peak is not None:
+            if run is None:
+                raise Refuted(f"{name}: no spline is there")
+            term = self.problem.terms[peak]
+            weight = sign / (term.reference * stretch.scale(order))
+            function = {j: w * weight for j, w in run.space.functional(at, order, side).items()}
+            return Row(name, k, function, Fraction(0), peak), Fraction(1)
+        cap = next((c for o, c, key in self.problem.motion_caps if key == rule and o == order), None)
+        if cap is not None and run is not None and sign:
+            function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
+            return Row(name, k, function, 1 + self.relaxed), Fraction(1)
+        if self.problem.cam and run is not None:
+            return self.problem.cam.row(self, k, run, name, origin, at)
+        return None
+
+    def leave_out(self, rule, multiplier):
+        """A row that is not used only weakens the bound."""
+        self.left_out[rule] = self.left_out.get(rule, Fraction(0)) + multiplier
+
+    def add_root_mean_squares(self, curve):
+        """Root mean squares lie above their tangents: rms(y) >= <y, z> / |z| for any z; z is the delivered motion."""
+        problem = self.problem
+        length = sum((w for run in curve.pieces for _, w, _, _ in run), Fraction(0))
+        tangents = {}
+        for t, term in enumerate(problem.terms):
+            if term.kind != "rms" or not term.weight:
+                continue
+            tangents[t] = [{} for _ in problem.runs]
+            size = curve.term(term)[1] * term.reference
+            for k, (run, pieces) in enumerate(zip(problem.runs, curve.pieces)):
+                for i, (piece, width, _, stretch) in enumerate(pieces):
+                    bent = derivative(piece, term.order)
+                    factor = problem.rms_weight(stretch, term.order) / term.reference / size / length
+                    for j, function in enumerate(run.space.basis(i)):
+                        place = run.space.first(i) + j
+                        value = factor * integral(product(derivative(function, term.order), bent), width)
+                        tangents[t][k][place] = tangents[t][k].get(place, Fraction(0)) + value
+        for t, functions in tangents.items():
+            if len(functions) > 1:
+                raise Unverified("root mean squares over several splines")
+            self.use(Row(f"tangent of the root mean square of derivative {problem.terms[t].order}", 0, functions[0],
+                         Fraction(0), t), problem.terms[t].weight)
+
+    def lean_tangents(self):
+        """camopt took tangents of convex rules at its optimum, from which the delivered motion may stand aside by what breaks
+        ties. Which tangents are taken is free: the slopes of the heaviest are chosen such that, with the other rows, as little
+        of a function of the control points is left as can be."""
+        heaviest = max((m for _, m, _, _ in self.tangents), default=Fraction(0))
+        free = sorted((t for t in self.tangents if t[1] > heaviest / 10**7), key=lambda t: -t[1])[:MOST_LEANING]
+        for row, multiplier, at, side in self.tangents:
+            self.use(row, multiplier)
+        if not free:
+            return
+        rests = [Conditions(run.conditions) for run in self.problem.runs]
+        left = {(k, j): w for k, rest in enumerate(rests)
+                for j, w in rest.reduced(dict(self.functions[k]), Fraction(0))[0].items()}
+        columns = []
+        for row, multiplier, at, side in free:
+            function = self.problem.runs[row.run].space.functional(at, 0, side)
+            own = rests[row.run].reduced(function, Fraction(0))[0]
+            columns.append({(row.run, j): number(float(multiplier * w)) for j, w in own.items()})
+        matrix = [[inner(a, b) for b in columns] + [-inner(a, left)] for a in columns]
+        for i, line in enumerate(matrix):
+            line[i] *= 1 + STEADY
+        for (row, multiplier, _, _), by in zip(free, solved(matrix) or []):
+            other = row.leaning(by)
+            if other is not None:
+                self.use(row, -multiplier)
+                self.use(other, multiplier)
+
+    def value(self, cost=True):
+        """What follows from all rows used."""
+        self.lean_tangents()
+        total = self.constant
+        self.slopes = []
+        for i, term in enumerate(self.problem.terms):
+            slope = (term.weight if cost else Fraction(0)) - self.peaks[i]
+            self.slopes.append(slope)
+            if slope >= 0:
+                continue
+            if self.most[i] is None:
+                raise Unverified(f"multipliers lean on the peak of derivative {term.order}, which nothing bounds")
+            total += slope * self.most[i]
+        if self.problem.cam:
+            total += self.problem.cam.least(self.leaning, cost)
+        self.residual = Fraction(0)
+        for run, function, supremum in zip(self.problem.runs, self.functions, self.supremum):
+            constant, residual = self.under(run, dict(function), supremum)
+            total += constant - residual
+            self.residual += residual
+        return total
+
+    def under(self, run, function, supremum):
+        """(constant, residual): the function of the spline is at least constant - residual."""
+        if run.uneven() and supremum[run.top()] is not None:
+            return self.under_in_top(run, function, supremum)
+        conditions = Conditions(run.conditions)
+        if conditions.contradiction:
+            raise Unverified("conditions that contradict each other")
+        original = dict(function)
+        function, constant = conditions.reduced(function, Fraction(0))
+        weights = [function.get(j, Fraction(0)) for j in range(run.space.size)]
+        best, rest, starts = None, Fraction(0), []
+        for order in range(0, min(3, run.space.continuity + 1) + 1):
+            if order > 0:
+                start, weights = run.space.raised(weights, order)
+                known = self.at_start(run, order - 1, supremum)
+                if rest is None or (start and known is None):
+                    rest = None
+                elif start:
+                    rest += abs(start) * known
+                starts = starts + [(order - 1, start, known)]
+            if supremum[order] is None or rest is None:
+                continue
+            size = sum((abs(w) for w in weights), Fraction(0))
+            bound = rest + size * supremum[order] * run.space.spread(order)
+            if best is None or bound < best:
+                best, remainder = bound, (order, weights, starts, supremum[order] * run.space.spread(order))
+        if best is None:
+            raise Unverified("nothing bounds the motion")
+        self.remainders.append((conditions, original, remainder))
+        return -constant, best
+
+    def under_in_top(self, run, function, supremum):
+        """The same where some segments are far narrower than others: conditions solved in control points of a
+        derivative."""
+        top = run.top()
+        function, constant = run.conditions_in_top().reduced(run.in_top(function), Fraction(0))
+        most = [self.at_start(run, order, supremum) for order in range(top)]
+        size = supremum[top] * run.space.spread(top)
+        if any(most[j] is None for j in function if j < top and function[j]):
+            raise Unverified("nothing bounds the motion")
+        self.remainders.append(None)
+        return -constant, sum((abs(w) * (most[j] if j < top else size) for j, w in function.items() if w), Fraction(0))
+
+    @staticmethod
+    def at_start(run, order, supremum):
+        """|y^(order)| at the start of the run."""
+        if order == 0:
+            return abs(run.stretches[0].start)
+        return Fraction(0) if run.rests[0] else supremum[order]

@@ -1,0 +1,478 @@
+# SPDX-License-Identifier: MIT
+"""Cams whose limits are checked."""
+import math
+from fractions import Fraction
+
+from .bound import Row
+from . import enclosures
+from .spatial_rules import SpatialRules
+from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
+from .exact import (
+    KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
+    largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
+from .laws import at_time, motion_along
+from .problem import LENGTHS, angle_of
+
+
+DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
+              "translating_roller": ("base_radius", "roller_radius", "offset"),
+              "oscillating_roller": ("base_radius", "roller_radius", "center_distance", "arm_length"),
+              "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
+
+
+class Cam:
+    """A disk cam. Lengths in m; of translating followers u = s' - sense * offset, D = start + s, start the follower's
+    height at displacement 0. Of other cams the motion alone is judged."""
+
+    def __init__(self, problem, scene, result):
+        cam, self.problem, self.scene = scene["cam"], problem, scene
+        self.kind, self.follower = cam.get("type", "disk"), cam.get("follower")
+        self.judged, self.swings = self.kind == "disk", (self.follower or "").startswith("oscillating")
+        self.fixed, self.searched, self.weights, self.rules = Fraction(0), {}, {}, None
+        self.lift = problem.lift[0]
+        weights = {n: number(scene["objective"].get(n, 0)) for n in
+                   ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
+        if (not self.judged or self.swings) and (any(weights.values()) or
+                                                 any(isinstance(v, dict) for v in cam.values())):
+            raise Unverified("dimensions of this kind of cam in the objective, or searched")
+        self.constant = self.fixed
+        if self.kind in ("barrel", "cylindrical"):
+            self.judged, self.swings, self.width, self.form = True, True, None, "open"
+            self.rules, self.as_found = SpatialRules(problem, scene), SpatialRules(problem, scene, 4 * KEPT)
+        if self.kind != "disk":
+            return
+        self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
+        given = {name: self.dimension(cam, name) for name in DIMENSIONS[self.follower]}
+        self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
+        self.weights = {name: weight / self.lift for name, weight in weights.items()}
+        self.sizes = {name: self.found(result, name) for name in given}
+        if "offset" in self.searched or (self.searched and given.get("offset")):
+            raise Unverified("an offset that is searched, or beside dimensions that are")
+        self.offset = given.get("offset", Fraction(0))
+        self.base, self.roller = (self.sizes.get(name, Fraction(0)) for name in ("base_radius", "roller_radius"))
+        self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
+                         Fraction(0))
+        self.constant = self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
+                                          if self.sizes[name] is not None), Fraction(0))
+        unit = problem.unit_angle
+        self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
+        self.width = self.dimension(cam, "face_half_width") or None
+        self.pressure = self.pressure_limits()
+        self.form = cam.get("form", "open")
+        self.rules = self.rules_of(scene, given, Fraction(0))
+        self.as_found = self.rules_of(scene, self.sizes, 4 * KEPT)
+
+    def rules_of(self, scene, sizes, room):
+        """The rules of the cam's one side or of its two."""
+        def make(side, more=()):
+            return DiskRules(self.problem, scene, self.follower, self.sense, sizes | dict(more), room, side)
+
+        cam = scene["cam"]
+        if self.form == "open":
+            return make(Side())
+        if self.searched or self.follower not in ("translating_roller", "oscillating_roller"):
+            raise Unverified(f'cam.form = "{self.form}" with dimensions that are searched, or without a roller')
+        if self.form == "grooved":
+            wider = self.dimension(cam, "groove_clearance") / 2
+            return TwoSides(make(Side("inner flank", 1, wider)), make(Side("outer flank", -1, wider, None, -1)))
+        if self.form != "conjugate":
+            raise Unverified(f'cam.form = "{self.form}"')
+        turn = exactly(self.dimension(cam, "roller_distance"))
+        if self.swings:
+            angle, unit = angle_of(cam, "arm_angle")
+            turn = exactly(angle) if unit == "rad" else times(exactly(angle / 180), PI)
+        second = {"second_" + name: self.dimension(cam, "second_" + name) or sizes.get(name, Fraction(0))
+                  for name in ("roller_radius", "arm_length", "offset")}
+        if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
+            second["second_offset"] = self.dimension(cam, "second_offset")
+        return TwoSides(make(Side("first disk")), make(Side("second disk", 1, Fraction(0), turn, -1), second))
+
+    def found(self, result, name):
+        """A dimension as a number: of those searched what was found."""
+        size = self.dimension(self.scene["cam"], name)
+        if not isinstance(size, tuple):
+            return size
+        if not result.get("cam"):
+            return None
+        found = number(result["cam"]["dimensions"][name + "_m"])
+        if not size[0] * (1 - STATED) <= found <= size[1] * (1 + STATED):
+            raise Refuted(f"the {name} is outside its range")
+        return found
+
+    def dimension(self, cam, name):
+        for unit, size in LENGTHS.items():
+            value = cam.get(f"{name}_{unit}")
+            if isinstance(value, dict):
+                return number(value["min"]) * size, number(value["max"]) * size
+            if value is not None:
+                return number(value) * size
+        return Fraction(0)
+
+    def pressure_limits(self):
+        """(upper side, lower side): the largest pressure angle of rises and of returns, in degrees."""
+        found = []
+        for name in ("pressure_angle", "rise_pressure_angle", "return_pressure_angle"):
+            value = angle_of(self.problem.limits, name)
+            if value and value[1] != "deg":
+                raise Unverified("a pressure angle in radians")
+            found.append(value and value[0])
+        general, up, down = found
+        return up if up is not None else general, down if down is not None else general
+
+    def start(self, base):
+        square = (base + self.roller)**2 - self.offset**2
+        return root(square) if self.offset else exactly(base + self.roller)
+
+    def least_cost(self):
+        return self.fixed + sum((self.weights[name] * low for name, (low, _) in self.searched.items()), Fraction(0))
+
+    def least(self, leaning, cost):
+        """What the dimensions add to a bound: cost and multipliers, at their best."""
+        total = self.fixed if cost else Fraction(0)
+        for name, ends in self.searched.items():
+            lean = (self.weights[name] if cost else Fraction(0)) + leaning.get(name, Fraction(0))
+            total += min(lean * end for end in ends)
+        return total
+
+    # -- rows of the bound
+
+    def row(self, bound, k, run, name, origin, at):
+        """(the row, factor of its multiplier), or None where this checker does not use it. Irrational numbers are taken
+        at their middle, and what that can change is added to what the row may reach."""
+        rule, order, sign = origin["rule"], origin.get("order"), origin.get("sign", 0)
+        side = origin.get("side", "right")
+        if not self.judged or bound.relaxed:
+            return None
+        most_y, space = bound.supremum[k][0], run.space
+        function = {}
+
+        def add(derivative_order, weight):
+            for j, w in space.functional(at, derivative_order, side).items():
+                function[j] = function.get(j, Fraction(0)) + weight * w
+
+        if self.swings or self.form == "conjugate":  # and what moves in space
+            return self.row_of_arm(bound, k, run, name, origin, at)
+        if rule.endswith("pressure_angle_deg") and order == 1 and sign:
+            limit = self.pressure[0 if sign > 0 else 1]
+            if limit is None or self.follower == "translating_flat":
+                return None
+            # sign (s' - sense e) <= tan (start + s), times beta / lift.
+            steep = times(tangent(limit), self.beta)
+            middle, half = middle_of(steep)
+            add(1, Fraction(sign))
+            add(0, -middle)
+            lean = max(sign * self.sense * self.offset * b for b in self.beta) / self.lift
+            factor = math.cos(math.radians(float(limit))) * float(self.lift / self.rules.reach()) / float(self.beta[0])
+            if self.searched:
+                fixed = sum(self.sizes[n] for n in ("base_radius", "roller_radius")
+                            if n in self.sizes and n not in self.searched)
+                most = max(s * fixed for s in steep) / self.lift + half * most_y + \
+                    half * sum(high for _, high in self.searched.values()) / self.lift
+                return Row(name, k, function, most, None, dict.fromkeys(self.searched, -middle / self.lift)), \
+                    number(factor)
+            most = steep[1] * self.start(self.base)[1] / self.lift + lean + half * most_y
+            return Row(name, k, function, most), number(factor)
+        if rule == "cam.face_half_width" and order == 1 and sign and self.width:
+            add(1, Fraction(sign))
+            return Row(name, k, function, self.width * self.beta[1] / self.lift), \
+                self.lift / self.width / number(float(self.beta[0]))
+        if rule.startswith("limits.cam_radius_min") and self.follower == "translating_flat" and not self.searched:
+            # -(base + s + s'') <= -least, times beta^2 / lift.
+            square = times(self.beta, self.beta)
+            middle, half = middle_of(square)
+            add(2, Fraction(-1))
+            add(0, -middle)
+            room = (self.base - self.dimension(self.problem.limits, "cam_radius_min")) / self.lift
+            most = max(room * b for b in square) + half * most_y
+            return Row(name, k, function, most), number(float(self.lift / self.base / square[0]))
+        if rule.startswith("limits.contact_force_min"):
+            mass, rate, preload, least = self.forces()
+            speed = self.problem.turns_per_second()
+            unit = max(abs(least), preload, mass * speed**2 * self.lift, Fraction(1, 1000))
+            add(2, -mass * speed**2 * self.lift / unit)
+            add(0, -rate * self.lift / unit)
+            return Row(name, k, function, (preload - least) / unit), Fraction(1)
+        return None
+
+    def forces(self):
+        forces, limits = self.scene["forces"], self.problem.limits
+        rate = number(forces.get("spring_rate_n_mm", 0)) * 1000 + number(forces.get("spring_rate_n_m", 0))
+        return number(forces["mass_kg"]), rate, number(forces.get("preload_n", 0)), \
+            number(limits.get("contact_force_min_n", 0))
+
+    # -- limits of the delivered motion
+
+    def keep_limits(self, curve):
+        """Names of the limits that are kept, by exact arithmetic; what is not looked at is named in `missing`."""
+        kept, missing = [], []
+        if not self.judged:
+            return [], [f"limits.{key} of a {self.kind} cam" for key in self.problem.limits if key not in ORDERS]
+        laws = [s for s in self.problem.stretches if s.kind == "law"]
+        for key in self.problem.limits:
+            if key.split("_")[0] in ORDERS:
+                continue
+            keep = self.keeper_of(key)
+            if keep is None:
+                missing.append("limits." + key)
+                continue
+            if laws and not self.keep_along_laws(key, laws):
+                missing.append(f"limits.{key} on segments with a law")
+                continue
+            keep(curve)
+            kept.append("limits." + key)
+        if self.width and laws:
+            missing.append("cam.face_half_width on segments with a law")
+        elif self.width:
+            slope = largest_magnitude(curve.along(1))[1] * self.lift / self.beta[0]
+            if slope > self.width * (1 + KEPT):
+                raise Refuted(f"cam.face_half_width: the contact moves {float(slope)} m from the axis")
+            kept.append("cam.face_half_width")
+        return kept, missing
+
+    def keeper_of(self, key):
+        """What looks at a limit along the delivered motion; None: nothing here does."""
+        limits, pushed = self.problem.limits, not self.swings
+        if self.kind != "disk":
+            return self.keeper_in_space(key)
+        if self.form != "open" and key not in ("contact_force_min_n", "torque_max_nm"):
+            return self.keeper_on_sides(key)
+        if key.endswith("pressure_angle_deg"):
+            return self.keep_pressure if pushed else lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key == "contact_force_min_n" and pushed:
+            return self.keep_force
+        if key == "torque_max_nm" and pushed:
+            return lambda curve: self.keep_torque(curve, number(limits[key]))
+        if key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
+            return lambda curve: self.keep_hertz(curve, number(limits[key]) * 10**6)
+        if key.startswith("cam_radius_min") and pushed:
+            return lambda curve: self.keep_radius(curve, self.dimension(limits, "cam_radius_min"))
+        if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
+            if self.follower == "translating_flat":
+                return None
+            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
+        return None
+
+    def keeper_on_sides(self, key):
+        if key.endswith("pressure_angle_deg"):
+            return lambda curve: self.keep_pressure_of_arm(curve, key)
+        if key.startswith(("cam_radius_min", "concave_radius_min", "hertz_pressure_max_mpa")) or key == "undercut_margin":
+            return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
+        return None
+
+    def keeper_in_space(self, key):
+        rules = self.as_found
+        if key == "pressure_angle_deg":
+            return lambda curve: self.keep_formulas(
+                curve, key, [f for sign in (1, -1) for f in rules.formulas("limits." + key, 1, sign)])
+        if key == "undercut_margin":
+            margin = number(self.problem.limits[key])
+            return lambda curve: self.keep_formulas(curve, key, [rules.margin(margin, flank) for flank in (1, -1)],
+                                                    [(0, enclosures.ONE)])
+        return None
+
+    def keep_along_laws(self, key, laws):
+        """False: nothing here looks at the limit there."""
+        signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
+        formulas = [f for sign in signs for f in self.as_found.formulas("limits." + key, 1 if sign else None, sign)]
+        for stretch in laws:
+            for width, motion in motion_along(stretch):
+                for formula in formulas:
+                    def room(numbers, formula=formula, motion=motion):
+                        return -formula(motion(numbers[0]))
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width)], 0) is None:
+                        raise Refuted(f"limits.{key} is passed along a law")
+        return bool(formulas)
+
+    def keep_formulas(self, curve, key, formulas, more=()):
+        """Formulas of one cam angle along the motion: nowhere above 0. `more`: intervals of further numbers of a formula."""
+        for run in curve.pieces:
+            for p, width, _, _ in run:
+                orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
+                for formula in formulas:
+                    def room(numbers, formula=formula, orders=orders):
+                        return -formula([at_time(c, numbers[0]) for c in orders] + numbers[1:])
+                    if enclosures.least(room, [enclosures.interval(Fraction(0), width), *more], 0) is None:
+                        raise Refuted(f"limits.{key} is passed")
+
+    def keep_pressure_of_arm(self, curve, key):
+        """Both sides along the motion, and at rest the least of all limits."""
+        formulas = [f for sign in (1, -1) for f in self.as_found.formulas("limits." + key, 1, sign)]
+        self.keep_formulas(curve, key, formulas)
+        least = min(limit for limit in self.pressure if limit is not None)
+        levels = {level for s in self.problem.stretches for level in (s.start, s.to)}
+        for level in levels | ({Fraction(1)} if self.problem.type == "RR" else set()):
+            for sign in (1, -1):
+                rest = [enclosures.interval(level)[0], 0, 0]
+                if any(enclosures.at_place(f, rest).value[1] > 0 for f in self.as_found.pressures(least, sign)):
+                    raise Refuted("the pressure angle at rest passes its limit")
+
+    def row_of_arm(self, bound, k, run, name, origin, at):
+        """Rows of an arm. Where a rule is convex, camopt's rows are its tangents: here the tangent at the delivered motion,
+        lowered as far as it must be to lie under the rule wherever a motion can be."""
+        rule, sign, side = origin["rule"], origin.get("sign", 0), origin.get("side", "right")
+        if origin.get("remark") == "face turns back" and self.follower == "oscillating_flat":
+            unit = max(self.rules.lift) / min(self.rules.beta), min(self.rules.lift) / max(self.rules.beta)
+            middle, half = middle_of((unit[1], unit[0]))
+            function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
+            return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
+        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None:
+            return None
+        values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
+        place = [enclosures.interval(v)[0] for v in values]
+        ranges = [self.displacements(bound, k, at), (-bound.supremum[k][1], bound.supremum[k][1])]
+        formulas = [lambda numbers, f=f: f(numbers + [constant(0)])
+                    for f in self.rules.formulas(rule, 1, sign, origin.get("remark", ""))]
+        # Which of several rules of one name is not said: the one that the motion comes nearest to.
+        formulas.sort(key=lambda f: -enclosures.at_place(f, place).value[0])
+        for pressure in formulas[:1]:
+            found = enclosures.tangent_at(pressure, place)
+            slopes = [enclosures.fraction(sum(found.slopes.get(i, (0, 0))) // 2) for i in range(2)]
+
+            def leaning(by, pressure=pressure, slopes=tuple(slopes)):
+                return self.row_under(pressure, [slopes[0] + by, slopes[1]], place, ranges,
+                                      (name, k, run, at, side))
+            row = leaning(Fraction(0))
+            if row is None:
+                return None
+            row.leaning = leaning
+            return row, 1 / self.row_size()
+        return None
+
+    @staticmethod
+    def row_under(rule, slopes, place, ranges, where):
+        """slopes . (y, y') + constant <= rule in these ranges as a row; None where the slopes fit too badly."""
+        name, k, run, at, side = where
+        factors = [constant(s) for s in slopes]
+
+        def above(numbers):
+            return rule(numbers) - factors[0] * numbers[0] - factors[1] * numbers[1]
+        ends = [enclosures.interval(*r) for r in ranges]
+        touching, lowest = enclosures.at_place(above, place).value[0], None
+        for below in (Fraction(1, 10**12), Fraction(1, 10**9), Fraction(1, 10**6)):
+            enough = touching - enclosures.interval(below)[0]
+            lowest = lowest if lowest is not None else enclosures.least(above, ends, enough)
+        if lowest is None:
+            return None
+        function = {}
+        for order, slope in enumerate(slopes):
+            for j, w in run.space.functional(at, order, side).items():
+                function[j] = function.get(j, Fraction(0)) + slope * w
+        return Row(name, k, function, -enclosures.fraction(lowest))
+
+    def row_size(self):
+        """What rows of arms and of cams in space are divided by beyond the formulas here."""
+        return self.rules.sizes["center_distance"] if self.kind != "disk" else Fraction(1)
+
+    def displacements(self, bound, k, at):
+        """What y can be at a place."""
+        low, high = bound.displacements_at(k, at)
+        own = self.rules.displacements() if self.problem.type == "DRD" else None
+        return (max(low, own[0]), min(high, own[1])) if own else (low, high)
+
+    def keep_pressure(self, curve):
+        if self.follower == "translating_flat":
+            return
+        start = self.start(self.base)[0]
+        for sign, limit in zip((1, -1), self.pressure):
+            if limit is None:
+                continue
+            steep = tangent(limit)
+            pieces = []
+            for run in curve.pieces:
+                for p, w, _, _ in run:
+                    # sign (s' - sense e) - tan (start + s), in parts of tan start; beta at its lower end.
+                    slope = [c * self.lift / self.beta[0] for c in derivative(p)]
+                    height = [c * self.lift for c in p]
+                    constant = [-sign * self.sense * self.offset - steep[0] * start]
+                    pieces.append((combination((sign / (steep[0] * start), slope), (-1 / start, height),
+                                               (1 / (steep[0] * start), constant)), w))
+            worst = largest(pieces)[1]
+            if worst > KEPT * 10:
+                raise Refuted(f"the pressure angle passes {float(limit)} deg: "
+                              f"by {float(worst):.1e} of its tangent at rest")
+        still = min([s.start for s in self.problem.stretches] + [s.to for s in self.problem.stretches])
+        least = min(limit for limit in self.pressure if limit is not None)
+        if abs(self.offset) > tangent(least)[0] * (start + still * self.lift) * (1 + KEPT):
+            raise Refuted("the pressure angle at rest passes its limit")
+
+    def keep_radius(self, curve, least):
+        """1 / pitch curvature - roller >= least: (least + roller) N <= (D^2 + u^2)^(3/2), N = D^2 + u (2u + sense e) -
+        D q with q = s''. Stretch by stretch, halved until it is decided."""
+        beta, lift = middle_of(self.beta)[0], self.lift
+        if self.follower == "translating_flat":
+            pieces = [(combination((-lift, p), (-lift / beta**2, derivative(p, 2)), (1, [least - self.base])), w)
+                      for run in curve.pieces for p, w, _, _ in run]
+            if largest(pieces, Fraction(1, 10**15))[1] > KEPT * self.base:
+                raise Refuted("the cam's radius passes its limit")
+            return
+        for run in curve.pieces:
+            for p, w, _, _ in run:
+                high, _, square, bent = self.geometry(p)
+                root_of = product(square, product(square, square))
+                self.decide([(least + self.roller) * c for c in bent], root_of, w, "the cam's radius passes its limit")
+
+    def geometry(self, p):
+        """D, u, D^2 + u^2 and N = D^2 + u (2u + sense e) - D s'' along a piece; pi is taken to 35 digits, far below
+        what a limit is kept to."""
+        beta, offset = middle_of(self.beta)[0], self.sense * self.offset
+        high = combination((self.lift, p), (1, [middle_of(self.start(self.base))[0]]))
+        slope = combination((self.lift / beta, derivative(p)), (1, [-offset]))
+        bend = [c * self.lift / beta**2 for c in derivative(p, 2)]
+        square = combination((1, product(high, high)), (1, product(slope, slope)))
+        bent = combination((1, product(high, high)), (2, product(slope, slope)), (offset, slope),
+                           (-1, product(high, bend)))
+        return high, slope, square, bent
+
+    def decide(self, side, root_of, width, fault):
+        """side <= sqrt(root_of), to within 2 KEPT: where side is positive, root_of - side^2 is not
+        negative."""
+        room = combination((1 + 4 * KEPT, root_of), (-1, product(side, side)))
+        size = max(abs(c) for c in bernstein(room, width))  # brought near 1 for the grid
+        scale = max(abs(c) for c in bernstein(side, width))
+        stack = [(on_grid([c / scale for c in bernstein(side, width)]),
+                  on_grid([c / size for c in bernstein(room, width)]), 0)]
+        while stack:
+            sides, rooms, depth = stack.pop()
+            if max(sides) <= -ROUNDED or min(rooms) >= ROUNDED:
+                continue
+            if depth > 60 or any(sides[end] > 0 and rooms[end] < 0 for end in (0, -1)):
+                raise Refuted(fault)
+            stack += [(a, b, depth + 1) for a, b in zip(halves(sides), halves(rooms))]
+
+    def force(self, p):
+        mass, rate, preload, _ = self.forces()
+        speed = self.problem.turns_per_second()
+        return combination((mass * speed**2 * self.lift, derivative(p, 2)), (rate * self.lift, p), (1, [preload]))
+
+    def keep_force(self, curve):
+        least, unit = self.forces()[3], max(abs(self.forces()[3]), self.forces()[2], Fraction(1, 1000))
+        pieces = [([-c / unit for c in self.force(p)], w) for run in curve.pieces for p, w, _, _ in run]
+        if largest(pieces)[1] > -least / unit + KEPT * 10:
+            raise Refuted("the contact force passes its limit")
+
+    def keep_torque(self, curve, most):
+        pieces = [(product(self.force(p), [c * self.lift / self.beta[0] / most for c in derivative(p)]), w)
+                  for run in curve.pieces for p, w, _, _ in run]
+        if largest_magnitude(pieces)[1] > 1 + KEPT * 10:
+            raise Refuted("the torque passes its limit")
+
+    def keep_hertz(self, curve, most):
+        """p^2 = F_n / (pi b C) (1/cam radius + 1/roller), F_n = F sqrt(Q) / D, Q = D^2 + u^2, C = sum of (1 - nu^2) /
+        E, and 1/cam radius + 1/roller = 1 / (r (1 - r N / Q^(3/2))): with K = 1 / (pi b C r most^2) it is kept where
+        K F Q^2 + r N D <= sqrt(D^2 Q^3), D > 0."""
+        forces = self.scene["forces"]
+        compliance = sum((1 - number(forces.get(f"{side}_poisson", Fraction(3, 10)))**2) /
+                         (number(forces.get(f"{side}_modulus_gpa", 210)) * 10**9) for side in ("cam", "follower"))
+        if any(key.startswith(("cam_modulus", "follower_modulus")) and not key.endswith("_gpa") for key in forces):
+            raise Unverified("moduli of elasticity in another unit than GPa")
+        width = self.dimension(forces, "contact_width")
+        pressed = 1 / (sum(PI) / 2 * width * compliance * self.roller * most**2)
+        for run in curve.pieces:
+            for p, w, _, _ in run:
+                high, _, square, bent = self.geometry(p)
+                if min(bernstein(high, w)) <= 0:
+                    raise Unverified("limits.hertz_pressure where the contact may lie below the cam's centre")
+                side = combination((pressed, product(self.force(p), product(square, square))),
+                                   (self.roller, product(bent, high)))
+                root_of = product(product(high, high), product(square, product(square, square)))
+                self.decide(side, root_of, w, "the Hertz pressure passes its limit")

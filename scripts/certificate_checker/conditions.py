@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Conditions, exactly."""
+from fractions import Fraction
+
+from .exact import number
+
+
+class Conditions:
+    """The conditions of a run solved for as many control points: each is then a function of the others. Redundant ones
+    drop out; exact contradictions are the proof that there is no motion."""
+
+    def __init__(self, rows):
+        self.rows = {}  # control point: (row of the others, value)
+        self.contradiction = None
+        for row, value, name in rows:
+            row, value = self.reduced(dict(row), value)
+            row = {j: w for j, w in row.items() if w}
+            if not row:
+                if abs(value) > (self.contradiction[1] if self.contradiction else 0):
+                    self.contradiction = (name, abs(value))
+                continue
+            pivot = max(row, key=lambda j: abs(row[j]))
+            weight = row.pop(pivot)
+            row, value = {j: w / weight for j, w in row.items()}, value / weight
+            for other in self.rows:  # nothing solved for stands in another's row
+                theirs, their_value = self.rows[other]
+                if pivot in theirs:
+                    factor = theirs.pop(pivot)
+                    for j, w in row.items():
+                        theirs[j] = theirs.get(j, Fraction(0)) - factor * w
+                    self.rows[other] = (theirs, their_value - factor * value)
+            self.rows[pivot] = (row, value)
+
+    def reduced(self, row, value):
+        """The same function of the control points that are not solved for: row . c = value."""
+        for pivot in [j for j in row if j in self.rows]:
+            weight = row.pop(pivot)
+            theirs, their_value = self.rows[pivot]
+            for j, w in theirs.items():
+                row[j] = row.get(j, Fraction(0)) - weight * w
+            value -= weight * their_value
+        return row, value
+
+    def completed(self, control):
+        """The control points that are solved for, from the others."""
+        control = list(control)
+        for pivot, (row, value) in self.rows.items():
+            control[pivot] = value - sum((w * control[j] for j, w in row.items()), Fraction(0))
+        return control
+
+
+def solved(a):
+    """The solution of linear equations (rows with the right side last), or None."""
+    for i in range(len(a)):
+        pivot = max(range(i, len(a)), key=lambda r: abs(a[r][i]))
+        if not a[pivot][i]:
+            return None
+        a[i], a[pivot] = a[pivot], a[i]
+        for r in range(len(a)):
+            if r != i:
+                factor = a[r][i] / a[i][i]
+                a[r] = [x - factor * y for x, y in zip(a[r], a[i])]
+    return [number(float(a[i][-1] / a[i][i])) for i in range(len(a))]

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: MIT
+"""The limits of disk cams as formulas of one cam angle: below 0, or at 0, is kept.
+
+A formula takes y, y', y'' and the dimensions that are searched as `Over` and gives the rule, or the rule times what is
+above 0: so the planes of a bound over boxes are compared with it, and the delivered motion is judged where nothing else
+does. With N and D the two parts of the speed of the roller's centre in the cam's frame, tan(pressure angle) = N / D,
+v^2 = N^2 + D^2 and curvature (v^2 + drift N - D push) / v^3, push = lever s''.
+"""
+from fractions import Fraction
+
+from .enclosures import Over
+from .exact import PI, Unverified, exactly, middle_of, number, tangent, times
+
+FACE_TURNS = Fraction(999, 1000)  # a face on an arm is to turn by more than 1/1000 of the cam's turning
+TOUCHES = Fraction(1, 10**6)      # contact: regularity, and height over the centre in parts of the cam's length
+
+
+def constant(value):
+    return Over.number(Fraction(value))
+
+
+class Side:
+    """What one side of a cam is beside an open cam of the same dimensions. `flank`: -1 on the outer flank of a groove, where
+    the pitch curve bends the other way; `wider`: what a flank lies beyond the roller's radius; `turn`: of the second disk of a
+    conjugate cam, in whose mirror the follower moves the other way: between the arms (rad, enclosed) or the rollers (m);
+    `pressed`: the sign of the force that presses on it."""
+
+    def __init__(self, name="", flank=1, wider=Fraction(0), turn=None, pressed=1):
+        self.name, self.flank, self.wider, self.turn, self.pressed = name, flank, wider, turn, pressed
+
+
+class DiskRules:
+    """`dimensions`: of names, the number, or (lowest, highest) where it is searched. Lengths in m, angles in rad. `room`:
+    by how much a rule may be passed, in parts of its limit."""
+
+    def __init__(self, problem, scene, follower, sense, dimensions, room=Fraction(0), side=None):
+        self.side = side or Side()
+        self.problem, self.follower = problem, follower
+        self.limits, self.forces = problem.limits, scene.get("forces", {})
+        self.sense, self.room = sense, constant(room)
+        self.dimensions = dimensions if "roller_radius" in dimensions else dimensions | {"roller_radius": Fraction(0)}
+        self.swings = follower.startswith("oscillating")
+        self.searched = [name for name, size in dimensions.items() if isinstance(size, tuple)]
+        size, unit = problem.lift
+        degree = times(PI, exactly(Fraction(1, 180)))
+        self.lift = times(exactly(size), degree if unit == "deg" else exactly(1))
+        angle, unit = problem.unit_angle
+        self.beta = times(exactly(angle), degree if unit == "deg" else exactly(1))
+        self.roller = follower in ("translating_roller", "oscillating_roller")
+
+    @staticmethod
+    def displacements():
+        """What the limits alone say of the displacement: nothing is made of it here."""
+
+    # -- the motion and the cam
+
+    def states(self, numbers):
+        """s, s', s'' from y, y', y'': each is lift / unit angle^order times it."""
+        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        lift = -lift if self.side.turn else lift
+        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
+
+    def sizes(self, numbers):
+        """The dimensions; those searched stand behind y''' in units of the largest they may be."""
+        searched = {name: numbers[4 + k] * constant(self.dimensions[name][1]) for k, name in enumerate(self.searched)}
+        return {name: searched.get(name) or constant(size) for name, size in self.dimensions.items()}
+
+    def pitch(self, numbers):
+        """N, D, drift, lever and s'' of the centre of a roller (or of a knife edge)."""
+        s, slope, bend = self.states(numbers)
+        size = self.sizes(numbers)
+        prime = size["base_radius"] + size["roller_radius"]
+        sense, second = constant(-self.sense if self.side.turn else self.sense), self.side.turn
+        if not self.swings:
+            offset = size["offset"]
+            start = (prime.square() - offset.square()).root() if self.dimensions["offset"] else prime
+            if second:
+                start, offset = Over.number(*second) - start, size["second_offset"]
+            return slope - offset * sense, start + s, slope, constant(1), bend
+        distance, arm = size["center_distance"], size["arm_length"]
+        start = (distance.square() + arm.square() - prime.square()) * (constant(2) * distance * arm).inverse()
+        rest = (constant(1) - start.square()).root(), start
+        if second:
+            rest, arm = self.turned(-rest[0], rest[1], Over.number(*second)), size["second_arm_length"]
+        sine, cosine = self.turned(*rest, s)
+        turning = constant(1) + slope * sense
+        end = arm * turning
+        return end - distance * cosine, distance * sine, end * slope * sense, arm, bend
+
+    @staticmethod
+    def turned(sine, cosine, by):
+        more, less = by.sine_and_cosine()
+        return sine * less + cosine * more, cosine * less - sine * more
+
+    def own_roller(self, numbers):
+        return self.sizes(numbers)["second_roller_radius" if self.side.turn else "roller_radius"]
+
+    def surface(self, numbers):
+        """From the roller's centre to the cam's surface."""
+        return self.own_roller(numbers) + constant(self.side.wider)
+
+    def excess(self, numbers, factor, share):
+        """factor * curvature of the side - share, times v^3 / (D lever)."""
+        across, along, drift, lever, bend = self.pitch(numbers)
+        square = across.square() + along.square()
+        inverse = (along * lever).inverse()
+        still = (square + drift * across) * inverse - bend
+        return constant(self.side.flank) * factor * still - (share + self.room) * (square * square.root() * inverse)
+
+    def curvature(self, numbers):
+        """Of the side, and v."""
+        across, along, drift, lever, bend = self.pitch(numbers)
+        square = across.square() + along.square()
+        speed = square.root()
+        curvature = (square + drift * across - along * lever * bend) * (square * speed).inverse()
+        return constant(self.side.flank) * curvature, speed
+
+    def face(self, numbers):
+        """Of a flat face on an arm: turning, D, and the cam's radius times turning."""
+        s, slope, bend = self.states(numbers)
+        size = self.sizes(numbers)
+        distance, offset = size["center_distance"], size["face_offset"]
+        start = (size["base_radius"] + offset) * distance.inverse()
+        sine, cosine = self.turned(start, (constant(1) - start.square()).root(), s)
+        slope = slope * constant(self.sense)
+        turning = constant(1) + slope
+        inverse, along = turning.inverse(), distance * cosine
+        radius = (distance * sine * (slope + turning) + along * bend * inverse) * inverse - offset * turning
+        return turning, along, radius
+
+    # -- the rules
+
+    def formulas(self, key, order=None, sign=0, remark=""):
+        """The rules that the key of a limit may mean: none where there is no such here, two where the file does not say
+        which side it is."""
+        if key == "limits.torque_max_nm" and not remark:
+            return [self.torque(1), self.torque(-1)]
+        found = self.formula(key, order, sign, remark)
+        return [found] if found else []
+
+    def formula(self, key, order, sign, remark):
+        name, _, part = key.partition(" (")
+        name = name.removeprefix("limits.")
+        if remark or (order == 0 and not part):
+            return None
+        if name.endswith("pressure_angle_deg") and sign:
+            rises = (sign > 0) != (self.swings and self.sense < 0)
+            own = "rise_pressure_angle_deg" if rises else "return_pressure_angle_deg"
+            return self.pressure(number(self.limits[name]), sign) if name == (own if own in self.limits else
+                                                                              "pressure_angle_deg") else None
+        if part.startswith("undercut)"):
+            return self.margin(TOUCHES)
+        if part.startswith("contact below"):
+            return self.height()
+        for start, make in (("cam_radius_min_", self.convex_radius), ("concave_radius_min_", self.concave_radius)):
+            if name.startswith(start):
+                return make(self.length(name))
+        if name == "undercut_margin":
+            return self.margin(number(self.limits[name]))
+        if name == "hertz_pressure_max_mpa":
+            return self.hertz(number(self.limits[name]) * 10**6)
+        return None
+
+    def length(self, name):
+        units = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
+        return number(self.limits[name]) * units[name.rsplit("_", 1)[1]]
+
+    def pressures(self, limit, sign):
+        return [self.pressure(limit, sign)]
+
+    def reach(self):
+        """The length by which pressure angles and heights are measured."""
+        if self.swings:
+            return self.dimensions["center_distance"]
+        ends = [self.dimensions["base_radius"], self.dimensions["roller_radius"]]
+        return sum((sum(e) / 2 if isinstance(e, tuple) else e for e in ends), Fraction(0))
+
+    def pressure(self, limit, sign):
+        """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
+        cam has it below."""
+        steep = tangent(limit)
+        cosine = (constant(1) + Over.number(*steep).square()).root().inverse()
+        sine, inverse = cosine * Over.number(*steep), constant(1 / self.reach())
+
+        def rule(numbers):
+            if self.follower == "oscillating_flat":
+                turning, along, _ = self.face(numbers)
+                across = self.sizes(numbers)["face_offset"] * turning
+            else:
+                across, along = self.pitch(numbers)[:2]
+            return (across * cosine * constant(sign) - along * sine) * inverse - self.room
+        return rule
+
+    def convex_radius(self, least):
+        """(roller + least) curvature <= 1."""
+        if self.follower == "oscillating_flat":
+            base = self.dimensions["base_radius"]
+
+            def rule(numbers):
+                turning, _, radius = self.face(numbers)
+                return (constant(least) - radius * turning.inverse()) * constant(1 / base) - self.room
+            return rule
+        if self.follower == "translating_flat":
+            return None
+        return lambda numbers: self.excess(numbers, self.surface(numbers) + constant(least), constant(1))
+
+    def concave_radius(self, least):
+        """(roller - least) curvature <= 1: where the pitch curve bends the other way, it bends by no less than least."""
+        if not self.roller and self.follower != "translating_knife":
+            return None
+        return lambda numbers: self.excess(numbers, self.surface(numbers) - constant(least), constant(1))
+
+    def margin(self, least):
+        """1 - roller curvature >= least; of a flat face its radius in parts of the base radius."""
+        if self.follower == "oscillating_flat":
+            inverse = constant(1 / self.dimensions["base_radius"])
+            return lambda numbers: constant(least) - self.face(numbers)[2] * inverse - self.room
+        if not self.roller:
+            return None
+        return lambda numbers: self.excess(numbers, self.surface(numbers), constant(1 - least))
+
+    def height(self):
+        inverse = constant(1 / self.reach())
+        if self.follower == "oscillating_flat":
+            return lambda numbers: constant(TOUCHES) - self.face(numbers)[1] * inverse
+        return lambda numbers: constant(TOUCHES) - self.pitch(numbers)[1] * inverse
+
+    def force(self, numbers):
+        """F = mass speed^2 s'' + rate s + preload; of an arm the moment."""
+        rate, preload, swing = self.pressing()
+        lift = Over.number(*self.lift)
+        return numbers[2] * Over.number(*swing) + numbers[0] * lift * constant(rate) + constant(preload)
+
+    def pressing(self):
+        """Rate, preload and the enclosure of mass speed^2 lift."""
+        forces, speed = self.forces, self.problem.turns_per_second()
+        if self.swings:
+            known = ("inertia_kg_m2", "contact_width_mm", "contact_width_m")
+            if any(key not in known and "modulus" not in key and "poisson" not in key for key in forces):
+                raise Unverified("a spring or a preload on an arm")
+            return Fraction(0), Fraction(0), times(exactly(number(forces["inertia_kg_m2"]) * speed**2), self.lift)
+        rate = number(forces.get("spring_rate_n_mm", 0)) * 1000 + number(forces.get("spring_rate_n_m", 0))
+        return rate, number(forces.get("preload_n", 0)), \
+            times(exactly(number(forces["mass_kg"]) * speed**2), self.lift)
+
+    def hertz(self, most):
+        """F <= carried * radius * lever, carried = pi b C most^2, in parts of a unit of force (of an arm: of a moment). A roller
+        of radius r lies on its side with the radius r (1 - R curvature) / (1 - (R - r) curvature), R to the surface."""
+        if not self.roller:
+            return None
+        compliance = Fraction(0)
+        for side in ("cam", "follower"):
+            if any(key.startswith(f"{side}_modulus") and not key.endswith("_gpa") for key in self.forces):
+                raise Unverified("moduli of elasticity in another unit than GPa")
+            poisson = number(self.forces.get(f"{side}_poisson", Fraction(3, 10)))
+            compliance += (1 - poisson**2) / (number(self.forces.get(f"{side}_modulus_gpa", 210)) * 10**9)
+        width = next(number(self.forces[key]) * size for key, size in (("contact_width_mm", Fraction(1, 1000)),
+                                                                       ("contact_width_m", Fraction(1)))
+                     if key in self.forces)
+        _, preload, swing = self.pressing()
+        unit = middle_of((max(preload, swing[0] / 100, Fraction(1, 1000)),) * 2)[0]
+        carried = Over.number(*times(PI, exactly(compliance * width * most**2 / unit)))
+
+        def rule(numbers):
+            curvature, speed = self.curvature(numbers)
+            along, _, arm = self.pitch(numbers)[1:4]
+            radius = (constant(1) - self.surface(numbers) * curvature) * self.own_roller(numbers)
+            press = self.force(numbers) * constant(self.side.pressed / unit)
+            if self.side.wider:
+                press = press * (constant(1) - constant(self.side.wider) * curvature)
+            return press - carried * radius * arm * along * speed.inverse() - self.room
+        return rule
+
+    def torque(self, sign):
+        """sign F s' / most - 1."""
+        most = number(self.limits["torque_max_nm"])
+        return lambda numbers: self.force(numbers) * self.states(numbers)[1] * constant(sign / most) - constant(1) - self.room
+
+
+class TwoSides:
+    """The rules of a groove or of a conjugate cam: those of either side. Both flanks of a groove have one normal, so that
+    the pressure angle is that of the first alone."""
+
+    searched = ()
+    displacements = staticmethod(DiskRules.displacements)
+
+    def __init__(self, first, second):
+        self.first, self.sides = first, (first, second)
+
+    def formulas(self, key, order=None, sign=0, remark=""):
+        once = key.endswith("pressure_angle_deg") and not self.sides[1].side.turn
+        named = [side for side in self.sides if not remark or side.side.name == remark]
+        return [f for side in (named[:1] if once else named) for f in side.formulas(key, order, sign)]
+
+    def pressures(self, limit, sign):
+        return [side.pressure(limit, sign) for side in (self.sides if self.sides[1].side.turn else self.sides[:1])]
+
+    def reach(self):
+        return self.first.reach()

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Laws of the catalogue as formulas: f from 0 to 1 over 0 <= u <= 1, with f' and f''."""
+from fractions import Fraction
+
+from .disk_rules import constant
+from .enclosures import Over
+from .exact import PI, Unverified, derivative
+
+POLYNOMIALS = {"constant_velocity": [0, 1], "polynomial_345": [0, 0, 0, 10, -15, 6],
+               "polynomial_4567": [0, 0, 0, 0, 35, -84, 70, -20],
+               "polynomial_56789": [0, 0, 0, 0, 0, 126, -420, 540, -315, 70]}
+
+
+def harmonic(law):
+    """Pieces (width, a, b, c, w) of f'' = a + b sin w v + c cos w v, v from the piece's beginning."""
+    pi, none = Over.number(*PI), constant(0)
+    eighth, quarter, half, whole = Fraction(1, 8), Fraction(1, 4), Fraction(1, 2), Fraction(1)
+    steep = constant(4) * pi
+    if law == "cycloidal":
+        return [(whole, none, constant(2) * pi, none, constant(2) * pi)]
+    if law == "simple_harmonic":
+        return [(whole, none, none, pi * pi * constant(half), pi)]
+    if law == "parabolic":
+        return [(half, constant(4), none, none, pi), (half, constant(-4), none, none, pi)]
+    if law == "modified_sine":
+        size = constant(4) * pi * pi * (pi + constant(4)).inverse()
+        return [(eighth, none, size, none, steep), (6 * eighth, none, none, size, steep * constant(Fraction(1, 3))),
+                (eighth, none, none, -size, steep)]
+    if law == "modified_trapezoid":
+        size = constant(8) * pi * (pi + constant(2)).inverse()
+        return [(eighth, none, size, none, steep), (quarter, size, none, none, steep), (quarter, none, none, size, steep),
+                (quarter, -size, none, none, steep), (eighth, none, none, -size, steep)]
+    raise Unverified(f"limits along the law {law}")
+
+
+def at_time(polynomial, t):
+    """A polynomial with coefficients that are enclosed, at a time that is."""
+    total = polynomial[-1]
+    for coefficient in reversed(polynomial[:-1]):
+        total = total * t + coefficient
+    return total
+
+
+def pieces_of(law):
+    """[(width, v -> [f, f', f''])]."""
+    if law in POLYNOMIALS:
+        orders = [[constant(c) for c in derivative([Fraction(c) for c in POLYNOMIALS[law]], order)] for order in range(3)]
+        return [(Fraction(1), lambda v: [at_time(c, v) for c in orders])]
+    pieces, begin = [], [constant(0), constant(0)]
+    for width, a, b, c, w in harmonic(law):
+        inverse = w.inverse()
+
+        def piece(v, begin=tuple(begin), a=a, b=b, c=c, w=w, inverse=inverse):
+            sine, cosine = (w * v).sine_and_cosine()
+            rest = constant(1) - cosine
+            return [begin[0] + begin[1] * v + a * v.square() * constant(Fraction(1, 2)) +
+                    b * inverse * (v - sine * inverse) + c * inverse * inverse * rest,
+                    begin[1] + a * v + (b * rest + c * sine) * inverse, a + b * sine + c * cosine]
+
+        pieces.append((width, piece))
+        begin = piece(constant(width))[:2]
+    return pieces
+
+
+def motion_along(stretch):
+    """[(width, v -> [y, y', y''])] of a stretch with a law, v in parts of the stretch."""
+    rise, length = stretch.to - stretch.start, stretch.end - stretch.begin
+
+    def scaled(piece):
+        def states(v):
+            f = piece(v)
+            return [constant(stretch.start) + constant(rise) * f[0], constant(rise / length) * f[1],
+                    constant(rise / length**2) * f[2]]
+        return states
+
+    return [(width, scaled(piece)) for width, piece in pieces_of(stretch.law)]

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""The file's own arithmetic."""
+from fractions import Fraction
+
+from .exact import ORDERS, Refuted, STATED, number
+
+
+def stored_bound(proof):
+    """The recipe of the file, in exact arithmetic: what its own numbers prove."""
+    reduced = [number(c) for c in proof["cost"]]
+    total = number(proof["constant"])
+    for row in proof["rows"]:
+        m = number(row["multiplier"])
+        if not m:
+            continue
+        side = row["upper"] if m > 0 else row["lower"]
+        if side is None:
+            raise Refuted(f"{row['name']}: the multiplier leans on a side that is open")
+        total -= m * number(side)
+        if len(row["indices"]) != len(row["values"]):
+            raise Refuted(f"{row['name']}: its lists do not match")
+        for index, weight in zip(row["indices"], row["values"]):
+            reduced[index] += m * number(weight)
+    for r, low, high in zip(reduced, proof["box"]["lower"], proof["box"]["upper"], strict=True):
+        if r:
+            end = low if r > 0 else high
+            if end is None:
+                raise Refuted("the stored proof leans on a side of the box that is open")
+            total += r * number(end)
+    return total
+
+
+def factor_of(proof, problem):
+    """Weights and references far from 1 are divided by the same power of two before they are solved: the file's rows
+    then are in other units, and its multipliers are all smaller (or larger) by this factor."""
+    for name, cost in zip(proof["variables"], proof["cost"]):
+        for term in problem.terms:
+            if term.weight and name == "peak " + next(n for n, o in ORDERS.items() if o == term.order) and cost:
+                return term.weight / number(cost)
+    return Fraction(1)
+
+
+def check_box(proof, result, problem, factor):
+    """The box is said to hold the best motion: the delivered one lies in it."""
+    sizes = {"'" * order: problem.references[name] / factor for name, order in ORDERS.items()} | {"": Fraction(1)}
+    values = {}
+    for name, value in zip(result["design"]["names"], result["design"]["values"]):
+        marks = "'" * name.split(" of run ")[0].count("'")
+        if name.startswith("y") and marks in sizes:
+            values[name] = number(value) / sizes[marks]
+    for name, order in ORDERS.items():
+        size = sizes.get("'" * order)
+        term = next((t for t in problem.terms if t.kind == "peak" and t.order == order), None)
+        if size and term:
+            values["peak " + name] = number(result["peaks"][name]["value"]) / size
+    for name, low, high in zip(proof["variables"], proof["box"]["lower"], proof["box"]["upper"], strict=True):
+        if name in values:
+            room = STATED * 1000 * max(1, abs(values[name]))
+            if (low is not None and values[name] < number(low) - room) or \
+                    (high is not None and values[name] > number(high) + room):
+                raise Refuted(f"the box of {name} does not hold the delivered motion")

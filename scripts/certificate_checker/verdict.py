@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: MIT
+"""The verdict."""
+import json
+import sys
+import tomllib
+from fractions import Fraction
+from pathlib import Path
+
+from .any_curve import any_curve_bound
+from .bound import Bound
+from .box_proof import BoxProof
+from .cam import Cam
+from .conditions import Conditions
+from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
+from .motion import Curve
+from .problem import Problem, references_of
+from .stored import check_box, factor_of, stored_bound
+from .vipr import vipr
+
+
+class Report:
+    box_proof = None  # what the bound was proved by, where that was over boxes
+
+    def __init__(self, quiet):
+        self.quiet = quiet
+
+    def say(self, text):
+        if not self.quiet:
+            print("  " + text)
+
+
+def agree(certificate, result):
+    """The two files speak of the same thing."""
+    same = (certificate["verdict"] == result["verdict"] and certificate["objective"] == result["objective"] and
+            certificate["lower_bound"] == result["bound"]["lower"] and certificate["gap"] == result["bound"]["gap"] and
+            certificate["proof_kind"] == result["bound"]["proof"] and certificate["reason"] == result["reason"])
+    if not same:
+        raise Refuted("certificate.json and result.json disagree")
+    proof, low = certificate["proof"], certificate["lower_bound"]
+    if proof and proof["statement"] == "objective" and low is not None and certificate["proof_kind"] == "duality" and \
+            number(proof["bound"]) < number(low):
+        raise Refuted("the lower bound is above that of the stored proof")
+    if proof and proof["bound"] is not None and stored_bound(proof) < number(proof["bound"]):
+        raise Refuted("the stored proof does not give its bound")
+    objective, gap = certificate["objective"], certificate["gap"]
+    if gap is not None:
+        actual = (number(objective) - number(low)) / max(1, abs(number(objective)))
+        if actual > number(gap) + Fraction(1, 10**14):
+            raise Refuted("the gap is larger than stated")
+
+
+def close(stated, low, high):
+    room = STATED * max(abs(stated), abs(high))
+    return low - room <= stated <= high + room
+
+
+# What a scene may say, as far as this checker knows what it means.
+KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
+                "solver"}
+KNOWN_TERMS = {"velocity", "acceleration", "jerk", "rms_acceleration", "rms_jerk", "torque", "reference", "tie_break",
+               "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
+
+
+def name_what_is_unknown(scene):
+    """A table or a term that nothing below looks at would pass unseen."""
+    for table in sorted(set(scene) - KNOWN_TABLES):
+        raise Unverified(f"[{table}]")
+    for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
+        raise Unverified(f"objective.{term}")
+
+
+def judge(folder, report, vipr_path):
+    scene = tomllib.loads((folder / "scene.toml").read_text(), parse_float=Fraction)
+    result = json.loads((folder / "result.json").read_text())
+    certificate = json.loads((folder / "certificate.json").read_text())
+    name_what_is_unknown(scene)
+    verdict, proof = certificate["verdict"], certificate["proof"]
+    report.say(f"claimed: {verdict}, objective {certificate['objective']}, bound {certificate['lower_bound']}")
+    agree(certificate, result)
+    if verdict not in ("optimal", "local", "feasible", "infeasible"):
+        raise Unverified(f"nothing: the verdict {verdict} claims nothing")
+    if verdict == "infeasible" and (result["motion"] is not None or certificate["objective"] is not None):
+        raise Refuted("a motion is delivered where there is said to be none")
+    if verdict != "infeasible" and result["motion"] is None:
+        raise Refuted("no motion is delivered")
+    found = None
+    if scene.get("spline", {}).get("knots") == "free" and result["motion"]:
+        found = [number(x) for x in result["motion"]["curves"][0]["breakpoints"]]
+        given = sorted(found)
+        if found != given or len(set(given)) != len(given) or given[0] != 0:
+            raise Refuted("the breakpoints do not ascend")
+    problem = Problem(scene, references_of(scene, result["reference"]), found)
+    if "cam" in scene:
+        problem.cam = Cam(problem, scene, result)
+    relaxed = number(proof["limits_relaxed_by"]) if proof else Fraction(0)
+    if relaxed < 0 or relaxed > KEPT * 100:
+        raise Refuted(f"limits are relaxed by {float(relaxed)}")
+    if verdict == "infeasible":
+        if "boxes" in certificate:
+            return judge_empty_boxes(problem, certificate["boxes"], report)
+        return judge_infeasible(problem, proof, report, vipr_path)
+    return judge_motion(problem, certificate, result, relaxed, report, vipr_path)
+
+
+def judge_infeasible(problem, proof, report, vipr_path):
+    for run in problem.runs:
+        contradiction = Conditions(run.conditions).contradiction
+        if contradiction:
+            if contradiction[1] <= STATED:
+                raise Unverified(f"conditions that contradict each other by {float(contradiction[1]):.1e} only")
+            report.say(f"conditions contradict each other ({contradiction[0]}): no spline of the space meets them")
+            return []
+    if proof is None:
+        raise Unverified("infeasibility without a stored proof")
+    if proof["statement"] != "least_common_violation":
+        raise Refuted("the conditions do not contradict each other")
+    bound = Bound(problem, None, Fraction(0))
+    for row in proof["rows"]:
+        bound.add_row(row)
+    value = bound.value(cost=False)
+    report.say(f"Farkas: the multipliers give 0 >= {float(value):.9g}, rounding {float(bound.residual):.1e}")
+    if value <= 0:
+        if bound.left_out:
+            raise Unverified("rows of " + ", ".join(sorted(bound.left_out)))
+        raise Refuted("the multipliers do not prove that there is no motion")
+    write_vipr(vipr_path, bound, problem, False, value)
+    return []
+
+
+def judge_empty_boxes(problem, boxes, report):
+    proof = BoxProof(problem, Bound(problem, None, Fraction(0)), boxes, None)
+    proof.check()
+    report.say(f"boxes: {len(proof.steps)} steps, {proof.planes} planes, {len(boxes['parts'])} parts; nothing is left in "
+               "any of them")
+    return []
+
+
+def write_vipr(path, bound, problem, cost, value):
+    if path and None in bound.remainders:
+        print("no VIPR file is written: breakpoints whose distances differ by more than 1000", file=sys.stderr)
+    elif path:
+        Path(path).write_text(vipr(bound, problem, cost, value))
+
+
+def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
+    verdict, proof = certificate["verdict"], certificate["proof"]
+    curve = Curve(problem, result)
+    report.say("motion: an exact spline of the space, on all conditions, lies within " +
+               ", ".join(f"{float(r):.0e}" for r in curve.relative) + " (of y, y', y'', y''', relative)")
+    missing = []
+    low, high = curve.objective()
+    stated = number(certificate["objective"])
+    report.say(f"objective: between {float(low):.15g} and {float(high):.15g}")
+    if not close(stated, low, high):
+        raise Refuted(f"the objective is {float(high)}, not {float(stated)}")
+    kept = curve.keep_caps(relaxed)
+    if problem.cam:
+        more, missing = problem.cam.keep_limits(curve)
+        kept += more
+    report.say("limits kept: " + (", ".join(kept) or "none given"))
+    bound_stated = certificate["lower_bound"]
+    if certificate["proof_kind"] == "none" or bound_stated is None:
+        if verdict == "optimal":
+            raise Refuted("optimal without a bound")
+        return missing
+    allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
+    not_convex = "gap" not in problem.solver and not result["solver"]["convex"]
+    allowed_gap = allowed * (NOT_CONVEX if not_convex else 1)
+    if certificate["proof_kind"] == "boxes":
+        if "boxes" not in certificate:
+            raise Unverified("a proof by cases")
+        boxes, allowed = certificate["boxes"], allowed_gap
+        if number(bound_stated) > number(boxes["bound"]):
+            raise Refuted("the lower bound is above that of the boxes")
+        proof = report.box_proof = BoxProof(problem, Bound(problem, high, relaxed, curve), boxes, high)
+        proof.check_holds(result)
+        value, left_out = proof.check(), proof.left_out
+        value = high if value is None else min(value, high)
+        report.say(f"bound: {len(proof.steps)} steps over boxes, {proof.planes} planes, {len(boxes['parts'])} parts: "
+                   f"no motion of the scene is below {float(value):.15g}")
+    elif certificate["proof_kind"] == "any_curve_limit":
+        if proof:
+            raise Refuted("a proof by the limit of any curve has no rows")
+        value, left_out = any_curve_bound(problem, curve), {}
+        report.say(f"bound: no curve of any kind is below {float(value):.15g}")
+    else:
+        if proof is None or proof["statement"] != "objective":
+            raise Refuted("there is no stored proof of the bound")
+        factor = factor_of(proof, problem)
+        check_box(proof, result, problem, factor)
+        bound = Bound(problem, high, relaxed, curve)
+        for row in proof["rows"]:
+            bound.add_row(row, factor)
+        bound.add_root_mean_squares(curve)
+        value, left_out = bound.value(), bound.left_out
+        report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
+                   f"rounding {float(bound.residual):.1e}")
+    short = number(bound_stated) - value
+    if short > allowed / 10:
+        if left_out:
+            raise Unverified("rows of " + ", ".join(sorted(left_out)))
+        raise Refuted(f"the bound {bound_stated} is not proved: only {float(value):.15g} is")
+    if verdict == "optimal" and high - value > allowed_gap:
+        if left_out:
+            raise Unverified("rows of " + ", ".join(sorted(left_out)))
+        raise Refuted(f"optimal is not proved: the gap is {float(high - value):.1e}, allowed {float(allowed_gap):.1e}")
+    if certificate["proof_kind"] == "duality":
+        write_vipr(vipr_path, bound, problem, True, value)
+    return missing
+
+
+def outcome_of(folder, report, vipr_path=None):
+    """(exit code, what is to be said)."""
+    try:
+        missing = judge(folder, report, vipr_path)
+    except Refuted as fault:
+        return 1, f"REFUTED: {fault}"
+    except Unverified as gap:
+        return 2, f"NOT VERIFIED: {gap}"
+    except (OSError, json.JSONDecodeError, tomllib.TOMLDecodeError) as fault:
+        return 2, f"NOT VERIFIED: {fault}"
+    except (KeyError, TypeError, IndexError, ValueError) as fault:
+        return 1, f"REFUTED: the files are not what camopt writes ({type(fault).__name__}: {fault})"
+    if missing:
+        return 2, "NOT VERIFIED: " + ", ".join(missing) + " (everything else is confirmed)"
+    return 0, "CONFIRMED"
