@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +55,22 @@ class ContinuousProblem {
     /// Adds rows at (and beside) these maxima; old rows keep their numbers. Returns how many rows were added:
     /// 0 when every one is there already.
     virtual int refine(std::span<const Violation> worst) = 0;
+
+    /// The same, told how the rows of the present grid press: where rows of one rule press on both sides of a
+    /// maximum, the place that they press on in the mean is known to the square of their distance, and rows
+    /// close around it settle it. `row_multipliers`: of the grid's point at which the maxima were found.
+    virtual int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
+        static_cast<void>(row_multipliers);
+        return refine(worst);
+    }
+
+    /// The largest amount of any limit of the scene at x; -1 where all are kept with more to spare than that.
+    [[nodiscard]] virtual double worst_of_limits(const Eigen::VectorXd& x) const {
+        double worst = -1.0;
+        for (const Violation& violation : violations(x, 1.0))
+            if (violation.limit) worst = std::max(worst, violation.amount);
+        return worst;
+    }
 
     /// Bounds on x proved to hold an optimum of the problem whose limits are relaxed by `relaxation` times
     /// their scales, given that it has a curve with objective `incumbent` (infinity: nothing known, then the

@@ -8,5 +8,12 @@ namespace camopt {
 inline constexpr double same_sample = 1e-9;
 /// A maximum is bracketed by rows at this part of the distance to the nearest sample on either side.
 inline constexpr double bracket = 0.25;
+/// A row whose multiplier is less than this part of the largest presses nowhere.
+inline constexpr double idle_row = 1e-6;
+/// Rows around a place that is pressed on: where rows on both sides of it press, at this part of the square
+/// of their distance (all in parts of the segment; a half was the best of 1/4, 1/2 and 1 by rounds), and
+/// never closer than the other part. So close, a slope that is left free exceeds its peak by 1e-10 of it.
+inline constexpr double pair_reach = 0.5;
+inline constexpr double closest_pair = 1e-5;
 
 }  // namespace camopt

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -51,10 +52,16 @@ MotionPoint SplineCurve::at(double x, Side side) const {
     const int segment = space_.segment_of(x, side);
     const double t = x - space_.breakpoints()[segment];
     MotionPoint point{x, {}};
-    Eigen::VectorXd polynomial = pieces_.col(segment);
-    for (double& value : point.derivative) {
-        value = evaluate_polynomial(polynomial, t);
-        polynomial = differentiated(polynomial);
+    const Eigen::Index size = pieces_.rows();
+    const double* const piece = pieces_.col(segment).data();
+    for (Eigen::Index order = 0; order < 4; ++order) {
+        double value = 0.0;
+        for (Eigen::Index m = size - 1; m >= order; --m) {
+            double coefficient = piece[m];
+            for (Eigen::Index r = 0; r < order; ++r) coefficient *= static_cast<double>(m - r);
+            value = value * t + coefficient;
+        }
+        point.derivative[static_cast<std::size_t>(order)] = value;
     }
     return point;
 }
@@ -65,9 +72,18 @@ double SplineCurve::derivative(double x, int order, Side side) const {
 }
 
 Eigen::VectorXd SplineCurve::derivative_polynomial(int segment, int order) const {
-    Eigen::VectorXd polynomial = pieces_.col(segment);
-    for (int r = 0; r < order; ++r) polynomial = differentiated(polynomial);
+    Eigen::VectorXd polynomial(std::max<Eigen::Index>(1, pieces_.rows() - order));
+    derivative_polynomial(segment, order, polynomial);
     return polynomial;
+}
+
+void SplineCurve::derivative_polynomial(int segment, int order, Eigen::Ref<Eigen::VectorXd> out) const {
+    out[0] = 0.0;
+    for (Eigen::Index m = 0; m + order < pieces_.rows(); ++m) {
+        double value = pieces_(m + order, segment);
+        for (int r = 0; r < order; ++r) value *= static_cast<double>(m + order - r);
+        out[m] = value;
+    }
 }
 
 Eigen::VectorXd SplineCurve::coefficients() const {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace camopt {
 
@@ -29,14 +28,18 @@ double AffineRow::value(const Eigen::VectorXd& x) const {
 }
 
 AffineRow combined(const AffineRow& row, double factor, const AffineRow& other) {
-    std::map<int, double> entries;
-    for (std::size_t k = 0; k < row.columns.size(); ++k) entries[row.columns[k]] += row.weights[k];
-    for (std::size_t k = 0; k < other.columns.size(); ++k) {
-        entries[other.columns[k]] += factor * other.weights[k];
-    }
     AffineRow sum{row.offset + factor * other.offset, {}, {}};
-    for (const auto& [column, weight] : entries) {
-        sum.columns.push_back(column);
+    sum.columns.reserve(row.columns.size() + other.columns.size());
+    sum.weights.reserve(row.columns.size() + other.columns.size());
+    std::size_t i = 0, j = 0;
+    while (i < row.columns.size() || j < other.columns.size()) {
+        const bool left =
+            j == other.columns.size() || (i < row.columns.size() && row.columns[i] <= other.columns[j]);
+        const bool right =
+            i == row.columns.size() || (j < other.columns.size() && other.columns[j] <= row.columns[i]);
+        sum.columns.push_back(left ? row.columns[i] : other.columns[j]);
+        double weight = left ? row.weights[i++] : 0.0;
+        if (right) weight += factor * other.weights[j++];
         sum.weights.push_back(weight);
     }
     return sum;
@@ -45,24 +48,28 @@ AffineRow combined(const AffineRow& row, double factor, const AffineRow& other) 
 AffineRow functional_of(const LocalMap& map, double t, int order) {
     AffineRow row;
     row.columns = map.columns;
-    row.weights.assign(map.columns.size(), 0.0);
-    std::vector<double> sizes(map.columns.size(), 0.0);
-    double power = 1.0;
-    for (Eigen::Index m = order; m < map.offset.size(); ++m) {
-        double factor = power;
-        for (int r = 0; r < order; ++r) factor *= static_cast<double>(m - r);
-        row.offset += factor * map.offset[m];
-        for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            const double term = factor * map.matrix(m, static_cast<Eigen::Index>(k));
-            row.weights[k] += term;
-            sizes[k] += std::abs(term);
+    row.weights.resize(map.columns.size());
+    /// visit(m, d^order/dt^order t^m)
+    const auto each_power = [&](auto&& visit) {
+        double power = 1.0;
+        for (Eigen::Index m = order; m < map.offset.size(); ++m) {
+            double factor = power;
+            for (int r = 0; r < order; ++r) factor *= static_cast<double>(m - r);
+            visit(m, factor);
+            power *= t;
         }
-        power *= t;
-    }
-    // At the end of a segment the other end's entries cancel out: what is left of them is rounding, and a row
-    // of nothing else must not pass for one.
-    for (std::size_t k = 0; k < row.weights.size(); ++k) {
-        if (std::abs(row.weights[k]) <= cancelled * sizes[k]) row.weights[k] = 0.0;
+    };
+    each_power([&](Eigen::Index m, double factor) { row.offset += factor * map.offset[m]; });
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        double weight = 0.0, size = 0.0;
+        each_power([&](Eigen::Index m, double factor) {
+            const double term = factor * map.matrix(m, static_cast<Eigen::Index>(k));
+            weight += term;
+            size += std::abs(term);
+        });
+        // At the end of a segment the other end's entries cancel out: what is left of them is rounding, and a
+        // row of nothing else must not pass for one.
+        row.weights[k] = std::abs(weight) <= cancelled * size ? 0.0 : weight;
     }
     return row;
 }

@@ -4,6 +4,7 @@
 #include "core/peak_figures.hpp"
 #include "splines/polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace camopt {
@@ -29,15 +30,28 @@ double mean_square(const SplineCurve& curve, int order) {
 
 }  // namespace
 
-std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
-                                            const Eigen::VectorXd& polynomial) {
+void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
+                               std::vector<Extremum>& all) {
     const double origin = space.breakpoints()[segment];
     const double width = space.width(segment);
-    std::vector<Extremum> found{{polynomial[0], origin, Side::right}};
-    for (const double t : sign_changes(differentiated(polynomial), 0.0, width)) {
-        found.push_back({evaluate_polynomial(polynomial, t), origin + t, Side::right});
+    all.push_back({polynomial[0], origin, Side::right});
+    const auto add = [&](double t) {
+        all.push_back({evaluate_polynomial(polynomial, t), origin + t, Side::right});
+    };
+    if (polynomial.size() == 3) {  // a parabola, as most are: the sign change of its slope
+        const double at_begin = polynomial[1], bend = 2.0 * polynomial[2];
+        if (at_begin * (bend * width + at_begin) < 0.0) add(std::clamp(-at_begin / bend, 0.0, width));
+    } else if (polynomial.size() > 3) {
+        for (const double t : sign_changes(differentiated(polynomial), 0.0, width)) add(t);
     }
-    found.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
+    all.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
+}
+
+std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
+                                            const Eigen::VectorXd& polynomial) {
+    std::vector<Extremum> found;
+    found.reserve(3);
+    add_candidates_on_segment(space, segment, polynomial, found);
     return found;
 }
 
@@ -62,33 +76,68 @@ std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFuncti
     return maxima;
 }
 
-Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function) {
-    Extremum largest{-1.0, space.begin(), Side::right};
-    for (int i = 0; i < space.segments(); ++i) {
-        for (const Extremum& candidate : candidates_on_segment(space, i, function(i))) {
+namespace {
+
+/// Of functions given one by one, in the order of their segments.
+class LargestMagnitude {
+ public:
+    explicit LargestMagnitude(const SplineSpace& space) : space_(space), largest_{-1.0, space.begin()} {}
+
+    void add(int segment, const Eigen::VectorXd& polynomial) {
+        candidates_.clear();
+        add_candidates_on_segment(space_, segment, polynomial, candidates_);
+        for (const Extremum& candidate : candidates_) {
             const double magnitude = std::abs(candidate.value);
-            if (magnitude > largest.value + same_peak * std::max(1.0, magnitude) || largest.value < 0.0) {
-                largest = {magnitude, candidate.at, candidate.side};
-            } else if (magnitude > largest.value) {
-                largest.value = magnitude;
+            if (magnitude > largest_.value + same_peak * std::max(1.0, magnitude) || largest_.value < 0.0) {
+                largest_ = {magnitude, candidate.at, candidate.side};
+            } else if (magnitude > largest_.value) {
+                largest_.value = magnitude;
             }
         }
     }
-    return largest;
+    [[nodiscard]] const Extremum& largest() const { return largest_; }
+
+ private:
+    const SplineSpace& space_;
+    Extremum largest_;
+    std::vector<Extremum> candidates_;
+};
+
+}  // namespace
+
+Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function) {
+    LargestMagnitude largest(space);
+    for (int i = 0; i < space.segments(); ++i) largest.add(i, function(i));
+    return largest.largest();
+}
+
+Extremum peak_of(const SplineCurve& curve, int order) {
+    LargestMagnitude largest(curve.space());
+    Eigen::VectorXd polynomial(std::max(1, curve.degree() + 1 - order));
+    for (int i = 0; i < curve.segments(); ++i) {
+        curve.derivative_polynomial(i, order, polynomial);
+        largest.add(i, polynomial);
+    }
+    return largest.largest();
+}
+
+double mean_of(const SplineCurve& curve, int order) {
+    return std::sqrt(mean_square(curve, order));
+}
+
+Extremum torque_peak_of(const SplineCurve& curve) {
+    return largest_magnitude(curve.space(), [&](int segment) {
+        return product(curve.derivative_polynomial(segment, 1), curve.derivative_polynomial(segment, 2));
+    });
 }
 
 Peaks peaks_of(const SplineCurve& curve) {
-    const auto derivative = [&](int order) {
-        return [&curve, order](int segment) { return curve.derivative_polynomial(segment, order); };
-    };
     Peaks peaks;
     for (int order = 1; order <= 3; ++order) {
-        derivative_peak(peaks, order) = largest_magnitude(curve.space(), derivative(order));
-        derivative_mean(peaks, order) = std::sqrt(mean_square(curve, order));
+        derivative_peak(peaks, order) = peak_of(curve, order);
+        derivative_mean(peaks, order) = mean_of(curve, order);
     }
-    peaks.torque = largest_magnitude(curve.space(), [&](int segment) {
-        return product(curve.derivative_polynomial(segment, 1), curve.derivative_polynomial(segment, 2));
-    });
+    peaks.torque = torque_peak_of(curve);
     return peaks;
 }
 

@@ -21,12 +21,20 @@ using SegmentFunction = std::function<Eigen::VectorXd(int segment)>;
 /// stationary points, ascending.
 [[nodiscard]] std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
                                                           const Eigen::VectorXd& polynomial);
+/// Puts them behind those in `all`.
+void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
+                               std::vector<Extremum>& all);
 
 /// The local maxima over the whole space, in x order; a maximum that two segments share is given once.
 [[nodiscard]] std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFunction& function);
 
 /// The extremum of largest magnitude; `value` is that magnitude. Of equal ones (to round-off) the first.
 [[nodiscard]] Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function);
+
+/// Exactly: max |y^{(order)}|, its root mean square, and max |y' y''|. order 1 … 3.
+[[nodiscard]] Extremum peak_of(const SplineCurve& curve, int order);
+[[nodiscard]] double mean_of(const SplineCurve& curve, int order);
+[[nodiscard]] Extremum torque_peak_of(const SplineCurve& curve);
 
 /// V, A, J, Q exactly, and the root mean squares.
 [[nodiscard]] Peaks peaks_of(const SplineCurve& curve);

@@ -22,12 +22,15 @@ int degree_along(const PointRule& rule, int spline_degree) {
 CamProblem::CamProblem(CamModel model) : CamProblem(std::move(model), {}) {}
 
 CamProblem::CamProblem(CamModel model, const std::vector<RuleSample>& samples)
-    : model_(std::make_shared<const CamModel>(std::move(model))), places_(model_->rules.size()) {
-    projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), design_scales(*model_));
+    : model_(std::make_shared<const CamModel>(std::move(model))),
+      places_(model_->rules.size()),
+      scales_(design_scales(*model_)) {
+    projection_ = std::make_unique<EqualityProjection>(model_->design.equalities(), scales_);
     start_grid();
     for (const RuleSample& sample : samples)
         sample.setting.empty() ? add_sample(sample.rule, sample.at, sample.side) : add_whole_sample(sample);
-    rebuild();
+    grid_ = std::make_unique<GridNlp>(model_, samples_);
+    on_grid_ = samples_.size();
 }
 
 void CamProblem::start_grid() {
@@ -109,12 +112,16 @@ void CamProblem::refine_whole(const Violation& violation) {
         add_whole_sample({sample.rule, sample.at, sample.side, std::move(setting)});
 }
 
-void CamProblem::rebuild() {
-    grid_ = std::make_unique<GridNlp>(model_, samples_);
+/// The rows of new samples; how many.
+int CamProblem::append_rows() {
+    const std::span<const RuleSample> fresh = std::span(samples_).subspan(on_grid_);
+    if (!fresh.empty()) grid_->append(fresh);
+    on_grid_ = samples_.size();
+    return static_cast<int>(fresh.size());
 }
 
 Eigen::VectorXd CamProblem::design_values(const Eigen::VectorXd& x) const {
-    return design_scales(*model_).cwiseProduct(x.head(model_->design.size()));
+    return scales_.cwiseProduct(x.head(model_->design.size()));
 }
 
 SplineCurve CamProblem::curve(const Eigen::VectorXd& x) const {
@@ -134,11 +141,30 @@ double CamProblem::objective(const Eigen::VectorXd& x) const {
 }
 
 std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double slack) const {
+    return violations_of(false, x, slack);
+}
+
+double CamProblem::worst_of_limits(const Eigen::VectorXd& x) const {
+    const auto limits = [](const auto& rows) {
+        return std::ranges::any_of(rows, [](const auto& row) { return row.limit; });
+    };
+    const bool any = !model_->design_rows.empty() || limits(model_->parameter_rows) ||
+                     std::ranges::any_of(model_->rules, [](const PlacedRule& rule) { return rule->limit(); });
+    double worst = -1.0;
+    if (!any) return worst;
+    for (const Violation& violation : violations_of(true, x, 1.0))
+        if (violation.limit) worst = std::max(worst, violation.amount);
+    return worst;
+}
+
+std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::VectorXd& x,
+                                                 double slack) const {
     std::vector<Violation> found;
     const MotionChain chain = motion(x);
     const Eigen::VectorXd q = x.tail(static_cast<Eigen::Index>(model_->parameters.size()));
     for (int r = 0; r < static_cast<int>(model_->rules.size()); ++r) {
         const PlacedRule& rule = model_->rules[r];
+        if (limits_only && !rule->limit()) continue;
         if (const WholeMotionRule* const whole = rule->whole()) {
             for (WholeMotionRule::Place& place : whole->maxima(chain, own_parameters(r, x)))
                 if (const double amount = place.where.value / rule->scale(); amount > -slack)
@@ -170,33 +196,89 @@ std::vector<Violation> CamProblem::violations(const Eigen::VectorXd& x, double s
     return found;
 }
 
-int CamProblem::refine(std::span<const Violation> worst) {
-    const std::size_t before = samples_.size();
+/// A row at a maximum, and one on either side of it on the way to the nearest samples.
+void CamProblem::add_around(const Violation& violation) {
     const MotionFamily& family = model_->design;
+    const double at = violation.where.at;
+    const int piece = family.piece_of(at, violation.where.side);
+    const auto& places = places_[violation.rule];
+    double left = family.pieces()[piece].begin;
+    double right = family.pieces()[piece].end;
+    const auto after = places.lower_bound({piece, at});
+    if (after != places.end() && after->first.first == piece) right = after->first.second;
+    if (after != places.begin() && std::prev(after)->first.first == piece)
+        left = std::prev(after)->first.second;
+    if (!add_sample(violation.rule, at, violation.where.side)) return;
+    if (at - left > 0.0) add_sample(violation.rule, at - bracket * (at - left), Side::right);
+    if (right - at > 0.0) add_sample(violation.rule, at + bracket * (right - at), Side::right);
+}
+
+/// Where the rows of a rule press around one of its maxima.
+struct CamProblem::Pressed {
+    double at = 0.0;     ///< the mean of the rows on either side, weighted by their multipliers
+    double reach = 0.0;  ///< how far the place may be from it
+};
+
+/// Of the nearest rows on either side of a maximum, those at the ends of its piece included. In the optimum
+/// of all angles one place presses instead of the two: its row is the mean of theirs but for what is curved
+/// between them, which goes with the square of their distance.
+std::optional<CamProblem::Pressed> CamProblem::pressed_around(const Violation& violation,
+                                                              const Eigen::VectorXd& row_multipliers) const {
+    const double at = violation.where.at;
+    const int index = model_->design.piece_of(at, violation.where.side);
+    const MotionFamily::Piece& piece = model_->design.pieces()[index];
+    const double width = piece.end - piece.begin;
+    const auto& places = places_[violation.rule];
+    const auto touches = [&](double x) {
+        return x >= piece.begin - same_sample * width && x <= piece.end + same_sample * width;
+    };
+    const auto after = places.lower_bound({index, at});
+    if (after == places.end() || after == places.begin()) return {};
+    const auto before = std::prev(after);
+    const double left = before->first.second, right = after->first.second;
+    if (!touches(left) || !touches(right) || !(right > left)) return {};
+    const auto multiplier = [&](int sample) {
+        return std::max(0.0, row_multipliers[grid_->first_sample_row() + sample]);
+    };
+    const double of_left = multiplier(before->second), of_right = multiplier(after->second);
+    const double larger = std::max(of_left, of_right), smaller = std::min(of_left, of_right);
+    if (!(larger >
+          idle_row * row_multipliers.tail(static_cast<Eigen::Index>(on_grid_)).lpNorm<Eigen::Infinity>()))
+        return {};
+    const double distance = (right - left) / width;
+    const bool both = smaller > idle_row * larger;
+    const double reach = both ? std::max(closest_pair, pair_reach * distance * distance) : closest_pair;
+    return Pressed{(of_left * left + of_right * right) / (of_left + of_right), reach * width};
+}
+
+void CamProblem::add_pressed(const Violation& violation, const Pressed& pressed) {
+    const MotionFamily& family = model_->design;
+    const MotionFamily::Piece& piece =
+        family.pieces()[family.piece_of(violation.where.at, violation.where.side)];
+    for (const double x : {pressed.at, pressed.at - pressed.reach, pressed.at + pressed.reach})
+        if (x > piece.begin && x < piece.end) add_sample(violation.rule, x, Side::right);
+}
+
+int CamProblem::refine(std::span<const Violation> worst) {
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
             continue;  // rows on parameters are always there
-        if (!violation.setting.empty()) {
-            refine_whole(violation);
-            continue;
-        }
-        const double at = violation.where.at;
-        const int piece = family.piece_of(at, violation.where.side);
-        const auto& places = places_[violation.rule];
-        double left = family.pieces()[piece].begin;
-        double right = family.pieces()[piece].end;
-        const auto after = places.lower_bound({piece, at});
-        if (after != places.end() && after->first.first == piece) right = after->first.second;
-        if (after != places.begin() && std::prev(after)->first.first == piece) {
-            left = std::prev(after)->first.second;
-        }
-        if (!add_sample(violation.rule, at, violation.where.side)) continue;
-        if (at - left > 0.0) add_sample(violation.rule, at - bracket * (at - left), Side::right);
-        if (right - at > 0.0) add_sample(violation.rule, at + bracket * (right - at), Side::right);
+        violation.setting.empty() ? add_around(violation) : refine_whole(violation);
     }
-    const int added = static_cast<int>(samples_.size() - before);
-    if (added > 0) rebuild();
-    return added;
+    return append_rows();
+}
+
+int CamProblem::refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
+    std::vector<std::optional<Pressed>> pressed(worst.size());  // before other rows come between
+    for (std::size_t k = 0; k < worst.size(); ++k) {
+        const bool of_places = worst[k].rule < static_cast<int>(places_.size()) && worst[k].setting.empty();
+        if (of_places && grid_->shape().convex) pressed[k] = pressed_around(worst[k], row_multipliers);
+    }
+    const std::size_t before = samples_.size();
+    for (std::size_t k = 0; k < worst.size(); ++k)
+        if (pressed[k]) add_pressed(worst[k], *pressed[k]);
+    static_cast<void>(refine(worst));
+    return static_cast<int>(samples_.size() - before);
 }
 
 }  // namespace camopt

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace camopt {
 
@@ -28,7 +29,9 @@ class CamProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
     [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
     [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
     int refine(std::span<const Violation> worst) override;
+    int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
     [[nodiscard]] bool convex(double incumbent) const override;
     /// A smooth random motion (a beam loaded at random places) and random dimensions, from a seed.
@@ -49,7 +52,14 @@ class CamProblem final : public ContinuousProblem {
     bool add_whole_sample(const RuleSample& sample);
     void refine_whole(const Violation& violation);
     void complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const;
-    void rebuild();
+    void add_around(const Violation& violation);
+    int append_rows();
+    struct Pressed;
+    [[nodiscard]] std::optional<Pressed> pressed_around(const Violation& violation,
+                                                        const Eigen::VectorXd& row_multipliers) const;
+    void add_pressed(const Violation& violation, const Pressed& pressed);
+    [[nodiscard]] std::vector<Violation> violations_of(bool limits_only, const Eigen::VectorXd& x,
+                                                       double slack) const;
     [[nodiscard]] Eigen::VectorXd own_parameters(int rule, const Eigen::VectorXd& x) const;
     void complete_parameters(Eigen::VectorXd& x) const;
     void complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const;
@@ -66,6 +76,8 @@ class CamProblem final : public ContinuousProblem {
     std::vector<std::map<std::pair<int, double>, int>> places_;
     std::unique_ptr<GridNlp> grid_;
     std::unique_ptr<EqualityProjection> projection_;
+    Eigen::VectorXd scales_;   ///< of the design entries
+    std::size_t on_grid_ = 0;  ///< samples that have their rows
 };
 
 }  // namespace camopt

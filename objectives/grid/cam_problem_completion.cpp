@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // From any x to one whose equalities hold and whose peaks are those of its motion.
-#include "core/peak_figures.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/rules/rule_maxima.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
@@ -22,15 +21,15 @@ bool has_kind(const CamModel& model, Parameter::Kind kind) {
 
 /// The peaks of DRD and RR, whose normalised motion is the spline itself.
 void CamProblem::complete_peaks(const SplineCurve& curve, Eigen::VectorXd& x) const {
-    const Peaks peaks = peaks_of(curve);
     for (std::size_t p = 0; p < model_->parameters.size(); ++p) {
         const Parameter& parameter = model_->parameters[p];
         double& value = x[model_->design.size() + static_cast<Eigen::Index>(p)];
         if (parameter.kind == Parameter::Kind::peak)
-            value = derivative_peak(peaks, parameter.order).value / parameter.reference;
-        if (parameter.kind == Parameter::Kind::torque) value = peaks.torque.value / parameter.reference;
+            value = peak_of(curve, parameter.order).value / parameter.reference;
+        if (parameter.kind == Parameter::Kind::torque)
+            value = torque_peak_of(curve).value / parameter.reference;
         if (parameter.kind == Parameter::Kind::rms)
-            value = derivative_mean(peaks, parameter.order) / parameter.reference;
+            value = mean_of(curve, parameter.order) / parameter.reference;
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace camopt {
 
@@ -22,13 +21,6 @@ void visit_lower(const Eigen::SparseMatrix<double>& matrix, Visit&& visit) {
             if (entry.row() >= column) visit(static_cast<int>(entry.row()), column, entry.value());
         }
     }
-}
-
-/// The partial of a linear rule by one of its parameters; rules of the whole motion are f − q.
-double parameter_weight(const PointRule& rule, int parameter) {
-    if (rule.whole()) return -1.0;
-    const auto size = static_cast<Eigen::Index>(rule.parameters().size());
-    return rule.evaluate({0.0, {}}, Eigen::VectorXd::Zero(size)).gradient[4 + parameter];
 }
 
 /// The form in the optimizer's units, divided by reference².
@@ -53,7 +45,10 @@ Eigen::VectorXd design_scales(const CamModel& model) {
 }
 
 GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples)
-    : model_(std::move(model)), samples_(std::move(samples)) {
+    : model_(std::move(model)),
+      samples_(std::move(samples)),
+      scale_(design_scales(*model_)),
+      affine_(model_->rules.size() + 1) {
     const int variables = design_size() + static_cast<int>(model_->parameters.size());
     shape_.x_lower = Eigen::VectorXd::Constant(variables, -infinity);
     shape_.x_upper = Eigen::VectorXd::Constant(variables, infinity);
@@ -64,19 +59,25 @@ GridNlp::GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> 
         shape_.x_lower[variable] = rms ? least_rms : parameter.lower;
         shape_.x_upper[variable] = parameter.upper;
     }
-    add_rows();
+    shape_.convex = true;
     add_cost_terms();
-    fix_patterns();
+    claim_cost();
+    add_fixed_rows();
+    add_sample_rows(0);
 }
 
-void GridNlp::add_rows() {
+void GridNlp::append(std::span<const RuleSample> samples) {
+    const auto first = static_cast<int>(samples_.size());
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+    add_sample_rows(first);
+}
+
+void GridNlp::add_fixed_rows() {
     const CamModel& model = *model_;
-    shape_.convex = true;
     std::vector<double> lower;
     std::vector<double> upper;
-    const Eigen::VectorXd scale = design_scales(model);
     for (const Equality& equality : model.design.equalities()) {
-        AffineRow unit = unit_row(equality.row, scale);
+        AffineRow unit = unit_row(equality.row, scale_);
         Row row{std::move(unit.columns), std::move(unit.weights), unit.offset, -1, {}};
         rows_.push_back(std::move(row));
         lower.push_back(0.0);
@@ -96,24 +97,37 @@ void GridNlp::add_rows() {
     }
     for (const DesignRow& source : model.design_rows) {
         Row row{source.row.columns, source.row.weights, source.row.offset, -1, {}};
-        for (std::size_t k = 0; k < row.columns.size(); ++k) row.weights[k] *= scale[row.columns[k]];
+        for (std::size_t k = 0; k < row.columns.size(); ++k) row.weights[k] *= scale_[row.columns[k]];
         rows_.push_back(std::move(row));
         lower.push_back(-infinity);
         upper.push_back(0.0);
         shape_.rows.push_back({true, true, 1.0});
     }
     first_sample_row_ = static_cast<int>(rows_.size());
-    for (int k = 0; k < static_cast<int>(samples_.size()); ++k) {
+    shape_.g_lower = Eigen::Map<Eigen::VectorXd>(lower.data(), static_cast<Eigen::Index>(lower.size()));
+    shape_.g_upper = Eigen::Map<Eigen::VectorXd>(upper.data(), static_cast<Eigen::Index>(upper.size()));
+    claim_rows(0);
+}
+
+void GridNlp::add_sample_rows(int first) {
+    const CamModel& model = *model_;
+    const auto samples = static_cast<int>(samples_.size());
+    const auto first_row = static_cast<int>(rows_.size());
+    const Eigen::Index rows = first_row + samples - first;
+    rows_.reserve(static_cast<std::size_t>(rows));
+    shape_.rows.reserve(static_cast<std::size_t>(rows));
+    for (int k = first; k < samples; ++k) {
         add_sample_row(k);
         const PointRule& rule = *model.rules[samples_[k].rule];
         shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
                                              Curvature::general;
-        lower.push_back(-infinity);
-        upper.push_back(0.0);
         shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
     }
-    shape_.g_lower = Eigen::Map<Eigen::VectorXd>(lower.data(), static_cast<Eigen::Index>(lower.size()));
-    shape_.g_upper = Eigen::Map<Eigen::VectorXd>(upper.data(), static_cast<Eigen::Index>(upper.size()));
+    shape_.g_lower.conservativeResize(rows);
+    shape_.g_upper.conservativeResize(rows);
+    shape_.g_lower.tail(samples - first).setConstant(-infinity);
+    shape_.g_upper.tail(samples - first).setZero();
+    claim_rows(first_row);
 }
 
 void GridNlp::add_sample_row(int sample) {
@@ -123,13 +137,20 @@ void GridNlp::add_sample_row(int sample) {
         add_curved_row(sample);
 }
 
-/// Multiplied out, with the derivatives and entries alone that the rule is made of.
-AffineRow GridNlp::linear_rule_row(const RuleSample& place) const {
+/// A linear rule's value and slopes where everything is 0.
+const RuleValue& GridNlp::affine_rule(const RuleSample& place) {
     const PointRule& rule = *model_->rules[place.rule];
-    if (const WholeMotionRule* const whole = rule.whole())
-        return whole->row(model_->design, place.at, place.side, place.setting);
-    const RuleValue affine = rule.evaluate(
-        {place.at, {}}, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
+    const bool same_everywhere = rule.places().empty();
+    std::optional<RuleValue>& known =
+        same_everywhere ? affine_[static_cast<std::size_t>(place.rule)] : affine_.back();
+    if (!same_everywhere || !known)
+        known = rule.evaluate({place.at, {}},
+                              Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rule.parameters().size())));
+    return *known;
+}
+
+/// Multiplied out, with the derivatives and entries alone that the rule is made of.
+AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& affine) const {
     AffineRow sum{affine.value, {}, {}};
     for (int order = 0; order < 4; ++order) {
         const double factor = affine.gradient[order];
@@ -147,17 +168,24 @@ AffineRow GridNlp::linear_rule_row(const RuleSample& place) const {
 void GridNlp::add_linear_row(int sample) {
     const RuleSample& place = samples_[sample];
     const PointRule& rule = *model_->rules[place.rule];
-    const AffineRow sum = linear_rule_row(place);
+    const WholeMotionRule* const whole = rule.whole();
+    const RuleValue* const affine = whole ? nullptr : &affine_rule(place);
+    const AffineRow sum = whole ? whole->row(model_->design, place.at, place.side, place.setting)
+                                : linear_rule_row(place, *affine);
     Row row;
     row.offset = sum.offset;
+    const std::size_t entries = sum.columns.size() + rule.parameters().size();
+    row.columns.reserve(entries);
+    row.weights.reserve(entries);
     for (std::size_t k = 0; k < sum.columns.size(); ++k) {
         if (sum.weights[k] == 0.0) continue;
         row.columns.push_back(sum.columns[k]);
-        row.weights.push_back(sum.weights[k] * variable_scale(*model_, sum.columns[k]));
+        row.weights.push_back(sum.weights[k] * scale_[sum.columns[k]]);
     }
     for (std::size_t k = 0; k < rule.parameters().size(); ++k) {
         row.columns.push_back(design_size() + rule.parameters()[k]);
-        row.weights.push_back(parameter_weight(rule, static_cast<int>(k)));
+        // Rules of the whole motion are f − q.
+        row.weights.push_back(whole ? -1.0 : affine->gradient[4 + static_cast<Eigen::Index>(k)]);
     }
     rows_.push_back(std::move(row));
 }
@@ -174,7 +202,7 @@ void GridNlp::add_curved_row(int sample) {
         }
         for (std::size_t k = 0; k < derivative.columns.size(); ++k) {
             row.map(order, static_cast<Eigen::Index>(k)) =
-                derivative.weights[k] * variable_scale(*model_, derivative.columns[k]);
+                derivative.weights[k] * scale_[derivative.columns[k]];
         }
         row.map_offset[order] = derivative.offset;
     }
@@ -203,13 +231,7 @@ void GridNlp::add_cost_terms() {
     shape_.quadratic_cost = rms_.empty();
 }
 
-void GridNlp::fix_patterns() {
-    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-        for (const int column : rows_[i].columns) {
-            shape_.jacobian.rows.push_back(i);
-            shape_.jacobian.columns.push_back(column);
-        }
-    }
+void GridNlp::claim_cost() {
     const auto claim = [&](int row, int column) { hessian_slots_.claim(shape_.hessian, row, column); };
     for (const RmsTerm& term : rms_) {
         visit_lower(term.form.matrix, [&](int row, int column, double) { claim(row, column); });
@@ -217,11 +239,17 @@ void GridNlp::fix_patterns() {
         claim(term.variable, term.variable);
     }
     if (energy_) visit_lower(energy_->matrix, [&](int row, int column, double) { claim(row, column); });
-    for (const Row& row : rows_) {
-        if (row.sample < 0) continue;
-        for (std::size_t a = 0; a < row.columns.size(); ++a) {
-            for (std::size_t b = 0; b <= a; ++b) claim(row.columns[a], row.columns[b]);
-        }
+}
+
+/// Of the rows from `first` on.
+void GridNlp::claim_rows(int first) {
+    for (auto i = static_cast<std::size_t>(first); i < rows_.size(); ++i) {
+        const std::vector<int>& columns = rows_[i].columns;
+        shape_.jacobian.rows.insert(shape_.jacobian.rows.end(), columns.size(), static_cast<int>(i));
+        shape_.jacobian.columns.insert(shape_.jacobian.columns.end(), columns.begin(), columns.end());
+        if (rows_[i].sample < 0) continue;
+        for (std::size_t a = 0; a < columns.size(); ++a)
+            for (std::size_t b = 0; b <= a; ++b) hessian_slots_.claim(shape_.hessian, columns[a], columns[b]);
     }
 }
 

@@ -14,6 +14,12 @@
 
 #include <Eigen/SparseCore>
 
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
 namespace camopt {
 
 /// Rule `rule` enforced at x, as seen from `side`.
@@ -27,6 +33,9 @@ struct RuleSample {
 class GridNlp final : public Nlp {
  public:
     GridNlp(std::shared_ptr<const CamModel> model, std::vector<RuleSample> samples);
+
+    /// Rows of more samples, after those that are there.
+    void append(std::span<const RuleSample> samples);
 
     [[nodiscard]] double cost(const ConstVectorRef& x) const override;
     void gradient(const ConstVectorRef& x, VectorRef out) const override;
@@ -56,20 +65,26 @@ class GridNlp final : public Nlp {
         QuadraticForm form;
     };
 
-    void add_rows();
+    void add_fixed_rows();
+    void add_sample_rows(int first);
     void add_sample_row(int sample);
-    [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place) const;
+    [[nodiscard]] const RuleValue& affine_rule(const RuleSample& place);
+    [[nodiscard]] AffineRow linear_rule_row(const RuleSample& place, const RuleValue& affine) const;
     void add_linear_row(int sample);
     void add_curved_row(int sample);
     void add_cost_terms();
-    void fix_patterns();
+    void claim_cost();
+    void claim_rows(int first);
     [[nodiscard]] RuleValue rule_value(const Row& row, const ConstVectorRef& x) const;
     [[nodiscard]] int design_size() const { return model_->design.size(); }
 
     std::shared_ptr<const CamModel> model_;
     std::vector<RuleSample> samples_;
+    Eigen::VectorXd scale_;  ///< of the design entries
     std::vector<Row> rows_;
     int first_sample_row_ = 0;
+    /// Of linear rules that are the same everywhere, as they are asked for; the last is of one that is not.
+    std::vector<std::optional<RuleValue>> affine_;
     Eigen::VectorXd linear_cost_;
     std::vector<RmsTerm> rms_;
     std::optional<QuadraticForm> energy_;

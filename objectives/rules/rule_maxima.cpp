@@ -34,44 +34,53 @@ using piece_maxima::Subject;
 class RuleOnSpline {
  public:
     RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q) : rule_(rule), q_(q) {
-        if (rule.linear()) affine_ = rule.evaluate({0.0, {}}, q);
+        if (!rule.linear()) return;
+        affine_ = rule.evaluate({0.0, {}}, q);
+        while (lowest_ < 3 && affine_->gradient[lowest_] == 0.0) ++lowest_;
     }
 
-    /// Empty where it is none.
-    [[nodiscard]] Eigen::VectorXd along(const SplineCurve& curve, int segment) const {
+    /// Empty where it is none. Valid until the next call.
+    [[nodiscard]] const Eigen::VectorXd& along(const SplineCurve& curve, int segment) {
         if (!affine_) {
             std::array<Eigen::VectorXd, 4> derivatives;
             for (int order = 0; order < 4; ++order)
                 derivatives[order] = curve.derivative_polynomial(segment, order);
-            return rule_.along(derivatives, q_);
+            return polynomial_ = rule_.along(derivatives, q_);
         }
-        Eigen::VectorXd polynomial = Eigen::VectorXd::Zero(curve.degree() + 1);
-        polynomial[0] = affine_->value;
-        for (int order = 0; order < 4; ++order) {
+        polynomial_.setZero(terms(curve.degree(), lowest_));
+        polynomial_[0] = affine_->value;
+        for (int order = lowest_; order < 4; ++order) {
             if (affine_->gradient[order] == 0.0) continue;
-            const Eigen::VectorXd derivative = curve.derivative_polynomial(segment, order);
-            polynomial.head(derivative.size()) += affine_->gradient[order] * derivative;
+            derivative_.resize(terms(curve.degree(), order));
+            curve.derivative_polynomial(segment, order, derivative_);
+            polynomial_.head(derivative_.size()) += affine_->gradient[order] * derivative_;
         }
-        return polynomial;
+        return polynomial_;
     }
 
  private:
     const PointRule& rule_;
     const Eigen::VectorXd& q_;
     std::optional<RuleValue> affine_;  ///< of a linear rule
+    int lowest_ = 0;                   ///< the lowest derivative in it
+    Eigen::VectorXd polynomial_, derivative_;
+
+    static Eigen::Index terms(int degree, int order) { return std::max(1, degree + 1 - order); }
 };
 
-std::vector<Extremum> candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
-                                           const MotionFamily::Piece& piece, double shift) {
-    std::vector<Extremum> found = candidates_on_segment(curve.space(), piece.segment, polynomial);
+void add_candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
+                              const MotionFamily::Piece& piece, double shift, std::vector<Extremum>& all) {
+    const std::size_t first = all.size();
+    add_candidates_on_segment(curve.space(), piece.segment, polynomial, all);
     // Not into the next piece by rounding.
-    for (Extremum& candidate : found) candidate.at = std::clamp(candidate.at - shift, piece.begin, piece.end);
-    return found;
+    for (std::size_t k = first; k < all.size(); ++k)
+        all[k].at = std::clamp(all[k].at - shift, piece.begin, piece.end);
 }
 
 /// Keeps the local maxima of ascending candidates; where two pieces meet without a jump they count once.
 std::vector<Extremum> maxima_among(const std::vector<Extremum>& candidates) {
     std::vector<Extremum> single;
+    single.reserve(candidates.size());
     for (const Extremum& candidate : candidates) {
         if (!single.empty() && std::abs(single.back().at - candidate.at) <= same_value) {
             const double jump = std::abs(single.back().value - candidate.value);
@@ -168,7 +177,8 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
     std::vector<Extremum> candidates;
     const Subject subject{*rule, motion, q};
     if (!rule->places().empty()) return at_places(subject);
-    const RuleOnSpline on_spline(*rule, q);
+    RuleOnSpline on_spline(*rule, q);
+    candidates.reserve(3 * family.pieces().size());
     CurvedPieces curved(subject);
     for (const MotionFamily::Piece& piece : family.pieces()) {
         if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
@@ -178,9 +188,9 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         } else if (stretch.kind == StretchRequest::Kind::spline) {
             const auto& curve = dynamic_cast<const SplineCurve&>(
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
-            const Eigen::VectorXd polynomial = on_spline.along(curve, piece.segment);
+            const Eigen::VectorXd& polynomial = on_spline.along(curve, piece.segment);
             if (polynomial.size() > 0) {
-                append(candidates, candidates_on_spline(curve, polynomial, piece, stretch.shift));
+                add_candidates_on_spline(curve, polynomial, piece, stretch.shift, candidates);
             } else {
                 curved.add({{piece.begin, piece.end}, curve.derivative_polynomial(piece.segment, 0)},
                            candidates);

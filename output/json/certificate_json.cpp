@@ -33,7 +33,7 @@ Json proof_json(const DualityProof& proof) {
             values.push_back(entry.value());
         }
         const auto place = static_cast<std::size_t>(i);
-        rows.push_back({{"name", proof.rows[place]},
+        rows.push_back({{"name", row_name(proof, place)},
                         {"origin", origin_json(proof.origins[place])},
                         {"indices", indices},
                         {"values", numbers_json(values)},

@@ -30,6 +30,10 @@ const char* name_of(ProofKind value) {
     return value == ProofKind::duality ? "duality" : "none";
 }
 
+std::string row_name(const DualityProof& proof, std::size_t row) {
+    return proof.rows.empty() ? proof.origins[row].text() : proof.rows[row];
+}
+
 double relative_gap(double objective, double bound) {
     return std::max(0.0, objective - bound) / std::max(1.0, std::abs(objective));
 }

@@ -42,7 +42,7 @@ struct DualityProof {
     std::vector<std::string> variables;
     Eigen::VectorXd cost;  ///< c
     double constant = 0.0;
-    std::vector<std::string> rows;                        ///< their names, for people
+    std::vector<std::string> rows;                        ///< names for people; none: those of the origins
     std::vector<RowOrigin> origins;                       ///< where each of them comes from
     Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;  ///< G, rows x variables
     Eigen::VectorXd lower, upper;                         ///< right sides, ±infinity where open
@@ -53,6 +53,9 @@ struct DualityProof {
     /// point that keeps the limits to within it (solvers/exchange/relaxed_limits.hpp).
     double limits_relaxed_by = 0.0;
 };
+
+/// What a row of a proof is called, for people.
+[[nodiscard]] std::string row_name(const DualityProof& proof, std::size_t row);
 
 /// One of the cases that make up the whole: `region` says which, `bound` holds in it. `infeasible`: nothing
 /// keeps the limits there, and the proof's bound is above 0.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace camopt {
 
@@ -13,16 +14,37 @@ namespace {
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+/// Row after row, and within a row column after column, none twice.
+bool is_in_order(const SparsityPattern& pattern) {
+    for (std::size_t k = 1; k < pattern.rows.size(); ++k) {
+        const bool same_row = pattern.rows[k] == pattern.rows[k - 1];
+        if (pattern.rows[k] < pattern.rows[k - 1]) return false;
+        if (same_row && pattern.columns[k] <= pattern.columns[k - 1]) return false;
+    }
+    return true;
+}
+
 SparseRows jacobian_of(const Nlp& problem, const Eigen::VectorXd& x) {
     const NlpShape& shape = problem.shape();
-    std::vector<double> values(shape.jacobian.size());
+    const SparsityPattern& pattern = shape.jacobian;
+    const auto count = static_cast<std::size_t>(pattern.size());
+    SparseRows jacobian(shape.constraints(), shape.variables());
+    if (is_in_order(pattern)) {  // the usual case: the values are the matrix
+        jacobian.resizeNonZeros(static_cast<Eigen::Index>(count));
+        problem.jacobian(x, {jacobian.valuePtr(), count});
+        std::ranges::copy(pattern.columns, jacobian.innerIndexPtr());
+        int* const begin = jacobian.outerIndexPtr();
+        std::fill(begin, begin + shape.constraints() + 1, 0);
+        for (const int row : pattern.rows) ++begin[row + 1];
+        std::partial_sum(begin, begin + shape.constraints() + 1, begin);
+        return jacobian;
+    }
+    std::vector<double> values(count);
     problem.jacobian(x, values);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(values.size());
-    for (int k = 0; k < shape.jacobian.size(); ++k) {
-        entries.emplace_back(shape.jacobian.rows[k], shape.jacobian.columns[k], values[k]);
-    }
-    SparseRows jacobian(shape.constraints(), shape.variables());
+    entries.reserve(count);
+    for (std::size_t k = 0; k < count; ++k)
+        entries.emplace_back(pattern.rows[k], pattern.columns[k], values[k]);
     jacobian.setFromTriplets(entries.begin(), entries.end());
     return jacobian;
 }
@@ -102,7 +124,6 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
         if (multiplier == 0.0 || !std::isfinite(side)) continue;
         kept.push_back(i);
         multipliers.push_back(multiplier);
-        proof.rows.push_back(problem.row_name(i));
         proof.origins.push_back(problem.row_origin(i));
     }
     const auto rows = static_cast<Eigen::Index>(kept.size());
@@ -110,18 +131,18 @@ DualityProof duality_proof(const Nlp& problem, const Eigen::VectorXd& x,
     proof.lower.resize(rows);
     proof.upper.resize(rows);
     proof.multipliers = Eigen::Map<Eigen::VectorXd>(multipliers.data(), rows);
-    std::vector<Eigen::Triplet<double>> entries;
     const Eigen::VectorXd linear_part = jacobian * x;
+    proof.matrix.reserve(jacobian.nonZeros());
     for (Eigen::Index k = 0; k < rows; ++k) {
         const int i = kept[k];
         const double offset = values[i] - linear_part[i];
         proof.lower[k] = shape.g_lower[i] - offset;
         proof.upper[k] = shape.g_upper[i] - offset;
-        for (SparseRows::InnerIterator entry(jacobian, i); entry; ++entry) {
-            entries.emplace_back(k, entry.col(), entry.value());
-        }
+        proof.matrix.startVec(k);
+        for (SparseRows::InnerIterator entry(jacobian, i); entry; ++entry)
+            proof.matrix.insertBack(k, entry.col()) = entry.value();
     }
-    proof.matrix.setFromTriplets(entries.begin(), entries.end());
+    proof.matrix.finalize();
     proof.box = {box.lower.cwiseMax(shape.x_lower), box.upper.cwiseMin(shape.x_upper)};
     proof.bound = recomputed_bound(proof);
     return proof;

@@ -155,7 +155,7 @@ ContinuousResult solve_continuous(ContinuousProblem& problem, const Solver& solv
         return result;
     }
     result.inside = first.inside;
-    result.exchange = minimize_by_exchange(problem, solver, first.inside.x, exchange, timed);
+    result.exchange = minimize_by_exchange(problem, solver, first.inside, exchange, timed);
     if (first.searched && result.exchange.best.x.size() == 0) result.exchange.best = first.inside;
     Candidate best = pulled_inside(problem, result.exchange.best, first.inside);
     const Candidate latest = pulled_inside(problem, result.exchange.latest, first.inside);

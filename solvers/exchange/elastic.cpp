@@ -133,8 +133,19 @@ std::vector<Violation> ElasticProblem::violations(const Eigen::VectorXd& x, doub
     return found;
 }
 
+double ElasticProblem::worst_of_limits(const Eigen::VectorXd& x) const {
+    const Eigen::Index last = x.size() - 1;
+    return std::max(-1.0, base_.worst_of_limits(x.head(last)) - x[last]);
+}
+
 int ElasticProblem::refine(std::span<const Violation> worst) {
     const int added = base_.refine(worst);
+    if (added > 0) grid_ = std::make_unique<Grid>(base_.grid());
+    return added;
+}
+
+int ElasticProblem::refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) {
+    const int added = base_.refine_pressed(worst, row_multipliers);
     if (added > 0) grid_ = std::make_unique<Grid>(base_.grid());
     return added;
 }
@@ -154,6 +165,10 @@ bool ElasticProblem::convex(double) const {
 
 namespace {
 
+// A first look that leaves the least violation open by this much of the limits, and what it must find to be
+// the last: a point so far inside that nothing much deeper can be missing. Points are pulled towards it, by
+// their own violation over its depth.
+constexpr double first_look = 1e-3, deep_inside = -1e-2;
 // A least violation close to the tolerance is proved only by multipliers that are exact beyond it.
 constexpr double second_look = 1e-2;
 
@@ -183,7 +198,15 @@ Feasibility find_feasible(ContinuousProblem& problem, const ExchangeOptions& opt
     ElasticProblem elastic(problem);
     ExchangeOptions own = options;
     own.backend.native.clear();  // they belong to the backend the user chose
-    Feasibility found = look(problem, elastic, elastic.start(), own, control);
+    const Eigen::VectorXd begin = elastic.start();
+    own.tolerance = std::max(own.tolerance, first_look);
+    own.backend.tolerance = std::max(own.backend.tolerance, first_look);
+    Feasibility found = look(problem, elastic, begin, own, control);
+    if (found.point.x.size() > 0 && found.point.violation <= deep_inside) return found;
+    if (control.ending()) return found;
+    own.tolerance = options.tolerance;
+    own.backend.tolerance = options.backend.tolerance;
+    found = look(problem, elastic, begin, own, control);
     const bool open = found.point.violation > options.tolerance && !found.proof;
     if (found.point.x.size() == 0 || !open || control.stopped()) return found;
     own.tolerance *= second_look;

@@ -28,7 +28,9 @@ class ElasticProblem final : public ContinuousProblem {
     [[nodiscard]] Eigen::VectorXd completed(const Eigen::VectorXd& x) const override;
     [[nodiscard]] double objective(const Eigen::VectorXd& x) const override;
     [[nodiscard]] std::vector<Violation> violations(const Eigen::VectorXd& x, double slack) const override;
+    [[nodiscard]] double worst_of_limits(const Eigen::VectorXd& x) const override;
     int refine(std::span<const Violation> worst) override;
+    int refine_pressed(std::span<const Violation> worst, const Eigen::VectorXd& row_multipliers) override;
     [[nodiscard]] Box box(double incumbent, double relaxation) const override;
     [[nodiscard]] bool convex(double incumbent) const override;
 

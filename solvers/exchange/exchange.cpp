@@ -13,6 +13,18 @@ namespace {
 // Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
 constexpr double adding_part = 0.1;
 
+/// Adds rows where the motion behind a backend's point breaks rules. 0: there is no such place, or its rows
+/// are there already, and the backend leaves violated what it was told to keep: nothing more to tell it.
+int refined(ContinuousProblem& problem, const BackendResult& found, double tolerance) {
+    std::vector<Violation> worst = problem.violations(found.x, 0.0);
+    std::erase_if(worst,
+                  [&](const Violation& violation) { return violation.amount <= adding_part * tolerance; });
+    if (worst.empty()) return 0;
+    const bool presses =
+        found.row_multipliers && found.row_multipliers->size() == problem.grid().shape().constraints();
+    return presses ? problem.refine_pressed(worst, *found.row_multipliers) : problem.refine(worst);
+}
+
 /// Who cancels before anything was searched for is not given the start for a result.
 bool interrupted_at_once(const ExchangeResult& result) {
     return result.termination == Termination::interrupted && result.iterations == 0;
@@ -28,10 +40,7 @@ Candidate judged(const ContinuousProblem& problem, const Eigen::VectorXd& x) {
     Candidate candidate{problem.completed(x), infinity, infinity};
     if (!candidate.x.allFinite()) return {};
     candidate.objective = problem.grid().cost(candidate.x);
-    candidate.violation = -1.0;
-    for (const Violation& violation : problem.violations(candidate.x, 1.0)) {
-        if (violation.limit) candidate.violation = std::max(candidate.violation, violation.amount);
-    }
+    candidate.violation = problem.worst_of_limits(candidate.x);
     return candidate;
 }
 
@@ -42,13 +51,12 @@ bool is_better(const Candidate& left, const Candidate& right, double tolerance) 
     return left_feasible ? left.objective < right.objective : left.violation < right.violation;
 }
 
-ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
-                                    const Eigen::VectorXd& start, const ExchangeOptions& options,
-                                    const SolveControl& control) {
+namespace {
+
+/// Goes on with `result`, whose best point is judged, from a start.
+ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen::VectorXd next_start,
+                         const ExchangeOptions& options, const SolveControl& control, ExchangeResult result) {
     const SolveControl timed = control.sooner(options.backend.max_seconds);
-    ExchangeResult result;
-    result.best = judged(problem, start);
-    Eigen::VectorXd next_start = result.best.x.size() > 0 ? result.best.x : start;
     while (result.rounds < options.most_rounds) {
         if (const std::optional<Termination> ending = timed.ending()) {
             result.termination = *ending;
@@ -82,18 +90,30 @@ ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& so
         const double unseen = found.objective - problem.grid().cost(x);
         const bool settled = unseen <= options.tolerance * std::max(1.0, std::abs(found.objective)) &&
                              found.violation <= options.tolerance;
-        std::vector<Violation> worst = problem.violations(x, 0.0);
-        std::erase_if(worst, [&](const Violation& violation) {
-            return violation.amount <= adding_part * options.tolerance;
-        });
-        // No new row means the backend leaves violated what it was told to keep: nothing more to tell it.
-        if (settled || worst.empty() || problem.refine(worst) == 0) {
+        if (settled || refined(problem, result.last, options.tolerance) == 0) {
             result.converged = true;
             return result;
         }
         next_start = found.x;
     }
     return result;
+}
+
+}  // namespace
+
+ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver, const Candidate& start,
+                                    const ExchangeOptions& options, const SolveControl& control) {
+    ExchangeResult result;
+    result.best = start;
+    return exchanged(problem, solver, start.x, options, control, std::move(result));
+}
+
+ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
+                                    const Eigen::VectorXd& start, const ExchangeOptions& options,
+                                    const SolveControl& control) {
+    const Candidate first = judged(problem, start);
+    if (first.x.size() > 0) return minimize_by_exchange(problem, solver, first, options, control);
+    return exchanged(problem, solver, start, options, control, {});
 }
 
 }  // namespace camopt

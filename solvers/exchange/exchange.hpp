@@ -49,5 +49,9 @@ struct ExchangeResult {
                                                   const Eigen::VectorXd& start,
                                                   const ExchangeOptions& options,
                                                   const SolveControl& control);
+/// The same from a point that is judged already.
+[[nodiscard]] ExchangeResult minimize_by_exchange(ContinuousProblem& problem, const Solver& solver,
+                                                  const Candidate& start, const ExchangeOptions& options,
+                                                  const SolveControl& control);
 
 }  // namespace camopt

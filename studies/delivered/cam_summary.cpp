@@ -15,9 +15,11 @@ namespace {
 SideSummary side_summary(const DrivenMechanism& cam, const CamTurn& turn, int station) {
     SideSummary side;
     side.name = cam.formulas->station_name(station);
-    side.pressure_angle =
-        turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); }, station);
-    side.regularity = turn.least([](const CamPlace& place) { return place.point.regularity; }, station);
+    if (cam.formulas->stations() > 1) {
+        side.pressure_angle =
+            turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); }, station);
+        side.regularity = turn.least([](const CamPlace& place) { return place.point.regularity; }, station);
+    }
     const double offset = cam.formulas->surface_offset(cam.dimensions, station);
     const auto curvature = [](const CamPlace& place) { return place.point.pitch_curvature; };
     const CamExtreme sharpest = turn.largest(curvature, station), hollow = turn.least(curvature, station);
@@ -48,8 +50,9 @@ void add_radii_of_face(CamSummary& summary, const CamTurn& turn) {
 
 }  // namespace
 
-CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale) {
-    const CamTurn turn(cam, motion, scale);
+namespace {
+
+CamSummary summary_of(const DrivenMechanism& cam, const CamTurn& turn) {
     CamSummary summary;
     summary.pressure_angle =
         turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); });
@@ -65,9 +68,16 @@ CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const M
     return summary;
 }
 
+}  // namespace
+
+CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale) {
+    return summary_of(cam, CamTurn(cam, motion, scale));
+}
+
 CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const Scene& scene) {
-    CamSummary summary = cam_summary(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
-    add_follower_figures(summary, cam, motion, scene);
+    const CamTurn turn(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
+    CamSummary summary = summary_of(cam, turn);
+    add_follower_figures(summary, cam, turn, scene);
     return summary;
 }
 

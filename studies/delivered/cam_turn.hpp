@@ -21,11 +21,16 @@ struct CamPlace {
 };
 using CamPlaceFigure = std::function<double(const CamPlace&)>;
 
-/// Keeps references to the cam and the motion.
+/// Keeps references to the cam and the motion. What its figures share, the points of the cam at the samples
+/// that they all look at first, is made once.
 class CamTurn {
  public:
     CamTurn(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale)
-        : cam_(cam), motion_(motion), scale_(scale), points_(motion.breakpoints()) {}
+        : cam_(cam),
+          motion_(motion),
+          scale_(scale),
+          points_(motion.breakpoints()),
+          at_samples_(static_cast<std::size_t>(cam.formulas->stations())) {}
 
     [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure) const {
         std::optional<CamExtreme> best;
@@ -36,8 +41,10 @@ class CamTurn {
         return *best;
     }
     [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure, int station) const {
-        return largest_along(
-            points_, [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); });
+        const auto along = [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); };
+        const std::vector<CamPlace>& known = at_samples(station);
+        if (known.empty()) return largest_along(points_, along);
+        return largest_along(points_, along, [&](std::size_t k) { return figure(known[k]); });
     }
     [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure, int station) const {
         CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); }, station);
@@ -68,10 +75,23 @@ class CamTurn {
         return {mechanism_point(cam_, motion, scale_, station), state_of(motion, scale_)};
     }
 
+    /// Empty where there are too many to keep.
+    [[nodiscard]] const std::vector<CamPlace>& at_samples(int station) const {
+        constexpr std::size_t most_kept = 50000;  // some 10 MB
+        std::vector<CamPlace>& known = at_samples_[static_cast<std::size_t>(station)];
+        if (!known.empty()) return known;
+        const std::vector<SamplePlace> places = sample_places(points_);
+        if (places.size() > most_kept) return known;
+        known.reserve(places.size());
+        for (const SamplePlace& at : places) known.push_back(place(motion_.at(at.at, at.side), station));
+        return known;
+    }
+
     const DrivenMechanism& cam_;
     const Motion& motion_;
     MotionScale scale_;
     std::vector<double> points_;
+    mutable std::vector<std::vector<CamPlace>> at_samples_;  ///< of every station, once asked for
 };
 
 }  // namespace camopt

@@ -235,12 +235,8 @@ namespace {
 // rounding.
 constexpr double standstill = 1e-3;
 
-double peak_of(const SplineCurve& curve, int order) {
-    const Peaks peaks = peaks_of(curve);
-    return order == 0   ? curve.pieces().row(0).cwiseAbs().maxCoeff()
-           : order == 1 ? peaks.velocity.value
-           : order == 2 ? peaks.acceleration.value
-                        : peaks.jerk.value;
+double size_of(const SplineCurve& curve, int order) {
+    return order == 0 ? curve.pieces().row(0).cwiseAbs().maxCoeff() : peak_of(curve, order).value;
 }
 
 }  // namespace
@@ -262,7 +258,7 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
         }
         // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
         // between.
-        if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, peak_of(curve, order));
+        if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, size_of(curve, order));
         largest = std::max(largest, standstill * whole[static_cast<std::size_t>(order)]);
         jump.relative /= largest > 0.0 ? largest : 1.0;
         if (!(jump.relative <= worst.relative)) worst = jump;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 
 namespace camopt {
 
@@ -40,18 +40,15 @@ class Search {
  public:
     Search(const FigureAlong& figure, double begin) : figure_(figure), best_{-infinity, begin} {}
 
-    void add_piece(double begin, double end) {
-        std::vector<Sample> piece;
-        for (int k = 0; k <= samples; ++k) {
-            const bool last = k == samples;
-            const double x = last ? end : begin + k * (end - begin) / samples;
-            piece.push_back({x, figure_(x, last ? Side::left : Side::right)});
-            see({piece.back().value, x});
-        }
-        pieces_.push_back(std::move(piece));
+    /// One after the other; samples + 1 make a piece.
+    void add(const Sample& sample) {
+        samples_.push_back(sample);
+        see({sample.value, sample.at});
     }
     [[nodiscard]] CamExtreme finish() {
-        for (const std::vector<Sample>& piece : pieces_) {
+        constexpr std::size_t size = samples + 1;
+        for (std::size_t first = 0; first + size <= samples_.size(); first += size) {
+            const Piece piece(&samples_[first], size);
             for (int k = 1; k < samples; ++k)
                 if (is_top(piece, k)) golden_top(piece[k - 1].at, piece[k + 1].at);
             for (int k = 0; k < samples; ++k)
@@ -61,6 +58,8 @@ class Search {
     }
 
  private:
+    using Piece = std::span<const Sample>;
+
     void see(const CamExtreme& found) {
         if (found.value > best_.value) best_ = found;
     }
@@ -68,16 +67,16 @@ class Search {
         if (best_.value < infinity) see(refined(figure_, left, right));
     }
     /// The bend at sample k, of an end that of its neighbour.
-    [[nodiscard]] static double bend(const std::vector<Sample>& piece, int k) {
+    [[nodiscard]] static double bend(Piece piece, int k) {
         const int middle = std::clamp(k, 1, samples - 1);
         return std::abs(piece[middle - 1].value - 2.0 * piece[middle].value + piece[middle + 1].value);
     }
-    [[nodiscard]] bool is_top(const std::vector<Sample>& piece, int k) const {
+    [[nodiscard]] bool is_top(Piece piece, int k) const {
         const double value = piece[k].value;
         return value >= piece[k - 1].value && value >= piece[k + 1].value &&
                value + mistrust * bend(piece, k) >= best_.value && bend(piece, k) > 0.0;
     }
-    [[nodiscard]] bool promises(const std::vector<Sample>& piece, int k) const {
+    [[nodiscard]] bool promises(Piece piece, int k) const {
         const double largest = std::max(piece[k].value, piece[k + 1].value);
         const double rise = mistrust * std::max(bend(piece, k), bend(piece, k + 1));
         return largest + rise > best_.value;
@@ -98,15 +97,34 @@ class Search {
 
     const FigureAlong& figure_;
     CamExtreme best_;
-    std::vector<std::vector<Sample>> pieces_;
+    std::vector<Sample> samples_;
 };
 
 }  // namespace
 
-CamExtreme largest_along(const std::vector<double>& points, const FigureAlong& figure) {
+std::vector<SamplePlace> sample_places(const std::vector<double>& points) {
+    std::vector<SamplePlace> places;
+    places.reserve((points.size() - 1) * (samples + 1));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double begin = points[i], end = points[i + 1];
+        for (int k = 0; k < samples; ++k)
+            places.push_back({begin + k * (end - begin) / samples, Side::right});
+        places.push_back({end, Side::left});
+    }
+    return places;
+}
+
+CamExtreme largest_along(const std::vector<double>& points, const FigureAlong& figure,
+                         const FigureAtSample& at_sample) {
+    const std::vector<SamplePlace> places = sample_places(points);
     Search search(figure, points.front());
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) search.add_piece(points[i], points[i + 1]);
+    for (std::size_t k = 0; k < places.size(); ++k) search.add({places[k].at, at_sample(k)});
     return search.finish();
+}
+
+CamExtreme largest_along(const std::vector<double>& points, const FigureAlong& figure) {
+    const std::vector<SamplePlace> places = sample_places(points);
+    return largest_along(points, figure, [&](std::size_t k) { return figure(places[k].at, places[k].side); });
 }
 
 CamExtreme least_along(const std::vector<double>& breakpoints, const FigureAlong& figure) {

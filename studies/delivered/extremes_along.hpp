@@ -5,6 +5,7 @@
 
 #include "core/extremum.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -22,6 +23,19 @@ using FigureAlong = std::function<double(double x, Side side)>;
 /// breakpoints: ascending, at least two; between neighbours the figure is smooth. NaN (nothing to say there)
 /// counts as nothing; where there is nothing at all: -infinity.
 [[nodiscard]] CamExtreme largest_along(const std::vector<double>& breakpoints, const FigureAlong& figure);
+
+/// Where largest_along looks first, piece by piece: what several figures of one motion share there can be
+/// made once for all of them.
+struct SamplePlace {
+    double at = 0.0;
+    Side side = Side::right;
+};
+[[nodiscard]] std::vector<SamplePlace> sample_places(const std::vector<double>& breakpoints);
+/// The figure at the k-th of them.
+using FigureAtSample = std::function<double(std::size_t k)>;
+[[nodiscard]] CamExtreme largest_along(const std::vector<double>& breakpoints, const FigureAlong& figure,
+                                       const FigureAtSample& at_sample);
+
 [[nodiscard]] CamExtreme least_along(const std::vector<double>& breakpoints, const FigureAlong& figure);
 
 }  // namespace camopt

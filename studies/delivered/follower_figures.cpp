@@ -127,11 +127,10 @@ CamExtreme rest_pressure(const CamTurn& turn, const Scene& scene) {
 
 }  // namespace
 
-void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const Motion& motion,
+void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const CamTurn& turn,
                           const Scene& scene) {
     const std::optional<DiskCam> cam = disk_cam(mechanism);
     if (!cam) return;
-    const CamTurn turn(mechanism, motion, {scene.motion.lift, scene.motion.unit_angle()});
     const auto angle = [](const CamPlace& place) { return std::abs(place.point.pressure_angle); };
     const double still = at_rest * scene.motion.lift / scene.motion.unit_angle();
     summary.rise_pressure_angle = turn.largest(

@@ -4,11 +4,12 @@
 #pragma once
 
 #include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/cam_turn.hpp"
 
 namespace camopt {
 
 /// Of a disk cam; nothing to do for another. The summary has what every cam has.
-void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const Motion& motion,
+void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const CamTurn& turn,
                           const Scene& scene);
 
 }  // namespace camopt

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -102,6 +104,73 @@ TEST(CamProblem, ARefinementAddsTheMaximumAndItsBracketAndKeepsOldRows) {
     EXPECT_EQ(problem.grid().shape().constraints(), before.constraints() + 3);
     for (int i = 0; i < before.constraints(); ++i) EXPECT_EQ(problem.grid().row_name(i), names[i]);
     EXPECT_EQ(problem.refine(std::vector{violation}), 0);  // it is there already
+}
+
+/// The row of the first rule at x; -1: there is none.
+int row_at(const CamProblem& problem, double x) {
+    const auto& samples = problem.samples();
+    const int first = problem.grid().shape().constraints() - static_cast<int>(samples.size());
+    for (int k = 0; k < static_cast<int>(samples.size()); ++k)
+        if (samples[static_cast<std::size_t>(k)].rule == 0 &&
+            std::abs(samples[static_cast<std::size_t>(k)].at - x) < 1e-12)
+            return first + k;
+    return -1;
+}
+
+TEST(CamProblem, RowsComeWhereThoseOnBothSidesPress) {
+    // +velocity, ten segments: rows at 0.3, 0.35 and 0.4. The two around the maximum at 0.36 press as 3 to 1.
+    CamProblem problem = problem_of(weighted_scene(3, 10));
+    const std::vector<Violation> worst{{0, {0.1, 0.36, Side::right}, 0.1, false}};
+    Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(problem.grid().shape().constraints());
+    multipliers[row_at(problem, 0.35)] = 0.3;
+    multipliers[row_at(problem, 0.4)] = 0.1;
+    const int before = problem.grid().shape().constraints();
+    EXPECT_EQ(problem.refine_pressed(worst, multipliers), problem.grid().shape().constraints() - before);
+    const double mean = 0.75 * 0.35 + 0.25 * 0.4, reach = 0.5 * 0.5 * 0.5 * 0.1;
+    for (const double x : {mean, mean - reach, mean + reach, 0.36})
+        EXPECT_GE(row_at(problem, x), before) << x;
+
+    CamProblem one_sided = problem_of(weighted_scene(3, 10));
+    multipliers.setZero();
+    multipliers[row_at(one_sided, 0.35)] = 0.3;
+    static_cast<void>(one_sided.refine_pressed(worst, multipliers));
+    for (const double x : {0.35 - 1e-6, 0.35 + 1e-6, 0.36}) EXPECT_GE(row_at(one_sided, x), before) << x;
+
+    CamProblem idle = problem_of(weighted_scene(3, 10));
+    EXPECT_EQ(idle.refine_pressed(worst, Eigen::VectorXd::Zero(before)), 3);  // as refine() does
+}
+
+TEST(CamProblem, AppendedRowsAreThoseOfAGridMadeAtOnce) {
+    const Scene scene = weighted_scene(5, 6);
+    CamProblem grown = problem_of(scene, DesignKind::coefficients);
+    EXPECT_GT(grown.refine(std::vector<Violation>{{0, {0.1, 0.07, Side::right}, 0.1, false},
+                                                  {3, {0.1, 0.51, Side::right}, 0.1, false}}),
+              0);
+    const CamProblem made(scene_model(scene, DesignKind::coefficients, reference_peaks(scene)),
+                          grown.samples());
+    const Nlp &left = grown.grid(), &right = made.grid();
+    ASSERT_EQ(left.shape().jacobian.rows, right.shape().jacobian.rows);
+    EXPECT_EQ(left.shape().jacobian.columns, right.shape().jacobian.columns);
+    EXPECT_EQ(left.shape().g_upper, right.shape().g_upper);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(left.shape().variables(), -1.0, 1.0);
+    Eigen::VectorXd of_left(left.shape().constraints()), of_right(of_left.size());
+    left.constraints(x, of_left);
+    right.constraints(x, of_right);
+    EXPECT_EQ(of_left, of_right);
+    for (int i = 0; i < left.shape().constraints(); ++i) EXPECT_EQ(left.row_name(i), right.row_name(i));
+}
+
+TEST(CamProblem, TheWorstOfLimitsIsThatOfItsViolations) {
+    Scene scene = weighted_scene(3, 12);
+    EXPECT_EQ(problem_of(scene).worst_of_limits(problem_of(scene).start()), -1.0);  // it has none
+    scene.limits.velocity = PeakLimit{1.6, "limits.velocity", 1.6, ""};
+    const CamProblem limited = problem_of(scene);
+    const Eigen::VectorXd start = limited.start();
+    double worst = -1.0;
+    for (const Violation& violation : limited.violations(start, 1.0))
+        if (violation.limit) worst = std::max(worst, violation.amount);
+    EXPECT_EQ(limited.worst_of_limits(start), worst);
+    EXPECT_GT(worst, 0.0);
 }
 
 TEST(CamProblem, ALimitHasItsThreeBeats) {

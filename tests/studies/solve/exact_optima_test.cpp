@@ -112,6 +112,16 @@ TEST(ExactOptima, TheThreeDesignVectorsAgree) {
     }
 }
 
+TEST(ExactOptima, PeaksBetweenSamplesTakeFewRounds) {
+    // Here the best velocity peaks inside a segment: halving the distance of rows took 7 to 9 rounds.
+    for (const int segments : {20, 32}) {
+        const Solution solution = solve(paper_objective(drd, 3, segments));
+        EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+        EXPECT_GT(solution.solver.exchange_rounds, 1) << segments;
+        EXPECT_LE(solution.solver.exchange_rounds, 4) << segments;
+    }
+}
+
 TEST(ExactOptima, SymmetryCostsNothingWithoutGeometry) {
     for (const MotionType type : {drd, rr}) {
         Scene scene = paper_objective(type, 3, 16);
