@@ -207,13 +207,19 @@ class Bound:
         of a function of the control points is left as can be."""
         heaviest = max((m for _, m, _, _ in self.tangents), default=Fraction(0))
         free = sorted((t for t in self.tangents if t[1] > heaviest / 10**7), key=lambda t: -t[1])[:MOST_LEANING]
-        for row, multiplier, at, side in self.tangents:
-            self.use(row, multiplier)
-        if not free:
-            return
-        rests = [Conditions(run.conditions) for run in self.problem.runs]
-        left = {(k, j): w for k, rest in enumerate(rests)
-                for j, w in rest.reduced(dict(self.functions[k]), Fraction(0))[0].items()}
+        slopes = {id(t): by for t, by in zip(free, self.slopes_that_fit(free))}
+        for tangent in self.tangents:
+            row, multiplier = tangent[:2]
+            other = row.leaning(slopes[id(tangent)]) if id(tangent) in slopes else None
+            self.use(other or row, multiplier)
+
+    def slopes_that_fit(self, free):
+        """By how much the slopes of these tangents are to be larger: least squares of what the multipliers leave."""
+        rests, functions = [Conditions(run.conditions) for run in self.problem.runs], [dict(f) for f in self.functions]
+        for row, multiplier, _, _ in self.tangents:
+            for j, w in row.function.items():
+                functions[row.run][j] = functions[row.run].get(j, Fraction(0)) + multiplier * w
+        left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(functions[k], Fraction(0))[0].items()}
         columns = []
         for row, multiplier, at, side in free:
             function = self.problem.runs[row.run].space.functional(at, 0, side)
@@ -222,11 +228,7 @@ class Bound:
         matrix = [[inner(a, b) for b in columns] + [-inner(a, left)] for a in columns]
         for i, line in enumerate(matrix):
             line[i] *= 1 + STEADY
-        for (row, multiplier, _, _), by in zip(free, solved(matrix) or []):
-            other = row.leaning(by)
-            if other is not None:
-                self.use(row, -multiplier)
-                self.use(other, multiplier)
+        return solved(matrix) or []
 
     def value(self, cost=True):
         """What follows from all rows used."""

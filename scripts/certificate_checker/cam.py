@@ -220,8 +220,8 @@ class Cam:
                 continue
             keep(curve)
             kept.append("limits." + key)
-        if self.width and laws:
-            missing.append("cam.face_half_width on segments with a law")
+        if self.width and (laws or self.swings):
+            missing.append("cam.face_half_width of an arm, or on segments with a law")
         elif self.width:
             slope = largest_magnitude(curve.along(1))[1] * self.lift / self.beta[0]
             if slope > self.width * (1 + KEPT):

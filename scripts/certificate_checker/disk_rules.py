@@ -144,7 +144,8 @@ class DiskRules:
         if remark or (order == 0 and not part):
             return None
         if name.endswith("pressure_angle_deg") and sign:
-            rises = (sign > 0) != (self.swings and self.sense < 0)
+            turned = self.sense < 0 if self.swings else self.side.turn is not None
+            rises = (sign > 0) != turned
             own = "rise_pressure_angle_deg" if rises else "return_pressure_angle_deg"
             return self.pressure(number(self.limits[name]), sign) if name == (own if own in self.limits else
                                                                               "pressure_angle_deg") else None
@@ -177,7 +178,7 @@ class DiskRules:
 
     def pressure(self, limit, sign):
         """sign N cos - D sin, in parts of the reach. The upper side is that of the rise; an arm that rises with a clockwise
-        cam has it below."""
+        cam, and the mirror of a second roller that is pushed, have it below."""
         steep = tangent(limit)
         cosine = (constant(1) + Over.number(*steep).square()).root().inverse()
         sine, inverse = cosine * Over.number(*steep), constant(1 / self.reach())
