@@ -127,10 +127,10 @@ function(camopt_label label)
   endif()
 endfunction()
 
-# camopt_add_test(<name> [LONG] SOURCES … [LIBRARIES …] [TIMEOUT …]): one GoogleTest program, its cases known to
-# ctest, with the label `long` where it is said so, else `fast`.
+# camopt_add_test(<name> [LONG] SOURCES … [LIBRARIES …] [TIMEOUT …] [ENVIRONMENT NAME=VALUE]): one GoogleTest program, its
+# cases known to ctest, with the label `long` where it is said so, else `fast`.
 function(camopt_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "LONG" "TIMEOUT" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LONG" "TIMEOUT;ENVIRONMENT" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main camopt_warnings
     camopt_instrumentation)
@@ -146,5 +146,6 @@ function(camopt_add_test name)
     set(label long)
   endif()
   camopt_label(${label} TARGETS ${name})
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${label})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${label}
+    ENVIRONMENT "${arg_ENVIRONMENT}")
 endfunction()
