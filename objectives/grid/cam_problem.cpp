@@ -259,12 +259,16 @@ void CamProblem::add_pressed(const Violation& violation, const Pressed& pressed)
         if (x > piece.begin && x < piece.end) add_sample(violation.rule, x, Side::right);
 }
 
-int CamProblem::refine(std::span<const Violation> worst) {
+void CamProblem::add_samples(std::span<const Violation> worst) {
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
             continue;  // rows on parameters are always there
         violation.setting.empty() ? add_around(violation) : refine_whole(violation);
     }
+}
+
+int CamProblem::refine(std::span<const Violation> worst) {
+    add_samples(worst);
     return append_rows();
 }
 
@@ -274,11 +278,10 @@ int CamProblem::refine_pressed(std::span<const Violation> worst, const Eigen::Ve
         const bool of_places = worst[k].rule < static_cast<int>(places_.size()) && worst[k].setting.empty();
         if (of_places && grid_->shape().convex) pressed[k] = pressed_around(worst[k], row_multipliers);
     }
-    const std::size_t before = samples_.size();
+    add_samples(worst);
     for (std::size_t k = 0; k < worst.size(); ++k)
         if (pressed[k]) add_pressed(worst[k], *pressed[k]);
-    static_cast<void>(refine(worst));
-    return static_cast<int>(samples_.size() - before);
+    return append_rows();
 }
 
 }  // namespace camopt
