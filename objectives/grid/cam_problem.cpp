@@ -253,10 +253,17 @@ std::optional<CamProblem::Pressed> CamProblem::pressed_around(const Violation& v
 
 void CamProblem::add_pressed(const Violation& violation, const Pressed& pressed) {
     const MotionFamily& family = model_->design;
-    const MotionFamily::Piece& piece =
-        family.pieces()[family.piece_of(violation.where.at, violation.where.side)];
-    for (const double x : {pressed.at, pressed.at - pressed.reach, pressed.at + pressed.reach})
-        if (x > piece.begin && x < piece.end) add_sample(violation.rule, x, Side::right);
+    const int index = family.piece_of(violation.where.at, violation.where.side);
+    const MotionFamily::Piece& piece = family.pieces()[index];
+    const double apart = too_close * (piece.end - piece.begin);
+    const auto& places = places_[violation.rule];
+    for (const double x : {pressed.at, pressed.at - pressed.reach, pressed.at + pressed.reach}) {
+        if (x < piece.begin + apart || x > piece.end - apart) continue;
+        const auto next = places.lower_bound({index, x - apart});
+        const bool taken =
+            next != places.end() && next->first.first == index && next->first.second <= x + apart;
+        if (!taken) add_sample(violation.rule, x, Side::right);
+    }
 }
 
 void CamProblem::add_samples(std::span<const Violation> worst) {
