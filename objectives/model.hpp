@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is to be minimized and kept, as plain data: parameters, rules, rows on the parameters, and the cost
 //
-//   f = Σ_p weight_p q_p  +  Σ_k weight_k / 2 (m_k(x) / q_k + q_k)  +  energy weight · e(x).
+//   f = Σ_p weight_p q_p  +  Σ_k weight_k / 2 (m_k(x) / q_k + q_k).
 //
 // m_k is a mean square (rms term): at its least over q_k > 0 the bracket is weight_k · sqrt(m_k), jointly
 // convex in (x, q_k) with a sparse Hessian. Every quantity is in units of its reference, so f is near one.
@@ -100,9 +100,7 @@ struct CamModel {
     double cost_constant = 0.0;
     /// Set where the scene has a disk cam; where it has another mechanism.
     std::shared_ptr<const CamVariables> cam;
-    /// Weight of the mean square jerk over reference² in the cost: what breaks ties.
-    double energy_weight = 0.0;
-    double jerk_reference = 1.0;
+    double jerk_reference = 1.0;  ///< of the energy that breaks ties (tied_problem.hpp)
     /// Entries of a motion that searches begin from first; empty: none.
     Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.

@@ -382,10 +382,4 @@ CamModel convex_part(const CamModel& model, ConvexOver range) {
     return part;
 }
 
-CamModel tie_break_model(const CamModel& model, double energy_weight) {
-    CamModel tied = model;
-    tied.energy_weight = energy_weight;
-    return tied;
-}
-
 }  // namespace camopt

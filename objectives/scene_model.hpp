@@ -50,8 +50,4 @@ enum class ConvexOver {
 /// The model without the rules that are not convex there: a relaxation.
 [[nodiscard]] CamModel convex_part(const CamModel& model, ConvexOver range);
 
-/// The same problem with `energy_weight` times the mean square jerk (over its reference²) added to the cost:
-/// for a weight small enough its optimum is, among the optima of the model, the one of least ∫ s'''².
-[[nodiscard]] CamModel tie_break_model(const CamModel& model, double energy_weight);
-
 }  // namespace camopt

@@ -253,18 +253,29 @@ std::optional<CamProblem::Pressed> CamProblem::pressed_around(const Violation& v
 
 void CamProblem::add_pressed(const Violation& violation, const Pressed& pressed) {
     const MotionFamily& family = model_->design;
-    const MotionFamily::Piece& piece =
-        family.pieces()[family.piece_of(violation.where.at, violation.where.side)];
-    for (const double x : {pressed.at, pressed.at - pressed.reach, pressed.at + pressed.reach})
-        if (x > piece.begin && x < piece.end) add_sample(violation.rule, x, Side::right);
+    const int index = family.piece_of(violation.where.at, violation.where.side);
+    const MotionFamily::Piece& piece = family.pieces()[index];
+    const double apart = too_close * (piece.end - piece.begin);
+    const auto& places = places_[violation.rule];
+    for (const double x : {pressed.at, pressed.at - pressed.reach, pressed.at + pressed.reach}) {
+        if (x < piece.begin + apart || x > piece.end - apart) continue;
+        const auto next = places.lower_bound({index, x - apart});
+        const bool taken =
+            next != places.end() && next->first.first == index && next->first.second <= x + apart;
+        if (!taken) add_sample(violation.rule, x, Side::right);
+    }
 }
 
-int CamProblem::refine(std::span<const Violation> worst) {
+void CamProblem::add_samples(std::span<const Violation> worst) {
     for (const Violation& violation : worst) {
         if (violation.rule >= static_cast<int>(places_.size()))
             continue;  // rows on parameters are always there
         violation.setting.empty() ? add_around(violation) : refine_whole(violation);
     }
+}
+
+int CamProblem::refine(std::span<const Violation> worst) {
+    add_samples(worst);
     return append_rows();
 }
 
@@ -274,11 +285,10 @@ int CamProblem::refine_pressed(std::span<const Violation> worst, const Eigen::Ve
         const bool of_places = worst[k].rule < static_cast<int>(places_.size()) && worst[k].setting.empty();
         if (of_places && grid_->shape().convex) pressed[k] = pressed_around(worst[k], row_multipliers);
     }
-    const std::size_t before = samples_.size();
+    add_samples(worst);
     for (std::size_t k = 0; k < worst.size(); ++k)
         if (pressed[k]) add_pressed(worst[k], *pressed[k]);
-    static_cast<void>(refine(worst));
-    return static_cast<int>(samples_.size() - before);
+    return append_rows();
 }
 
 }  // namespace camopt

@@ -52,6 +52,7 @@ class CamProblem final : public ContinuousProblem {
     bool add_whole_sample(const RuleSample& sample);
     void refine_whole(const Violation& violation);
     void complete_responses(const MotionChain& chain, Eigen::VectorXd& x) const;
+    void add_samples(std::span<const Violation> worst);
     void add_around(const Violation& violation);
     int append_rows();
     struct Pressed;

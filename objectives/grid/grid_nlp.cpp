@@ -223,11 +223,7 @@ void GridNlp::add_cost_terms() {
                 {variable, parameter.weight, scaled_form(*model_, parameter.order, parameter.reference)});
         }
     }
-    if (model_->energy_weight > 0.0) {
-        energy_ = scaled_form(*model_, 3, model_->jerk_reference);
-        energy_->scale(model_->energy_weight, Eigen::VectorXd::Ones(design_size()));
-    }
-    shape_.linear_cost = rms_.empty() && !energy_;
+    shape_.linear_cost = rms_.empty();
     shape_.quadratic_cost = rms_.empty();
 }
 
@@ -238,7 +234,6 @@ void GridNlp::claim_cost() {
         for (int j = 0; j < design_size(); ++j) claim(term.variable, j);
         claim(term.variable, term.variable);
     }
-    if (energy_) visit_lower(energy_->matrix, [&](int row, int column, double) { claim(row, column); });
 }
 
 /// Of the rows from `first` on.
@@ -259,19 +254,18 @@ double GridNlp::cost(const ConstVectorRef& x) const {
     for (const RmsTerm& term : rms_) {
         value += 0.5 * term.weight * (term.form.value(design) / x[term.variable] + x[term.variable]);
     }
-    return energy_ ? value + energy_->value(design) : value;
+    return value;
 }
 
 void GridNlp::gradient(const ConstVectorRef& x, VectorRef out) const {
     out = linear_cost_;
-    if (rms_.empty() && !energy_) return;
+    if (rms_.empty()) return;
     const Eigen::VectorXd design = x.head(design_size());
     for (const RmsTerm& term : rms_) {
         const double q = x[term.variable];
         out.head(design_size()) += term.weight / q * term.form.slope(design);
         out[term.variable] += 0.5 * term.weight * (1.0 - term.form.value(design) / (q * q));
     }
-    if (energy_) out.head(design_size()) += 2.0 * energy_->slope(design);
 }
 
 RuleValue GridNlp::rule_value(const Row& row, const ConstVectorRef& x) const {
@@ -326,7 +320,6 @@ void GridNlp::hessian(const ConstVectorRef& x, double sigma, const ConstVectorRe
         for (int j = 0; j < design_size(); ++j) add(-factor / q * slope[j]);
         add(factor / (q * q) * term.form.value(design));
     }
-    if (energy_) visit_lower(energy_->matrix, [&](int, int, double value) { add(2.0 * sigma * value); });
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row& row = rows_[i];
         if (row.sample < 0) continue;

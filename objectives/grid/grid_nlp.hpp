@@ -87,7 +87,6 @@ class GridNlp final : public Nlp {
     std::vector<std::optional<RuleValue>> affine_;
     Eigen::VectorXd linear_cost_;
     std::vector<RmsTerm> rms_;
-    std::optional<QuadraticForm> energy_;
     /// Where each contribution to the Hessian goes, in the order hessian() visits them.
     HessianSlots hessian_slots_;
 };

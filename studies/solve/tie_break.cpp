@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "studies/solve/tie_break.hpp"
 
-#include "objectives/scene_model.hpp"
+#include "objectives/grid/tied_problem.hpp"
 #include "scene/cost_table.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace camopt {
 
@@ -26,11 +28,8 @@ double relative_to(double objective) {
     return std::max(1.0, std::abs(objective));
 }
 
-double mean_square_jerk(const CamProblem& problem, const Candidate& candidate) {
-    const CamModel& model = problem.model();
-    const QuadraticForm form = model.design.mean_square(3, model.mean_square_weights(3));
-    return form.value(problem.design_values(candidate.x));
-}
+// A weight whose first round costs this many times what the tie-break may spend is too large.
+constexpr double clearly_too_much = 10.0;
 
 }  // namespace
 
@@ -49,33 +48,55 @@ ExchangeOptions exchange_options(const Scene& scene) {
     return options;
 }
 
-void break_tie(const CamProblem& problem, const Scene& scene, ContinuousResult& result,
-               const SolveControl& control, GridMemory* memory) {
+namespace {
+
+/// The optimum of the tied problem; none where its first round already costs more than is worth going on.
+std::optional<Candidate> smoother_optimum(const CamProblem& problem, TiedProblem& tied, Candidate start,
+                                          const ExchangeOptions& options, double most,
+                                          const SolveControl& control) {
+    const std::unique_ptr<Solver> solver = make_structured_solver();
+    start.objective = tied.grid().cost(start.x);
+    ExchangeOptions one_round = options;
+    one_round.most_rounds = 1;
+    ExchangeResult found = minimize_by_exchange(tied, *solver, start, one_round, control);
+    if (found.last.x.size() > 0 && problem.grid().cost(found.last.x) > most) return std::nullopt;
+    const bool unfinished = !found.converged && found.rounds == one_round.most_rounds;
+    if (unfinished && !was_stopped(found.termination) && found.latest.x.size() > 0)
+        found = minimize_by_exchange(tied, *solver, found.best, options, control);
+    Candidate best = std::move(found.best);
+    if (best.x.size() > 0) best.objective = problem.grid().cost(best.x);
+    return best;
+}
+
+}  // namespace
+
+void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result, const SolveControl& control,
+               GridMemory* memory) {
     const double objective = result.certificate.objective;
     const double allowance = scene.solver.tolerance * relative_to(objective);
     const double violation = std::max(scene.solver.tolerance, result.certificate.worst_violation);
     ExchangeOptions options = exchange_options(scene);
     options.backend.native.clear();
     options.backend.tolerance = options.tolerance = tie_break_accuracy * scene.solver.tolerance;
-    std::vector<RuleSample> samples = problem.samples();
+    const Candidate start{result.x, objective, result.certificate.worst_violation};
     const bool looks = memory != nullptr && memory->only_looks;
+    TiedProblem tied(problem, tie_break_weights.front());
     for (const double weight : tie_break_weights) {
         if (looks && weight > memory->tie_break_weight.value_or(weight)) continue;
-        CamProblem tied(tie_break_model(problem.model(), weight), samples);
-        const ExchangeResult smoother =
-            minimize_by_exchange(tied, *make_structured_solver(), result.x, options, control);
-        if (memory != nullptr) {
-            memory->keep(tied);
-            samples = tied.samples();
-        }
-        if (smoother.best.x.size() == 0 || control.ending()) return;
-        const Candidate delivered = pulled_inside(problem, judged(problem, smoother.best.x), result.inside);
+        tied.set_weight(weight);
+        const std::optional<Candidate> smoother = smoother_optimum(
+            problem, tied, start, options, objective + clearly_too_much * allowance, control);
+        if (memory != nullptr) memory->keep(problem);
+        if (control.ending()) return;
+        if (!smoother) continue;
+        if (smoother->x.size() == 0) return;
+        const Candidate delivered = pulled_inside(problem, *smoother, result.inside);
         if (delivered.objective > objective + allowance || delivered.violation > violation) continue;
         if (memory != nullptr) memory->tie_break_weight = weight;
         // What is proved of the motion before must be proved of this one too.
         if (relative_gap(delivered.objective, *result.certificate.lower_bound) > scene.solver.wanted_gap())
             continue;
-        if (mean_square_jerk(problem, delivered) > mean_square_jerk(problem, {result.x})) return;
+        if (tied.energy(delivered.x) > tied.energy(result.x)) return;
         result.x = delivered.x;
         Certificate& certificate = result.certificate;
         certificate.objective = delivered.objective;

@@ -57,7 +57,7 @@ CamModel model_with_every_term(int degree, DesignKind kind) {
     const Scene scene = scene_with_every_term(degree);
     CamModel model = scene_model(scene, kind, reference_peaks(scene));
     model.rules.push_back(std::make_shared<CurvedRule>(1));
-    return tie_break_model(model, 0.05);
+    return model;
 }
 
 Eigen::MatrixXd dense(const SparsityPattern& pattern, const std::vector<double>& values, int rows,
