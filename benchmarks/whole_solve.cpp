@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// whole_solve [SEGMENTS]: what a whole solve() costs (choice of the backend, exchange, proof, tie-break, report, audit)
-// against one call of the interior point on the grid that its exchange ends with, in turns in one run.
+// whole_solve [SEGMENTS]: what a whole solve() costs (choice of the backend, exchange, proof, tie-break,
+// report, audit) against one call of the interior point on the grid that its exchange ends with, in turns in
+// one run.
 //
 // DRD cubic scenes with 12 to 1024 segments and scenes with a cam whose rules are all linear; the scene is at
 // hand, nothing is read or written. CSV on the standard output: `ratio` is whole solve over call, `target` at
