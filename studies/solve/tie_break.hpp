@@ -12,8 +12,8 @@ namespace camopt {
 /// Among the optima within the tolerance, the one of least mean square jerk. On a linear program a small
 /// enough weight on the energy picks exactly that one; how small is found by trying. (To demand "objective <=
 /// optimum" as a row instead leaves a feasible set without an inside, on which an interior point loses its
-/// digits.) Leaves the result alone where nothing smoother is found. The grid of `problem` is refined; `memory`
-/// keeps it for a neighbouring scene.
+/// digits.) Leaves the result alone where nothing smoother is found. The grid of `problem` is refined;
+/// `memory` keeps it for a neighbouring scene.
 void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result, const SolveControl& control,
                GridMemory* memory = nullptr);
 
