@@ -21,7 +21,13 @@ def faults_of_code(root, path):
         yield f"{path}: folder {folder}/ has no line in tests/lint/source_tree.py"
         return
     allowed = source_tree.MAY_INCLUDE[folder] | {folder}
-    for number, line in enumerate((root / path).read_text().splitlines(), 1):
+    lines = (root / path).read_text().splitlines()
+    own = path.with_suffix(".hpp")
+    if path.suffix == ".cpp" and folder in source_tree.EVERY_MODULE and (root / own).is_file():
+        first = next((line for line in lines if line.startswith("#include")), "")
+        if first != f'#include "{own.as_posix()}"':
+            yield f"{path}: its own header must be the first that it includes, which shows that the header stands by itself"
+    for number, line in enumerate(lines, 1):
         match = QUOTED.match(line)
         if not match:
             continue

@@ -36,6 +36,7 @@ PLANTED = [
      "profiles/ must not link camopt::profiles_inverse"),
     ("include_rules", "output/nc/n.cpp", SPDX + '#include "profiles/p.hpp"\n', "output/nc/ must not include profiles/"),
     ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
+    ("include_rules", "core/a.cpp", SPDX + '#include <vector>\n#include "core/a.hpp"\n', "its own header must be the first"),
     ("include_rules", "bindings/b.cpp", SPDX + '#include "apps/p.hpp"\n', "bindings/ must not include apps/"),
     ("include_rules", "gears/g.cpp", SPDX, "has no line"),
     ("include_rules", "solvers/CMakeLists.txt", "link(camopt::splines)\n", "must not link camopt::splines"),
