@@ -103,8 +103,8 @@ class CamSheetMaker {
           disk_(rim_radius(shape)) {
         base_ = cam_[DimensionIndex::base_radius];
         prime_ = base_ + (has_roller(cam_.follower) ? cam_[DimensionIndex::roller_radius] : 0.0);
-        for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, 1440))
-            for (const ProfilePoint& point : piece) {
+        for (const std::vector<ProfilePoint>& points : profile_pieces(shape, 1440))
+            for (const ProfilePoint& point : points) {
                 box_.add(point.contact);
                 box_.add(point.pitch);
                 if (point.contact.norm() > farthest_.norm()) farthest_ = point.contact;
