@@ -117,22 +117,36 @@ class BoxProof:
 
     def range_of(self, variable):
         if variable[0] == "c":
-            return self.ranges_of_run(variable[1])[variable[2]]
+            return self.ranges_of_run(variable[1])[0][variable[2]]
         if variable[0] == "peak":
             most = self.bound.most[variable[1]]
             if most is None:
                 raise Unverified("a peak that nothing bounds")
-            return Fraction(0), most
+            return Fraction(0), min(most, self.own_peak(self.problem.terms[variable[1]]) or most)
         low, high = self.problem.cam.searched[variable[1]]
         return low / high, Fraction(1)
 
+    def own_peak(self, term):
+        """What a peak that is the motion's own can be: a spline lies within its control points. None: no peak of a
+        derivative, or nothing is known of it."""
+        if term.kind != "peak" or not term.order:
+            return None
+        sizes = []
+        for k, run in enumerate(self.problem.runs):
+            ranges = self.ranges_of_run(k)[term.order]
+            if ranges is None:
+                return None
+            largest = max(max(abs(a), abs(b)) for a, b in ranges)
+            sizes.append(largest / min(t.scale(term.order) for t in run.stretches) / term.reference)
+        return max(sizes)
+
     def ranges_of_run(self, k):
-        """Of the control points: those of the derivative r lie within what y^(r) can be, times the spread; those of the next
-        lower one follow from both ends by summation."""
+        """Of the control points of the motion and its derivatives (None: nothing is known): those of the derivative r lie
+        within what y^(r) can be, times the spread; those of the next lower one follow from both ends by summation."""
         if ("run", k) in self.known:
             return self.known["run", k]
         run, supremum = self.problem.runs[k], self.bound.supremum[k]
-        space, top, ranges = run.space, run.top(), None
+        space, top, ranges, found = run.space, run.top(), None, [None] * 4
         for order in range(top, -1, -1):
             count = space.size - order
             size = None if supremum[order] is None else supremum[order] * space.spread(order)
@@ -150,10 +164,12 @@ class BoxProof:
                             low, high = (low + a, high + b) if end == 0 else (low - b, high - a)
                         own[i] = (low, high) if own[i] is None else (max(low, own[i][0]), min(high, own[i][1]))
             ranges = None if None in own else own
+            if order < len(found):
+                found[order] = ranges
         if ranges is None:
             raise Unverified("nothing bounds the motion")
-        self.known["run", k] = ranges
-        return ranges
+        self.known["run", k] = found
+        return found
 
     def in_variables(self, k, function):
         """(weights of x, constant) of a function of the control points of a run."""
