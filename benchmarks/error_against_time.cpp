@@ -4,11 +4,11 @@
 //
 // A series ends where a solve reaches the time limit (2 s, NLopt 0.6 s) or the next one would be likely to.
 // Each backend has its share of SECONDS (600); what is left then is "skipped: out of time".
-#include "benchmarks/child_process.hpp"
 #include "benchmarks/error_against_time_csv.hpp"
-#include "benchmarks/machine.hpp"
-#include "benchmarks/measurement.hpp"
-#include "benchmarks/solver_variants.hpp"
+#include "benchmarks/parts/child_process.hpp"
+#include "benchmarks/parts/machine.hpp"
+#include "benchmarks/parts/measurement.hpp"
+#include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/number_parsing.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/text_file.hpp"

@@ -3,7 +3,7 @@
 // no value.
 #pragma once
 
-#include "benchmarks/measurement.hpp"
+#include "benchmarks/parts/measurement.hpp"
 
 #include <span>
 #include <string>

@@ -5,7 +5,7 @@
 // CSV on the standard output: kind (call on the final grid, exchange, whole solve), n, objective, the optimum
 // computed independently (an LP solver with exchange, ten digits), its relative difference, seconds, rounds,
 // iterations. `status` of a whole solve is its verdict.
-#include "benchmarks/backend_runs.hpp"
+#include "benchmarks/parts/backend_runs.hpp"
 #include "output/csv/csv_line.hpp"
 
 #include <cmath>

@@ -5,8 +5,8 @@
 // Writes peaks_by_sampling.csv: curve, samples (0: exact), relative errors of V, A, J, median seconds.
 // Samples are equally spaced, both ends included; a sampled peak is never too large.
 
-#include "benchmarks/combination.hpp"
-#include "benchmarks/measurement.hpp"
+#include "benchmarks/parts/combination.hpp"
+#include "benchmarks/parts/measurement.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/report/result_folder.hpp"

@@ -6,7 +6,7 @@
 // that come within 1e-8 of the optimum and are quickest run against the structured solver in turns: the call
 // on the final grid, the exchange, the whole library solve (up to 256 segments). CSV on the standard output.
 // `ratio`: seconds by those of the structured solver; `eligible`: error within 1e-8. Progress goes to stderr.
-#include "benchmarks/backend_runs.hpp"
+#include "benchmarks/parts/backend_runs.hpp"
 #include "output/csv/csv_line.hpp"
 
 #include <fmt/format.h>

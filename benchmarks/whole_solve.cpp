@@ -7,8 +7,8 @@
 // hand, nothing is read or written. CSV on the standard output: `ratio` is whole solve over call, `target` at
 // most how much is asked for; `relative_error` that of the whole solve against the optimum, exchanged at
 // 1e-10 without a tie-break.
-#include "benchmarks/backend_runs.hpp"
-#include "benchmarks/cam_case.hpp"
+#include "benchmarks/cam/cam_case.hpp"
+#include "benchmarks/parts/backend_runs.hpp"
 #include "output/csv/csv_line.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/solve/solve.hpp"

@@ -2,7 +2,7 @@
 // The [drawing] table. Internal to input/.
 #pragma once
 
-#include "input/scene_source.hpp"
+#include "input/document/scene_source.hpp"
 #include "scene/drawing_spec.hpp"
 
 #include <optional>

@@ -2,7 +2,7 @@
 // The [dynamics] table. Internal to input/.
 #pragma once
 
-#include "input/scene_source.hpp"
+#include "input/document/scene_source.hpp"
 #include "scene/scene.hpp"
 
 #include <optional>

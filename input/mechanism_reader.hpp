@@ -2,7 +2,7 @@
 // Cams behind CamMechanism: their numbers and choices, as their kind describes them. Internal to input/.
 #pragma once
 
-#include "input/scene_source.hpp"
+#include "input/document/scene_source.hpp"
 #include "scene/cam_kind.hpp"
 #include "scene/scene.hpp"
 

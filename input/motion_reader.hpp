@@ -3,8 +3,8 @@
 // motion, unknown laws, units that do not fit the lift. Internal to input/.
 #pragma once
 
+#include "input/document/scene_source.hpp"
 #include "input/scene_reader.hpp"
-#include "input/scene_source.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt::input {

@@ -4,7 +4,7 @@
 // Internal to input/.
 #pragma once
 
-#include "input/scene_source.hpp"
+#include "input/document/scene_source.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt::input {

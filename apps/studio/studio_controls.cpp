@@ -4,7 +4,7 @@
 #include "apps/completion/key_values.hpp"
 #include "apps/studio/slider_range.hpp"
 #include "core/text/number_parsing.hpp"
-#include "input/document.hpp"
+#include "input/document/document.hpp"
 #include "input/keys/scene_keys.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #include "apps/studio/studio_scene.hpp"
 
 #include "core/errors.hpp"
+#include "input/document/scene_document.hpp"
 #include "input/loading/load_scene.hpp"
-#include "input/scene_document.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // the straight line. CSV on the standard output, a line a backend and n: what the backend said, seconds
 // (median of three, or one where it takes long), objective, how far above the proved optimum (relative),
 // largest violation, iterations. What a backend does not find in its seconds stays in the table.
-#include "benchmarks/measurement.hpp"
 #include "benchmarks/outside/camshape.hpp"
+#include "benchmarks/parts/measurement.hpp"
 #include "output/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 

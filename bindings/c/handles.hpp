@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bindings/c/failure.hpp"
-#include "input/scene_document.hpp"
-#include "output/json/run_origin.hpp"
+#include "input/document/scene_document.hpp"
+#include "output/json/certificate/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <span>

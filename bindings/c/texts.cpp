@@ -4,7 +4,7 @@
 #include "bindings/c/handles.hpp"
 #include "output/chart/motion_svg.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/report.hpp"

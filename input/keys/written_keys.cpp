@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "input/keys/written_keys.hpp"
 
-#include "input/document.hpp"
-#include "input/document_text.hpp"
-#include "input/scene_source.hpp"
+#include "input/document/document.hpp"
+#include "input/document/document_text.hpp"
+#include "input/document/scene_source.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // folder. Internal to input/.
 #pragma once
 
+#include "input/document/scene_source.hpp"
 #include "input/measured/measured_table.hpp"
 #include "input/scene_reader.hpp"
-#include "input/scene_source.hpp"
 
 #include <optional>
 

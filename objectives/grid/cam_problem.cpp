@@ -2,7 +2,7 @@
 #include "objectives/grid/cam_problem.hpp"
 
 #include "objectives/exchange_samples.hpp"
-#include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
 
 #include <algorithm>

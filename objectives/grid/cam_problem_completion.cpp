@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From any x to one whose equalities hold and whose peaks are those of its motion.
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "splines/extrema.hpp"
 

@@ -2,7 +2,7 @@
 #include "objectives/rules/own_point_rule.hpp"
 
 #include "core/errors.hpp"
-#include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // back as the same double. Nothing throws.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/certificate/run_origin.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include <string>

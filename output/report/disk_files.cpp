@@ -9,7 +9,7 @@
 #include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/cam/follower_loads.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Sections of report.md that not every result has. Empty where they have nothing to say.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/certificate/run_origin.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "studies/delivered/solution.hpp"

@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "output/chart/motion_svg.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"

@@ -4,7 +4,7 @@
 // where asked for, profile.dxf. report/result_folder_reader.hpp reads it back.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/certificate/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>

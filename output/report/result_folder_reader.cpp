@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "input/result/result_reader.hpp"
-#include "output/json/certificate_reader.hpp"
+#include "output/json/certificate/certificate_reader.hpp"
 #include "output/json/json_difference.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/result_json.hpp"

@@ -7,7 +7,7 @@
 // own.
 #pragma once
 
-#include "output/json/run_origin.hpp"
+#include "output/json/certificate/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>

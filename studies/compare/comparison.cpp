@@ -13,7 +13,7 @@
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
-#include "studies/delivered/cam_report.hpp"
+#include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/response_report.hpp"
 #include "studies/delivered/scene_limits.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/numbers/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 
 #include <algorithm>

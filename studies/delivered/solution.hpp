@@ -9,7 +9,7 @@
 #include "solvers/solver.hpp"
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/cam/cam_summary.hpp"
 
 #include <Eigen/Core>
 

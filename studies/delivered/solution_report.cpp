@@ -6,7 +6,7 @@
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
-#include "studies/delivered/cam_report.hpp"
+#include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/response_report.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
-#include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/cam/cam_summary.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
 

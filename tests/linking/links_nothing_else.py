@@ -5,7 +5,7 @@
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks" / "embedding"))
 from linker_map import linked_objects  # noqa: E402
 
 MECHANISMS = {"profiles_remote", "profiles_inverse", "profiles_spatial", "profiles_factory"}

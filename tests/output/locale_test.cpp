@@ -5,7 +5,7 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/uniform_csv.hpp"
-#include "output/json/certificate_reader.hpp"
+#include "output/json/certificate/certificate_reader.hpp"
 #include "output/json/paper_report_json.hpp"
 #include "output/nc/post/post_processor.hpp"
 #include "output/plc/plc_export.hpp"

@@ -2,7 +2,7 @@
 """slurm_test.py CAMOPT SCENES SCRIPT: a sweep as a job array of a real Slurm (of one node, started here) gives the
 table of a sweep without it; jobs that die lose what they were doing, and the same line submitted again finishes.
 
-SCRIPT: docs/sweep_array.sbatch. Exit code 77, with the reason, where Slurm is not installed."""
+SCRIPT: docs/scale/sweep_array.sbatch. Exit code 77, with the reason, where Slurm is not installed."""
 
 import pathlib
 import shutil

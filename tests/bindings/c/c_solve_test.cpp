@@ -4,7 +4,7 @@
 #include "output/csv/motion_csv.hpp"
 #include "output/csv/profile_csv.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/json/certificate_json.hpp"
+#include "output/json/certificate/certificate_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"

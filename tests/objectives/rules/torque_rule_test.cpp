@@ -3,7 +3,7 @@
 
 #include "core/derivative_check.hpp"
 #include "objectives/grid/cam_problem.hpp"
-#include "objectives/rules/rule_maxima.hpp"
+#include "objectives/rules/maxima/rule_maxima.hpp"
 #include "objectives/scene_model.hpp"
 #include "tests/objectives/rules/plane_check.hpp"
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// sweep_seconds FOLDER: 1,000 weights of a DRD cubic of 32 segments in one process: warm-started along the
+// sweep (studies/solve/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with
+// Ipopt.
+//
+// Writes FOLDER/sweep_seconds.csv, a line a way: passes over all rows, their median seconds, rows that are
+// not proved optimal, the largest difference of a row's objective from its cold solve (relative), ratio of
+// seconds to the first way. FOLDER/sweep_rows.csv has every row's weights and objectives. Weights: the first
+// 1,000 of the lattice of 44 divisions, no tie-break, tolerance 1e-9, whole library solves. Ipopt runs fewer
+// passes where they would take more than its share of time.
+#include "benchmarks/linear/final_grid.hpp"
+#include "benchmarks/parts/measurement.hpp"
+#include "benchmarks/parts/solver_variants.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/report/text_file.hpp"
+#include "studies/solve/solve_sequence.hpp"
+#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/sweep/sweep_axis.hpp"
+#include "studies/sweep/sweep_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace camopt::benchmarks {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int rows = 1000, divisions = 44, segments = 32, passes = 5;
+constexpr double seconds_of_ipopt = 170.0;  // no pass begins after
+
+struct Way {
+    std::string name;
+    std::string solver;
+    bool warm = false;
+    std::vector<double> seconds = {};     ///< of each pass
+    std::vector<double> objectives = {};  ///< of the last pass
+    int not_optimal = 0;
+};
+
+/// Velocity, acceleration, jerk of every row.
+std::vector<Scene> scenes_of(const std::string& solver) {
+    const SweepAxis axis = simplex_weights(divisions);
+    std::vector<Scene> scenes;
+    for (int row = 0; row < rows; ++row) {
+        Scene scene = drd_scene(3, segments);
+        const auto point = axis.point(row);
+        scene.objective.velocity = point[0];
+        scene.objective.acceleration = point[1];
+        scene.objective.jerk = point[2];
+        scene.solver.name = solver;
+        scenes.push_back(std::move(scene));
+    }
+    return scenes;
+}
+
+void one_pass(Way& way, const std::vector<Scene>& scenes) {
+    way.objectives.clear();
+    way.not_optimal = 0;
+    SolveSequence sequence;
+    const Clock::time_point begin = Clock::now();
+    for (int row = 0; row < rows; ++row) {
+        if (row % default_chunk_size == 0) sequence = SolveSequence();
+        const Solution solution =
+            way.warm ? sequence.solve(scenes[row], {}) : solve_without_explaining(scenes[row], {});
+        way.objectives.push_back(solution.certificate.objective);
+        if (solution.certificate.verdict != Verdict::optimal) ++way.not_optimal;
+    }
+    way.seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+    std::fprintf(stderr, "sweep_seconds: %s, %.3g s\n", way.name.c_str(), way.seconds.back());
+}
+
+double worst_difference(const Way& way, const Way& cold) {
+    double worst = 0.0;
+    for (int row = 0; row < rows; ++row) {
+        const double size = std::max(1.0, std::abs(cold.objectives[row]));
+        worst = std::max(worst, std::abs(way.objectives[row] - cold.objectives[row]) / size);
+    }
+    return worst;
+}
+
+std::string summary(const std::vector<Way>& ways) {
+    std::string text =
+        "way,solver,rows,passes,seconds_median,seconds_min,not_optimal,worst_difference_from_cold,ratio\n";
+    for (const Way& way : ways) {
+        CsvLine line;
+        line.words(way.name).words(way.solver).count(rows).count(static_cast<long>(way.seconds.size()));
+        line.number(median(way.seconds)).number(*std::ranges::min_element(way.seconds));
+        line.count(way.not_optimal).number(worst_difference(way, ways[1]));
+        line.number(median(way.seconds) / median(ways.front().seconds));
+        text += line.finish();
+    }
+    return text;
+}
+
+std::string row_table(const std::vector<Way>& ways) {
+    const SweepAxis axis = simplex_weights(divisions);
+    std::string text = "row,velocity,acceleration,jerk";
+    for (const Way& way : ways) text += ",objective_" + way.solver + (way.warm ? "_warm" : "_cold");
+    text += '\n';
+    for (int row = 0; row < rows; ++row) {
+        CsvLine line;
+        line.count(row);
+        for (const double weight : axis.point(row)) line.number(weight);
+        for (const Way& way : ways) line.number(way.objectives[row]);
+        text += line.finish();
+    }
+    return text;
+}
+
+void run(const std::filesystem::path& folder) {
+    std::vector<Way> ways = {{"sweep, warm within chunks of 25", "structured", true},
+                             {"every row cold", "structured"}};
+    if (is_available("ipopt")) ways.push_back({"every row cold", "ipopt"});
+    std::vector<std::vector<Scene>> scenes;
+    for (const Way& way : ways) scenes.push_back(scenes_of(way.solver));
+    const Clock::time_point begin = Clock::now();
+    for (int pass = 0; pass < passes; ++pass) {
+        for (std::size_t k = 0; k < ways.size(); ++k) {
+            const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+            if (ways[k].solver == "ipopt" && spent > seconds_of_ipopt) continue;
+            one_pass(ways[k], scenes[k]);
+        }
+    }
+    write_text_file(folder / "sweep_seconds.csv", summary(ways));
+    write_text_file(folder / "sweep_rows.csv", row_table(ways));
+}
+
+}  // namespace
+
+}  // namespace camopt::benchmarks
+
+int main(int count, char** words) {
+    if (count != 2) {
+        std::fputs("usage: sweep_seconds FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        camopt::benchmarks::run(words[1]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "sweep_seconds: %s\n", error.what());
+        return 1;
+    }
+}

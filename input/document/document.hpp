@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A TOML document as a plain tree that remembers where every key and value stands, in the order of the file.
+// Errors: InputError "FILE:LINE:COLUMN: …" for text that is no TOML. Internal to input/.
+#pragma once
+
+#include "core/errors.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camopt::input {
+
+/// Where something was written: a line and column of the file, an override ("--set KEY=VALUE"), or a program
+/// (input/document/scene_document.hpp).
+struct Place {
+    int line = 1;
+    int column = 1;
+    std::string override_text;  ///< empty: not by an override
+    int setting = 0;            ///< 0: not by a program; else which of its settings, < 0: implied by one
+};
+
+/// Something wrong at a place, with the prefix that says where.
+class PlacedError : public InputError {
+ public:
+    PlacedError(const Place& where, const std::string& message) : InputError(message), place_(where) {}
+    [[nodiscard]] const Place& place() const { return place_; }
+
+ private:
+    Place place_;
+};
+
+enum class NodeKind { boolean, integer, number, text, array, table, date_or_time };
+
+struct Member;
+
+/// One TOML value. Only the field of its kind is set.
+struct Node {
+    NodeKind kind = NodeKind::table;
+    Place place;
+    bool boolean = false;
+    long long integer = 0;
+    double number = 0.0;
+    std::string text;
+    std::vector<Node> items;
+    std::vector<Member> members;
+
+    [[nodiscard]] const Member* find(std::string_view name) const;
+    [[nodiscard]] Member* find(std::string_view name);
+    [[nodiscard]] bool is_number() const { return kind == NodeKind::integer || kind == NodeKind::number; }
+    /// The value of an integer or a number.
+    [[nodiscard]] double as_number() const;
+    /// As an error message shows it: 4, 4.0, "text", a table.
+    [[nodiscard]] std::string shown() const;
+};
+
+struct Member {
+    std::string name;
+    Place place;  ///< of the key
+    Node value;
+};
+
+/// `source_name` stands in front of every error.
+[[nodiscard]] Node parse_document(std::string_view toml, std::string_view source_name);
+
+/// The value behind KEY= of an override: TOML, or a bare word, which is a string. Every place in it is the
+/// override.
+[[nodiscard]] Node parse_override_value(std::string_view value, const Place& place);
+
+/// "scene.toml:7:12: spline.degree: ", "--set spline.degree=4: spline.degree: ", or of what a program set
+/// "spline.degree: ". An empty key is left out.
+[[nodiscard]] std::string error_prefix(std::string_view source_name, const Place& place,
+                                       std::string_view key);
+
+}  // namespace camopt::input

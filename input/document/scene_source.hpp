@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// A parsed scene file seen through the key table: quantities by name whatever their unit, errors with their
+// place. Internal to input/.
+#pragma once
+
+#include "input/document/document.hpp"
+#include "input/keys/scene_keys.hpp"
+#include "scene/cam_spec.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace camopt::input {
+
+/// A quantity as it was written.
+struct Given {
+    const Member* member = nullptr;
+    const KeyRow* row = nullptr;
+    const Spelling* spelling = nullptr;
+
+    [[nodiscard]] const Node& value() const { return member->value; }
+    /// SI value of a number.
+    [[nodiscard]] double number() const { return member->value.as_number() * spelling->factor; }
+    /// A number or a range of one, in SI, with the key and the unit it was written in.
+    [[nodiscard]] Dimension dimension() const;
+};
+
+class SceneSource {
+ public:
+    std::string name;  ///< of the file
+    Node root;
+
+    /// The value at a dotted path of tables; nullptr where it is not there or is no table.
+    [[nodiscard]] const Node* table(std::string_view path) const;
+
+    /// A quantity of a table, whatever its unit.
+    [[nodiscard]] std::optional<Given> find(std::string_view table_path, std::string_view quantity) const;
+    [[nodiscard]] static std::optional<Given> find_in(const Node& table, std::string_view table_path,
+                                                      std::string_view quantity);
+
+    [[nodiscard]] std::optional<double> number(std::string_view table_path, std::string_view quantity) const;
+
+    /// What is written replaces the target.
+    void read_number(std::string_view table_path, std::string_view quantity, double& target) const;
+    template <typename Integer>
+    void read_integer(std::string_view table_path, std::string_view quantity, Integer& target) const {
+        if (const auto given = find(table_path, quantity))
+            target = static_cast<Integer>(given->value().integer);
+    }
+    /// The value of `values` whose name_of is the text.
+    template <typename Choice>
+    void read_choice(std::string_view table_path, std::string_view quantity,
+                     std::initializer_list<Choice> values, Choice& target) const {
+        read_choice(table_path, quantity, std::span<const Choice>(values.begin(), values.size()), target);
+    }
+    template <typename Choice>
+    void read_choice(std::string_view table_path, std::string_view quantity, std::span<const Choice> values,
+                     Choice& target) const {
+        const auto given = find(table_path, quantity);
+        if (!given) return;
+        for (const Choice value : values)
+            if (given->value().text == name_of(value)) target = value;
+    }
+
+    /// Throws InputError "PLACE: key: what".
+    [[noreturn]] void fail(const Place& place, std::string_view key, std::string_view what) const;
+
+    /// Throws for a member of the Scene: its place and its key as written, or those of the nearest table.
+    [[noreturn]] void fail_member(std::string_view member, std::string_view what) const;
+};
+
+/// "motion" + "type" = "motion.type"; at the top level just the key.
+[[nodiscard]] std::string joined_key(std::string_view table, std::string_view key);
+
+}  // namespace camopt::input

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Branch and bound along one piece. A stretch holds no maximum worth naming where the enclosure of the rule
+// lies below the floor, where that of its slope does not hold 0, or where that of its second derivative is
+// positive; it holds at most one where that is negative. Otherwise it is halved. Where that goes on, the
+// value and the slope are enclosed from the middle too, by the bend around it.
+#include "objectives/rules/maxima/piece_maxima.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camopt::piece_maxima {
+
+namespace {
+
+// Halvings of one piece. Smooth rules need about ten; beyond this something is singular, and samples must do.
+constexpr int most_stretches = 2000;
+// After so many a rule is suspected of hugging a limit, and looked at from the middle too.
+constexpr int usual_stretches = 16;
+// Narrower than this part of its piece a stretch is a place.
+constexpr double narrowest = 1e-12;
+// Rounding of a polynomial's values, in its terms' sizes: each is shifted and added up degree times.
+constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr int most_degree = 7;
+
+/// Where y and its first four derivatives lie over begin + [left, right].
+std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left, double right) {
+    const double middle = 0.5 * (left + right), half = 0.5 * (right - left);
+    const auto degree = static_cast<int>(y.size()) - 1;
+    // Taylor coefficients about the middle, and the sizes of what they were added up from.
+    std::array<double, most_degree + 1> taylor{}, size{};
+    for (int k = 0; k <= degree; ++k) {
+        taylor[static_cast<std::size_t>(k)] = y[k];
+        size[static_cast<std::size_t>(k)] = std::abs(y[k]);
+    }
+    for (int i = 0; i < degree; ++i) {
+        for (int k = degree - 1; k >= i; --k) {
+            const auto at = static_cast<std::size_t>(k);
+            taylor[at] += middle * taylor[at + 1];
+            size[at] += std::abs(middle) * size[at + 1];
+        }
+    }
+    std::array<Interval, 5> ranges;
+    for (int order = 0; order < 5; ++order) {
+        double low = 0.0, high = 0.0, sizes = 0.0, power = 1.0;
+        for (int k = order; k <= degree; ++k) {
+            double factor = 1.0;
+            for (int j = 0; j < order; ++j) factor *= k - j;
+            const double term = factor * taylor[static_cast<std::size_t>(k)] * power;
+            sizes += factor * size[static_cast<std::size_t>(k)] * power;
+            power *= half;
+            const bool even = (k - order) % 2 == 0;
+            low += k == order ? term : even ? std::min(0.0, term) : -std::abs(term);
+            high += k == order ? term : even ? std::max(0.0, term) : std::abs(term);
+        }
+        ranges[static_cast<std::size_t>(order)] = {low - rounding * sizes, high + rounding * sizes};
+    }
+    return ranges;
+}
+
+class Search {
+ public:
+    Search(const Subject& subject, const PolynomialPiece& piece, double floor, double accuracy)
+        : subject_(subject), piece_(piece), floor_(floor), accuracy_(accuracy) {}
+
+    /// False where it gave up.
+    [[nodiscard]] bool run() {
+        const double length = piece_.piece.end - piece_.piece.begin;
+        std::vector<Stretch> open = {{0.0, length}};
+        for (int count = 0; !open.empty(); ++count) {
+            if (count == most_stretches) return false;
+            const Stretch stretch = open.back();
+            open.pop_back();
+            const RangeAlong range = over(stretch.begin, stretch.end);
+            if (std::isnan(range.value.lower) || std::isnan(range.value.upper)) return false;
+            if (range.value.upper <= floor_) continue;
+            if (range.slope.lower > 0.0 || range.slope.upper < 0.0 || range.bend.lower > 0.0) continue;
+            if (range.bend.upper < 0.0) {
+                add_top(stretch);
+                continue;
+            }
+            const double middle = 0.5 * (stretch.begin + stretch.end);
+            bool flat = range.value.width() <= accuracy_;
+            if (!flat && count > usual_stretches) {
+                const Closer closer = from_middle(stretch, range);
+                if (closer.most <= floor_ || closer.rises || closer.falls) continue;
+                flat = closer.above_middle <= accuracy_;
+            }
+            if (flat || stretch.end - stretch.begin <= narrowest * length) {
+                add(middle);
+                continue;
+            }
+            open.push_back({middle, stretch.end});
+            open.push_back({stretch.begin, middle});
+        }
+        return true;
+    }
+    [[nodiscard]] std::vector<Extremum> take() { return std::move(found_); }
+
+ private:
+    [[nodiscard]] RangeAlong over(double left, double right) const {
+        return *subject_.rule.range_along(derivative_ranges(piece_.y, left, right), subject_.q);
+    }
+    /// From the middle by its slope and the bend around it. A rule that hugs its limit has hardly any slope
+    /// and bend, and a stretch a thousand times as long is known to the same accuracy.
+    struct Closer {
+        double most = 0.0, above_middle = 0.0;
+        bool rises = false, falls = false;
+    };
+    [[nodiscard]] Closer from_middle(const Stretch& stretch, const RangeAlong& range) const {
+        const double middle = 0.5 * (stretch.begin + stretch.end);
+        const double half = 0.5 * (stretch.end - stretch.begin);
+        const RangeAlong here = over(middle, middle);
+        const double steepest = std::max(std::abs(here.slope.lower), std::abs(here.slope.upper));
+        const double bend = std::max(std::abs(range.bend.lower), std::abs(range.bend.upper));
+        const double rise = half * (steepest + 0.5 * half * std::max(0.0, range.bend.upper));
+        return {here.value.upper + rise, here.value.width() + rise, here.slope.lower > half * bend,
+                here.slope.upper < -half * bend};
+    }
+    [[nodiscard]] double slope(double t) const {
+        const Interval range = over(t, t).slope;
+        return 0.5 * (range.lower + range.upper);
+    }
+    void add(double t) {
+        const double x = piece_.piece.begin + t;
+        found_.push_back({subject_.value(x, Side::right), x, Side::right});
+    }
+    /// Of a stretch on which the rule is concave.
+    void add_top(const Stretch& stretch) {
+        const std::array<double, 2> slopes = {slope(stretch.begin), slope(stretch.end)};
+        if (slopes[0] > 0.0 && slopes[1] < 0.0)
+            add(root_of_slope([this](double t) { return slope(t); }, stretch, slopes));
+        // A top on the border of two stretches has a slope of 0 or of rounding in both.
+        else if (slopes[0] >= 0.0)
+            add(stretch.end);
+        else
+            add(stretch.begin);
+    }
+
+    const Subject& subject_;
+    const PolynomialPiece& piece_;
+    double floor_ = 0.0, accuracy_ = 0.0;
+    std::vector<Extremum> found_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const PolynomialPiece& piece,
+                                              double floor, double accuracy) {
+    if (piece.y.size() > most_degree + 1) return {};
+    if (!subject.rule.range_along(derivative_ranges(piece.y, 0.0, 0.0), subject.q)) return {};
+    Search search(subject, piece, floor, accuracy);
+    if (!search.run()) return {};
+    return search.take();
+}
+
+}  // namespace camopt::piece_maxima

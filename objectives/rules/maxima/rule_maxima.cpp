@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/rules/maxima/rule_maxima.hpp"
+
+#include "objectives/rules/maxima/piece_maxima.hpp"
+#include "splines/extrema.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// Samples of the slope on one piece where nothing encloses the rule: a spline's is short and smooth, a law's
+// may be the whole segment.
+constexpr int samples_on_spline = 8;
+constexpr int samples_on_shape = 32;
+// Two candidates closer than this in value at one place are one: the rule does not jump there.
+constexpr double same_value = 1e-12;
+// Of a rule's scale: maxima this far below the largest, and below 0, change nothing.
+constexpr double far_below = 0.1;
+// Of a rule's scale: to this an enclosed maximum is known. A tenth of the tightest usual tolerance.
+constexpr double enclosed_accuracy = 1e-10;
+
+using piece_maxima::PolynomialPiece;
+using piece_maxima::Stretch;
+using piece_maxima::Subject;
+
+/// A rule along the pieces of a spline as polynomials in x − begin.
+class RuleOnSpline {
+ public:
+    RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q) : rule_(rule), q_(q) {
+        if (!rule.linear()) return;
+        affine_ = rule.evaluate({0.0, {}}, q);
+        while (lowest_ < 3 && affine_->gradient[lowest_] == 0.0) ++lowest_;
+    }
+
+    /// Empty where it is none. Valid until the next call.
+    [[nodiscard]] const Eigen::VectorXd& along(const SplineCurve& curve, int segment) {
+        if (!affine_) {
+            std::array<Eigen::VectorXd, 4> derivatives;
+            for (int order = 0; order < 4; ++order)
+                derivatives[order] = curve.derivative_polynomial(segment, order);
+            return polynomial_ = rule_.along(derivatives, q_);
+        }
+        polynomial_.setZero(terms(curve.degree(), lowest_));
+        polynomial_[0] = affine_->value;
+        for (int order = lowest_; order < 4; ++order) {
+            if (affine_->gradient[order] == 0.0) continue;
+            derivative_.resize(terms(curve.degree(), order));
+            curve.derivative_polynomial(segment, order, derivative_);
+            polynomial_.head(derivative_.size()) += affine_->gradient[order] * derivative_;
+        }
+        return polynomial_;
+    }
+
+ private:
+    const PointRule& rule_;
+    const Eigen::VectorXd& q_;
+    std::optional<RuleValue> affine_;  ///< of a linear rule
+    int lowest_ = 0;                   ///< the lowest derivative in it
+    Eigen::VectorXd polynomial_, derivative_;
+
+    static Eigen::Index terms(int degree, int order) { return std::max(1, degree + 1 - order); }
+};
+
+void add_candidates_on_spline(const SplineCurve& curve, const Eigen::VectorXd& polynomial,
+                              const MotionFamily::Piece& piece, double shift, std::vector<Extremum>& all) {
+    const std::size_t first = all.size();
+    add_candidates_on_segment(curve.space(), piece.segment, polynomial, all);
+    // Not into the next piece by rounding.
+    for (std::size_t k = first; k < all.size(); ++k)
+        all[k].at = std::clamp(all[k].at - shift, piece.begin, piece.end);
+}
+
+/// Keeps the local maxima of ascending candidates; where two pieces meet without a jump they count once.
+std::vector<Extremum> maxima_among(const std::vector<Extremum>& candidates) {
+    std::vector<Extremum> single;
+    single.reserve(candidates.size());
+    for (const Extremum& candidate : candidates) {
+        if (!single.empty() && std::abs(single.back().at - candidate.at) <= same_value) {
+            const double jump = std::abs(single.back().value - candidate.value);
+            if (jump <= same_value * std::max(1.0, std::abs(candidate.value))) continue;
+        }
+        single.push_back(candidate);
+    }
+    std::vector<Extremum> maxima;
+    for (std::size_t k = 0; k < single.size(); ++k) {
+        // What has no value is kept: it is as broken as can be, and so are its neighbours.
+        const bool above_left = k == 0 || !(single[k].value < single[k - 1].value);
+        const bool above_right = k + 1 == single.size() || !(single[k].value < single[k + 1].value);
+        if (above_left && above_right) maxima.push_back(single[k]);
+    }
+    return maxima;
+}
+
+void append(std::vector<Extremum>& all, std::vector<Extremum> more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Of a rule that holds at a few places alone.
+std::vector<Extremum> at_places(const Subject& subject) {
+    std::vector<Extremum> all;
+    for (const double x : subject.rule.places()) {
+        const Side side = x < subject.motion.end() ? Side::right : Side::left;
+        all.push_back({subject.value(x, side), x, side});
+    }
+    return all;
+}
+
+/// Maxima on pieces where y is a polynomial and the rule is none: enclosed where it can be, else sampled.
+/// Pieces are gathered first, so that the largest of their ends is known and most of the motion is out of the
+/// question.
+class CurvedPieces {
+ public:
+    explicit CurvedPieces(const Subject& subject) : subject_(subject) {}
+
+    /// The candidates of the piece come in place of `all`'s next entries.
+    void add(PolynomialPiece piece, std::vector<Extremum>& all) {
+        const Stretch& ends = piece.piece;
+        all.push_back({subject_.value(ends.begin, Side::right), ends.begin, Side::right});
+        all.push_back({subject_.value(ends.end, Side::left), ends.end, Side::left});
+        pieces_.push_back(std::move(piece));
+    }
+    void finish(std::vector<Extremum>& all) const {
+        if (pieces_.empty()) return;
+        const double scale = subject_.rule.scale();
+        double largest = -infinity;
+        for (const Extremum& end : all) largest = std::max(largest, end.value);
+        const double floor = std::min(0.0, largest) - far_below * scale;
+        for (const PolynomialPiece& piece : pieces_) {
+            if (auto inside = piece_maxima::enclosed(subject_, piece, floor, enclosed_accuracy * scale)) {
+                append(all, std::move(*inside));
+            } else {
+                append(all, piece_maxima::sampled(subject_, piece.piece, samples_on_spline));
+            }
+        }
+        // Where two pieces meet, the left one's end comes first.
+        std::ranges::stable_sort(all, [](const Extremum& one, const Extremum& other) {
+            return one.at != other.at ? one.at < other.at
+                                      : one.side == Side::left && other.side == Side::right;
+        });
+    }
+
+ private:
+    const Subject& subject_;
+    std::vector<PolynomialPiece> pieces_;
+};
+
+/// y along the pieces of a part of a chain as polynomials of x − begin; empty where it is no spline.
+std::vector<PolynomialPiece> pieces_of(const ChainPart& part) {
+    const auto* curve = dynamic_cast<const SplineCurve*>(part.shape.get());
+    if (!curve || part.x_scale < 0.0) return {};
+    std::vector<PolynomialPiece> pieces;
+    const std::vector<double>& breakpoints = curve->space().breakpoints();
+    for (int segment = 0; segment + 1 < static_cast<int>(breakpoints.size()); ++segment) {
+        const auto at = static_cast<std::size_t>(segment);
+        const double begin = part.x0 + part.x_scale * breakpoints[at];
+        const double end = part.x0 + part.x_scale * breakpoints[at + 1];
+        if (begin < part.begin || end > part.end) return {};
+        Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
+        for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
+        y[0] += part.y0;
+        pieces.push_back({{begin, end}, std::move(y)});
+    }
+    return pieces;
+}
+
+}  // namespace
+
+std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
+                                  const MotionChain& motion, const Eigen::VectorXd& q) {
+    std::vector<Extremum> candidates;
+    const Subject subject{*rule, motion, q};
+    if (!rule->places().empty()) return at_places(subject);
+    RuleOnSpline on_spline(*rule, q);
+    candidates.reserve(3 * family.pieces().size());
+    CurvedPieces curved(subject);
+    for (const MotionFamily::Piece& piece : family.pieces()) {
+        if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
+        const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
+        if (stretch.kind == StretchRequest::Kind::dwell) {
+            candidates.push_back({rule->evaluate(motion.at(piece.begin), q).value, piece.begin, Side::right});
+        } else if (stretch.kind == StretchRequest::Kind::spline) {
+            const auto& curve = dynamic_cast<const SplineCurve&>(
+                *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
+            const Eigen::VectorXd& polynomial = on_spline.along(curve, piece.segment);
+            if (polynomial.size() > 0) {
+                add_candidates_on_spline(curve, polynomial, piece, stretch.shift, candidates);
+            } else {
+                curved.add({{piece.begin, piece.end}, curve.derivative_polynomial(piece.segment, 0)},
+                           candidates);
+            }
+        } else {
+            append(candidates, piece_maxima::sampled(subject, {piece.begin, piece.end}, samples_on_shape));
+        }
+    }
+    curved.finish(candidates);
+    return maxima_among(candidates);
+}
+
+std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {
+    std::vector<Extremum> candidates;
+    const Subject subject{rule, motion, q};
+    if (!rule.places().empty()) return at_places(subject);
+    CurvedPieces curved(subject);
+    const auto by_samples = [&](const std::vector<double>& points) {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            append(candidates, piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape));
+    };
+    const auto* chain = dynamic_cast<const MotionChain*>(&motion);
+    if (!chain) {
+        by_samples(motion.breakpoints());
+        return maxima_among(candidates);
+    }
+    const std::vector<double> all_points = motion.breakpoints();
+    for (const ChainPart& part : chain->parts()) {
+        std::vector<PolynomialPiece> pieces = pieces_of(part);
+        if (pieces.empty()) {
+            std::vector<double> points;
+            std::ranges::copy_if(all_points, std::back_inserter(points),
+                                 [&](double x) { return x >= part.begin && x <= part.end; });
+            by_samples(points);
+        }
+        for (PolynomialPiece& piece : pieces) curved.add(std::move(piece), candidates);
+    }
+    curved.finish(candidates);
+    return maxima_among(candidates);
+}
+
+Extremum largest_of(const std::vector<Extremum>& maxima) {
+    Extremum largest{-infinity, 0.0, Side::right};
+    for (const Extremum& maximum : maxima) {
+        // What has no value is as broken as can be.
+        if (std::isnan(maximum.value)) return {infinity, maximum.at, maximum.side};
+        if (maximum.value > largest.value) largest = maximum;
+    }
+    return largest;
+}
+
+}  // namespace camopt
