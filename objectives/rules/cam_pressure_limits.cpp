@@ -75,15 +75,9 @@ QuantityValue general_pressure(const DiskCam& cam, FollowerState state, const Pr
                -std::sin(side.limit.value) / length, denominator);
 }
 
-RangeAlong pressure_range(const DiskCam& cam, StateAlong state, const PressureSide& side, double length) {
-    if (side.at_rest) state.velocity = {};
-    return sum(side.sign * std::cos(side.limit.value) / length,
-               quantity(cam, state, Quantity::pressure_numerator, side.disk),
-               -std::sin(side.limit.value) / length,
-               quantity(cam, state, Quantity::pressure_denominator, side.disk));
-}
-
-RangeOver pressure_over(const DiskCam& cam, StateOver state, const PressureSide& side, double length) {
+/// The same enclosed, along a stretch or over a box.
+template <class State>
+auto enclosed_pressure(const DiskCam& cam, State state, const PressureSide& side, double length) {
     if (side.at_rest) state.velocity = {};
     return sum(side.sign * std::cos(side.limit.value) / length,
                quantity(cam, state, Quantity::pressure_numerator, side.disk),
@@ -143,10 +137,10 @@ void add_pressure_side(Rules& rules, const Shared& cam, const PressureSide& side
                       : general_pressure(own, state, side, length);
     };
     formula.range = [side, length](const DiskCam& own, const StateAlong& state) {
-        return pressure_range(own, state, side, length);
+        return enclosed_pressure(own, state, side, length);
     };
     formula.over = [side, length](const DiskCam& own, const StateOver& state) {
-        return pressure_over(own, state, side, length);
+        return enclosed_pressure(own, state, side, length);
     };
     formula.convex = [cam, side](double least, double most) {
         return pressure_is_convex(*cam, side, least, most);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/quantity_over.hpp"
 
-#include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/disk_sides.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
+#include "profiles/disk/quantity_of_follower.hpp"
 
 namespace camopt {
 namespace {
@@ -32,71 +31,11 @@ formulas::OscillatingRoller<RangeOver> oscillating_roller_over(const DiskCam& ca
             state[center_distance], state[arm_length]};
 }
 
-template <class Roller>
-RangeOver roller_quantity_over(const DiskCam& cam, const StateOver& state, const Roller& roller,
-                               Quantity which) {
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return roller.pressure_numerator();
-        case Quantity::pressure_denominator:
-            return roller.pressure_denominator();
-        case Quantity::pitch_curvature:
-            return roller.pitch().curvature();
-        case Quantity::regularity:
-            if (!has_roller(cam.follower)) return {1.0};
-            return RangeOver(1.0) - flank_offset(cam, state) * roller.pitch().curvature();
-        case Quantity::normal_lever:
-            return roller.normal_lever();
-        case Quantity::cam_radius:
-        case Quantity::contact_offset:
-            break;
-    }
-    refuse_quantity(cam.follower);
-}
-
-RangeOver translating_flat_over(const DiskCam& cam, const StateOver& state, Quantity which) {
-    const RangeOver height = state[base_radius] + state.s;
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return {0.0};
-        case Quantity::pressure_denominator:
-            return height;
-        case Quantity::cam_radius:
-            return height + state.acceleration;
-        case Quantity::regularity:
-            return (height + state.acceleration) / state[base_radius];
-        case Quantity::contact_offset:
-            return sense_of(cam.rotation) * state.velocity;
-        case Quantity::normal_lever:
-            return {1.0};
-        case Quantity::pitch_curvature:
-            break;
-    }
-    refuse_quantity(cam.follower);
-}
-
-RangeOver oscillating_flat_over(const DiskCam& cam, const StateOver& state, Quantity which) {
+formulas::OscillatingFlat<RangeOver> oscillating_flat_over(const DiskCam& cam, const StateOver& state) {
     const RangeOver start =
         formulas::oscillating_flat_start(state[base_radius], state[center_distance], state[face_offset]);
-    const formulas::OscillatingFlat<RangeOver> flat{start + state.s, sense_of(cam.rotation) * state.velocity,
-                                                    state.acceleration, state[center_distance],
-                                                    state[face_offset]};
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return flat.pressure_numerator();
-        case Quantity::pressure_denominator:
-            return flat.pressure_denominator();
-        case Quantity::cam_radius:
-            return flat.cam_radius();
-        case Quantity::regularity:
-            return flat.turned_radius() / state[base_radius];
-        case Quantity::contact_offset:
-        case Quantity::normal_lever:
-            return flat.contact_offset();
-        case Quantity::pitch_curvature:
-            break;
-    }
-    refuse_quantity(cam.follower);
+    return {start + state.s, sense_of(cam.rotation) * state.velocity, state.acceleration,
+            state[center_distance], state[face_offset]};
 }
 
 /// κ v³ = v² + drift across − along push with push = lever s'': the excess of factor κ over `share`, times
@@ -173,15 +112,20 @@ RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which) {
     switch (cam.follower) {
         case FollowerType::translating_roller:
         case FollowerType::translating_knife:
-            return roller_quantity_over(cam, state, translating_roller_over(cam, state), which);
+            return formulas::quantity_of_roller<RangeOver>(cam.follower, translating_roller_over(cam, state),
+                                                           flank_offset(cam, state), which);
         case FollowerType::translating_flat:
-            return translating_flat_over(cam, state, which);
+            return formulas::quantity_of_face<RangeOver>(state[base_radius], state[base_radius] + state.s,
+                                                         sense_of(cam.rotation) * state.velocity,
+                                                         state.acceleration, which);
         case FollowerType::oscillating_roller:
-            return roller_quantity_over(cam, state, oscillating_roller_over(cam, state), which);
+            return formulas::quantity_of_roller<RangeOver>(cam.follower, oscillating_roller_over(cam, state),
+                                                           flank_offset(cam, state), which);
         case FollowerType::oscillating_flat:
             break;
     }
-    return oscillating_flat_over(cam, state, which);
+    return formulas::quantity_of_face_arm<RangeOver>(state[base_radius], oscillating_flat_over(cam, state),
+                                                     which);
 }
 
 RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side) {
