@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Which formula of disk_cam_formulas.hpp each quantity of a follower is, for numbers that enclose: RangeAlong
+// (over a stretch of the cam angle) and RangeOver (over a box of the motion's state and the dimensions).
+//
+// Lengths in m, curvatures in 1/m, the regularity without unit; velocities and accelerations by the cam angle
+// in the turning sense of the cam. Throws ModelError where the follower has no such quantity.
+#pragma once
+
+#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_cam_formulas.hpp"
+#include "profiles/disk/quantity_algebra.hpp"
+
+namespace camopt::formulas {
+
+/// Of followers with a pitch curve, translating or oscillating. `flank_offset`: from the pitch curve to the
+/// surface.
+template <class Number, class Roller, class Offset>
+[[nodiscard]] Number quantity_of_roller(FollowerType follower, const Roller& roller,
+                                        const Offset& flank_offset, Quantity which) {
+    switch (which) {
+        case Quantity::pressure_numerator:
+            return roller.pressure_numerator();
+        case Quantity::pressure_denominator:
+            return roller.pressure_denominator();
+        case Quantity::pitch_curvature:
+            return roller.pitch().curvature();
+        case Quantity::regularity:
+            if (!has_roller(follower)) return Number(1.0);
+            return Number(1.0) - flank_offset * roller.pitch().curvature();
+        case Quantity::normal_lever:
+            return roller.normal_lever();
+        case Quantity::cam_radius:
+        case Quantity::contact_offset:
+            break;
+    }
+    refuse_quantity(follower);
+}
+
+/// Of a flat face that slides: the height of the face, base radius + s, and the derivatives of s.
+template <class Number>
+[[nodiscard]] Number quantity_of_face(const Number& base_radius, const Number& height, const Number& velocity,
+                                      const Number& acceleration, Quantity which) {
+    switch (which) {
+        case Quantity::pressure_numerator:
+            return Number(0.0);
+        case Quantity::pressure_denominator:
+            return height;
+        case Quantity::cam_radius:
+            return height + acceleration;
+        case Quantity::regularity:
+            return (height + acceleration) / base_radius;
+        case Quantity::contact_offset:
+            return velocity;
+        case Quantity::normal_lever:
+            return Number(1.0);
+        case Quantity::pitch_curvature:
+            break;
+    }
+    refuse_quantity(FollowerType::translating_flat);
+}
+
+/// Of a flat face on an arm.
+template <class Number>
+[[nodiscard]] Number quantity_of_face_arm(const Number& base_radius, const OscillatingFlat<Number>& face,
+                                          Quantity which) {
+    switch (which) {
+        case Quantity::pressure_numerator:
+            return face.pressure_numerator();
+        case Quantity::pressure_denominator:
+            return face.pressure_denominator();
+        case Quantity::cam_radius:
+            return face.cam_radius();
+        case Quantity::regularity:
+            return face.turned_radius() / base_radius;
+        case Quantity::contact_offset:
+        case Quantity::normal_lever:
+            return face.contact_offset();
+        case Quantity::pitch_curvature:
+            break;
+    }
+    refuse_quantity(FollowerType::oscillating_flat);
+}
+
+}  // namespace camopt::formulas
