@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// search_from_starts: the searches of disk cams whose rules are not convex, without the bound over boxes, by
-// the structured solver and by Ipopt, from the same 8 starts, in turns in one run.
+// search_from_starts SCENES [SOLVER …]: the searches of disk cams whose rules are not convex, without the
+// bound over boxes, by the structured solver and by Ipopt, from the same 8 starts, in turns in one run.
 //
 // The starts are the smoothest motion and random ones; the grid that one search ends with is the next one's.
 // CSV on the standard output: `objective` is the best of the starts that keep the limits to 1e-8, `ratio` the
@@ -102,10 +102,10 @@ RunOutcome searched(const CamModel& model, const std::string& solver_name) {
     return outcome;
 }
 
-void print_rows(const SearchCase& one) {
+void print_rows(const SearchCase& one, const std::vector<std::string>& solvers) {
     const CamModel model = scene_model(one.scene, DesignKind::states, reference_peaks(one.scene));
     std::vector<TimedWay> ways;
-    for (const std::string name : {"structured", "ipopt"})
+    for (const std::string& name : solvers)
         ways.push_back({name, [&model, name] { return searched(model, name); }});
     const std::vector<WayFigures> figures = run_in_turns(ways, repeats);
     const double own = figures.front().last.objective;
@@ -127,8 +127,8 @@ void print_rows(const SearchCase& one) {
 
 int main(int count, char** words) {
     using namespace camopt::benchmarks;
-    if (count != 2) {
-        std::fputs("search_from_starts SCENES: the folder of the example scenes\n", stderr);
+    if (count < 2) {
+        std::fputs("search_from_starts SCENES [SOLVER …]: the folder of the example scenes\n", stderr);
         return 2;
     }
     try {
@@ -136,7 +136,9 @@ int main(int count, char** words) {
             "scene,segments,solver,status,objective,excess,target_excess,iterations,rounds,seconds_median,"
             "ratio,"
             "target_ratio");
-        for (const SearchCase& one : search_cases(words[1])) print_rows(one);
+        std::vector<std::string> solvers(words + 2, words + count);
+        if (solvers.empty()) solvers = {"structured", "ipopt"};
+        for (const SearchCase& one : search_cases(words[1])) print_rows(one, solvers);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "search_from_starts: %s\n", error.what());
