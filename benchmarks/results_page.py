@@ -128,6 +128,13 @@ def acceptance(page):
                       f"≤ {target:g}", seconds(number(row, "seconds_solve_median")),
                       seconds(number(row, "seconds_call_median")), f"{ratio:.1f}", verdict(ratio <= target),
                       short(number(row, "relative_error"))])
+    starts = read(page.folder, "search_from_starts.csv")
+    for own, rival in zip(starts[::2], starts[1::2]):
+        ratio, excess = number(rival, "ratio"), number(rival, "excess")
+        holds = ratio >= number(rival, "target_ratio") and excess <= number(rival, "target_excess")
+        lines.append([f"searches from 8 starts, not convex, against {rival['solver']}: {rival['scene']}, n = {rival['segments']}",
+                      f"≥ {number(rival, 'target_ratio'):g}", seconds(number(own, "seconds_median")),
+                      seconds(number(rival, "seconds_median")), f"{ratio:.1f}", verdict(holds), short(excess)])
     for n in (64, 256, 1024):
         own, rival = best_of_program(lp, "structured", 3, n), best_of_program(lp, "HiGHS", 3, n)
         if own and rival:

@@ -56,6 +56,10 @@ struct SolveControl {
     Deadline deadline = {};  ///< of all that is done under this control, whatever its parts may take each
     /// Earlier: of searches that have found nothing within the limits. What is left then is for saying why.
     Deadline in_vain = {};
+    /// Of problems with several minima: true where x lies beside a minimum that is known already. A search
+    /// that asks may end there (Termination::acceptable); its result says no more than that. Empty: none is
+    /// known.
+    std::function<bool(const Eigen::VectorXd& x)> known = {};
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
     /// Why nothing more is to be begun: Termination::interrupted or time_limit.
     [[nodiscard]] std::optional<Termination> ending() const {
@@ -64,7 +68,7 @@ struct SolveControl {
     }
     /// For a part that gets so many seconds at most.
     [[nodiscard]] SolveControl sooner(double seconds) const {
-        return {stop_requested, progress, deadline.sooner(seconds), in_vain};
+        return {stop_requested, progress, deadline.sooner(seconds), in_vain, known};
     }
 };
 

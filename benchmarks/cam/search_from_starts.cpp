@@ -12,8 +12,8 @@
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/csv/csv_line.hpp"
-#include "solvers/exchange/exchange.hpp"
 #include "solvers/registry.hpp"
+#include "studies/solve/start_search.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ namespace camopt::benchmarks {
 namespace {
 
 constexpr int starts = 8, repeats = 5;
-constexpr unsigned first_seed = 1;
+constexpr unsigned seed = 1;
 constexpr double tolerance = 1e-8, most_seconds = 20.0, target_ratio = 20.0, target_excess = 1e-7;
 
 struct SearchCase {
@@ -77,29 +77,19 @@ std::vector<SearchCase> search_cases(const std::string& scenes) {
 
 /// All starts, one after the other.
 RunOutcome searched(const CamModel& model, const std::string& solver_name) {
-    CamProblem problem(model);
     const auto solver = make_solver(solver_name);
     ExchangeOptions options;
     options.tolerance = options.backend.tolerance = tolerance;
     options.backend.max_seconds = most_seconds;
-    std::vector<Eigen::VectorXd> from = {problem.start()};
-    for (int k = 1; k < starts; ++k)
-        from.push_back(problem.random_start(first_seed + static_cast<unsigned>(k)));
-    RunOutcome outcome;
-    Candidate best;
+    const JudgeOptions judge{tolerance};
+    const SolveControl control;
+    StartSearch search(CamProblem(model), *solver, options, judge, control);
     const auto begin = std::chrono::steady_clock::now();
-    for (const Eigen::VectorXd& start : from) {
-        const ExchangeResult found = minimize_by_exchange(problem, *solver, start, options, {});
-        outcome.iterations += found.iterations;
-        outcome.rounds += found.rounds;
-        for (const Candidate& one : {found.best, found.latest})
-            if (one.x.size() > 0 && (best.x.size() == 0 || is_better(one, best, tolerance))) best = one;
-    }
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const bool kept = best.x.size() > 0 && best.violation <= tolerance;
-    outcome.status = kept ? "feasible" : "no feasible point";
-    outcome.objective = kept ? best.objective : infinity;
-    return outcome;
+    search.run(0, starts, seed, {});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return {search.found() ? "feasible" : "no feasible point", seconds,
+            search.found() ? search.best().found.objective : infinity, search.totals().iterations,
+            search.totals().rounds};
 }
 
 void print_rows(const SearchCase& one, const std::vector<std::string>& solvers) {

@@ -69,6 +69,10 @@ ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen
         ++result.rounds;
         const Eigen::VectorXd& x = result.last.x;
         if (x.size() == 0 || !x.allFinite()) return result;
+        if (timed.known && timed.known(x)) {
+            result.known = true;
+            return result;
+        }
         const Candidate& found = result.latest = judged(problem, x);
         if (is_better(found, result.best, options.tolerance)) result.best = found;
         if (control.progress) {

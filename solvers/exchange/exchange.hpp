@@ -30,6 +30,7 @@ struct ExchangeResult {
     BackendResult last;  ///< of the last round; its multipliers belong to the final grid where `converged`
     Termination termination = Termination::not_run;
     bool converged = false;  ///< the exchange itself ended as it should
+    bool known = false;      ///< it ended beside a minimum that SolveControl::known knows
     int rounds = 0;
     int iterations = 0;  ///< summed over the rounds
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace camopt::structured {
 namespace {
@@ -36,18 +37,36 @@ double row_sum(const Matrix& lower) {
 
 }  // namespace
 
+ActiveRows ActiveRows::part(const std::function<bool(Eigen::Index)>& chosen) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> kept;
+    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+        if (!chosen(i)) continue;
+        const int row = static_cast<int>(kept.size());
+        for (decltype(normals)::InnerIterator entry(normals, i); entry; ++entry)
+            entries.emplace_back(row, static_cast<int>(entry.col()), entry.value());
+        kept.push_back(residuals[i]);
+    }
+    ActiveRows result;
+    result.normals.resize(static_cast<Eigen::Index>(kept.size()), normals.cols());
+    result.normals.setFromTriplets(entries.begin(), entries.end());
+    result.residuals = Eigen::Map<const VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+    return result;
+}
+
 ConvexifiedHessian convexified(const Matrix& lower, const ActiveRows& active, double least) {
     constexpr double first_shift = 1e-4, growth = 4.0, margin = 1.2;
     constexpr int weights = 5, halvings = 4;
     const Eigen::Index size = lower.rows();
     const Matrix unit = identity(size);
     const double bound = row_sum(lower);
-    ConvexifiedHessian result{lower + least * unit, VectorXd::Zero(size), 0.0};
+    ConvexifiedHessian result{lower + least * unit, VectorXd::Zero(size)};
     if (bound == 0.0 || positive_definite(result.lower)) return result;
     Matrix gram(size, size);
     if (active.normals.rows() > 0) {
         const Matrix normals = active.normals;
         gram = Matrix(Matrix(normals.transpose()) * normals).triangularView<Eigen::Lower>();
+        result.holds = true;
         double weight = bound;
         for (int k = 0; k < weights; ++k, weight *= 10.0) {
             result.lower = lower + weight * gram + least * unit;

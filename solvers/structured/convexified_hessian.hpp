@@ -11,17 +11,23 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <functional>
+
 namespace camopt::structured {
 
 struct ActiveRows {
     Eigen::SparseMatrix<double, Eigen::RowMajor> normals;  ///< N
     Eigen::VectorXd residuals;                             ///< r
+
+    /// Those of its rows that `chosen` names.
+    [[nodiscard]] ActiveRows part(const std::function<bool(Eigen::Index)>& chosen) const;
 };
 
 struct ConvexifiedHessian {
     Eigen::SparseMatrix<double> lower;  ///< triangle
     Eigen::VectorXd slope;              ///< c Nᵀr
     double shift = 0.0;                 ///< multiple of I, beyond the proximal one
+    bool holds = false;                 ///< to the active rows: c > 0
 };
 
 /// `lower`: triangle of H. `least`: multiple of I that is added in any case; it makes the step unique.

@@ -26,6 +26,8 @@ class SequentialRun {
     [[nodiscard]] Eigen::VectorXd nudged() const;
     std::optional<BackendResult> pass();
     void linearize();
+    void convexify();
+    [[nodiscard]] bool drop_left_rows(const Step& step);
     [[nodiscard]] StepModel step_model() const;
     Step next_step(StepModel& model);
     std::optional<BackendResult> contradiction();
@@ -60,6 +62,7 @@ class SequentialRun {
     std::vector<bool> curved_;  ///< variables in which something is not linear
     NlpPoint here_;
     RowMatrix jacobian_;
+    ActiveRows active_;  ///< what hessian_ takes for active
     ConvexifiedHessian hessian_;
     Eigen::SparseMatrix<double> true_hessian_;
     Eigen::VectorXd multipliers_, least_multipliers_;

@@ -18,6 +18,7 @@ constexpr double largest_size = 1e10;   // of a variable: beyond it the point ru
 constexpr double linear_reach = 100.0;  // how much further variables may move in which all is linear
 constexpr double proximal = 1e-8;       // multiple of I in H, of the size of the gradient
 constexpr double loose = 0.1;           // part of the last step: a row that far from its bound is not active
+constexpr double left = 1e-3;           // of the step's length: from there on it has left a row
 constexpr int most_polishing = 6;       // passes
 constexpr double polished = 1e-3;       // of the tolerance: stationarity that no pass can improve
 constexpr double stationary = 1e-6;     // what deserves the word converged
@@ -82,15 +83,32 @@ std::optional<BackendResult> SequentialRun::begin(const VectorXd& start) {
 void SequentialRun::linearize() {
     jacobian_ = jacobian_of(problem_, here_);
     true_hessian_ = lagrangian_hessian(problem_, here_.x, multipliers_);
-    const double size = here_.gradient.size() > 0 ? here_.gradient.cwiseAbs().maxCoeff() : 0.0;
-    hessian_ = convexified(
-        true_hessian_, Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_),
-        proximal * std::max(size, 1e-8));
+    active_ = Stationarity{shape_, here_, jacobian_, multipliers_}.active_rows(loose * last_length_);
+    convexify();
     reach_.resize(shape_.variables());
     for (Index j = 0; j < reach_.size(); ++j)
         reach_[j] =
             std::max(1.0, std::abs(here_.x[j])) * (curved_[static_cast<std::size_t>(j)] ? 1.0 : linear_reach);
     fresh_ = false;
+}
+
+void SequentialRun::convexify() {
+    const double size = here_.gradient.size() > 0 ? here_.gradient.cwiseAbs().maxCoeff() : 0.0;
+    hessian_ = convexified(true_hessian_, active_, proximal * std::max(size, 1e-8));
+}
+
+/// Rows that the convexified Hessian holds the step to, but which the step leaves all the same, were not
+/// active: without them the step is as long as the problem lets it be. True: there were some, and the Hessian
+/// is another.
+bool SequentialRun::drop_left_rows(const Step& step) {
+    if (!hessian_.holds) return false;
+    const VectorXd distance = active_.normals * step.step + active_.residuals;
+    const double least = left * step.step.norm();
+    ActiveRows kept = active_.part([&](Index row) { return std::abs(distance[row]) <= least; });
+    if (kept.residuals.size() == active_.residuals.size()) return false;
+    active_ = std::move(kept);
+    convexify();
+    return true;
 }
 
 /// Tangents of convex rows that contradict each other, with the linear rows, prove that nothing is feasible.
@@ -178,6 +196,11 @@ std::optional<BackendResult> SequentialRun::pass() {
         model = step_model();
         step = next_step(model);
     }
+    if (step.usable && drop_left_rows(step)) {
+        model = step_model();
+        Step longer = next_step(model);
+        if (longer.usable || longer.stopped()) step = std::move(longer);
+    }
     if (step.stopped())
         return ended(step.stop == Stop::time_limit ? Termination::time_limit : Termination::interrupted,
                      "stopped");
@@ -206,6 +229,8 @@ std::optional<BackendResult> SequentialRun::pass() {
                          "no feasible point found: the violation is least nearby");
     }
     if (!take(model, std::move(step)) && best_ && polishing_ > 0) return finished();
+    if (control_.known && control_.known(here_.x))
+        return ended(Termination::acceptable, "beside a minimum that is known");
     if (radius_ < least_radius) {
         if (spoiled_) return ended(Termination::evaluation_error, "no step leads to finite values");
         if (kept(here_)) return ended(Termination::acceptable, "the steps became too small");

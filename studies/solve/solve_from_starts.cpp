@@ -6,6 +6,7 @@
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/bound/box_bound.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/solve/start_search.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -27,102 +28,6 @@ constexpr int parts_between_starts = 3, most_parts = 60, most_bound_rounds = 3;
 // What is proved is rounded outward once more where it is recomputed.
 constexpr double box_part_of_gap = 0.9;
 constexpr int samples_a_piece = 6;
-
-/// One search, and the multipliers of its last grid.
-struct SearchState {
-    Candidate found;
-    Eigen::VectorXd multipliers;
-};
-
-class StartSearch {
- public:
-    StartSearch(CamProblem problem, const Solver& solver, const ExchangeOptions& exchange,
-                const JudgeOptions& judge, const SolveControl& control)
-        : problem_(std::move(problem)),
-          solver_(solver),
-          exchange_(exchange),
-          judge_(judge),
-          control_(control) {}
-
-    /// Starts of these numbers.
-    void run(int first, int end, unsigned seed, const Eigen::VectorXd& relaxed) {
-        for (int k = first; k < end && !ends(k); ++k) run_from(start_of(k, seed, relaxed));
-    }
-    void run_from(const Eigen::VectorXd& start) {
-        const bool in_vain = !found();
-        keep(search(start, in_vain ? control_.sooner(control_.in_vain.seconds_left()) : control_));
-        // The limit of a search in vain does not hold for one that was on its way.
-        if (in_vain && found() && totals_.termination == Termination::time_limit && !control_.ending())
-            keep(search(best_.found.x, control_));
-        ++ran_;
-    }
-
-    void continue_from(const Eigen::VectorXd& x) {
-        keep(search(x, control_));
-        ++ran_;
-    }
-
-    [[nodiscard]] const SearchState& best() const { return best_; }
-    /// Something that keeps the limits.
-    [[nodiscard]] bool found() const {
-        return best_.found.x.size() > 0 && best_.found.violation <= judge_.tolerance;
-    }
-    [[nodiscard]] int ran() const { return ran_; }
-    [[nodiscard]] const ExchangeResult& totals() const { return totals_; }
-    [[nodiscard]] const CamProblem& problem() const { return problem_; }
-
- private:
-    CamProblem problem_;
-    const Solver& solver_;
-    const ExchangeOptions& exchange_;
-    const JudgeOptions& judge_;
-    const SolveControl& control_;
-    SearchState best_;
-    ExchangeResult totals_;
-    int ran_ = 0;
-
-    [[nodiscard]] Eigen::VectorXd start_of(int index, unsigned seed, const Eigen::VectorXd& relaxed) const {
-        const bool measured = problem_.model().start_design.size() > 0;
-        if (measured && index == 0) return start_from(problem_.model().start_design);
-        if (index == (measured ? 1 : 0) && relaxed.size() > 0) return relaxed;
-        if (index <= (measured ? 2 : 1)) return problem_.start();
-        return problem_.random_start(seed + static_cast<unsigned>(index));
-    }
-
-    /// A motion that the scene brings, with the dimensions any search starts from.
-    [[nodiscard]] Eigen::VectorXd start_from(const Eigen::VectorXd& design) const {
-        Eigen::VectorXd x = problem_.start();
-        x.head(design.size()) = design.cwiseQuotient(design_scales(problem_.model()));
-        return problem_.completed(x);
-    }
-
-    /// Whether the first starts are all there will be: then it is told why.
-    bool ends(int done) {
-        if (done == 0) return false;
-        std::optional<Termination> ending = control_.ending();
-        if (!ending && !found() && control_.in_vain.passed()) ending = Termination::time_limit;
-        if (ending) totals_.termination = *ending;
-        return ending.has_value();
-    }
-
-    SearchState search(const Eigen::VectorXd& start, const SolveControl& control) {
-        ExchangeResult ran = minimize_by_exchange(problem_, solver_, start, exchange_, control);
-        totals_.rounds += ran.rounds;
-        totals_.iterations += ran.iterations;
-        totals_.termination = ran.termination;
-        totals_.last = std::move(ran.last);
-        SearchState search{ran.best, {}};
-        if (is_better(ran.latest, search.found, judge_.tolerance)) search.found = ran.latest;
-        if (totals_.last.row_multipliers) search.multipliers = *totals_.last.row_multipliers;
-        return search;
-    }
-
-    void keep(SearchState search) {
-        if (search.found.x.size() == 0) return;
-        const bool first = best_.found.x.size() == 0;
-        if (first || is_better(search.found, best_.found, judge_.tolerance)) best_ = std::move(search);
-    }
-};
 
 /// Rows that later searches added carry no multiplier.
 Eigen::VectorXd padded(const Eigen::VectorXd& multipliers, int rows) {

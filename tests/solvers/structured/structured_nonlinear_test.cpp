@@ -55,6 +55,18 @@ CurvedNlp disc(double cost_x, double cost_y, double factor = 1.0, double scale =
     return problem;
 }
 
+TEST(StructuredNonlinear, EndsBesideAMinimumThatIsKnown) {
+    const PitchCurveNlp curve({});
+    const BackendResult whole = solve(curve, curve.start());
+    ASSERT_EQ(whole.termination, Termination::converged) << whole.native_status;
+    SolveControl control;
+    control.known = [&](const VectorXd& x) { return (x - whole.x).cwiseAbs().maxCoeff() < 1e-3; };
+    const BackendResult early = solve(curve, curve.start(), {}, control);
+    EXPECT_EQ(early.termination, Termination::acceptable) << early.native_status;
+    EXPECT_LT(early.iterations, whole.iterations);
+    EXPECT_LT((early.x - whole.x).cwiseAbs().maxCoeff(), 1e-3);
+}
+
 TEST(StructuredNonlinear, TestProblemsHaveRightDerivatives) {
     const PitchCurveNlp curve({});
     const VectorXd start = curve.start();
