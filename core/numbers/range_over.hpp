@@ -53,8 +53,9 @@ class RangeOver {
 
  private:
     [[nodiscard]] static std::size_t place(int i, int j) {
-        const int high = std::max(i, j), low = std::min(i, j);
-        return static_cast<std::size_t>(high * (high + 1) / 2 + low);
+        const auto high = static_cast<std::size_t>(std::max(i, j)),
+                   low = static_cast<std::size_t>(std::min(i, j));
+        return high * (high + 1) / 2 + low;
     }
     int size_ = 0;
     std::array<Interval, most> first_;

@@ -142,7 +142,10 @@ struct BoxSearch {
 /// other starts, and the boxes halved. Ends where bound and motion meet.
 void search_and_bound(StartSearch& search, BoxSearch& boxes, int starts, unsigned seed,
                       const Eigen::VectorXd& relaxed) {
-    const auto objective = [&] { return search.found() ? search.best().found.objective : infinity; };
+    const auto objective = [&]() -> double {
+        if (!search.found()) return infinity;
+        return search.best().found.objective;
+    };
     const int first = std::min(starts, starts_before_bound);
     search.run(0, first, seed, relaxed);
     boxes.run(objective(), parts_between_starts);
