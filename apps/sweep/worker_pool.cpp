@@ -119,10 +119,11 @@ class Pool {
 
     void bury(std::size_t index) {
         const std::optional<int> unit = workers_[index].unit();
+        const bool innocent = workers_[index].died_before_its_unit();
         const std::string cause = workers_[index].cause_of_death();
         workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
         if (!unit) return;
-        if (++deaths_[*unit] < most_deaths) {
+        if (innocent || ++deaths_[*unit] < most_deaths) {
             waiting_.push_front(*unit);
             return;
         }

@@ -43,8 +43,9 @@ struct PoolTask {
 enum class PoolOutcome { finished, stopped };
 
 /// Until every unit is done or lost, or until it is told to stop; no worker is left then. A unit whose worker
-/// dies is given to another worker once. An exception in `work` ends the run: InputError is thrown again as
-/// InputError, everything else as std::runtime_error.
+/// dies of it is given to another worker once; one that a dying worker had not begun with is not blamed. An
+/// exception in `work` ends the run: InputError is thrown again as InputError, everything else as
+/// std::runtime_error.
 [[nodiscard]] PoolOutcome run_workers(const PoolTask& task);
 
 }  // namespace camopt::apps

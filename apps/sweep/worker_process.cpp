@@ -123,7 +123,9 @@ WorkerProcess::WorkerProcess(const WorkerDuty& duty, const std::vector<int>& not
 WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       line_(std::exchange(other.line_, -1)),
-      unit_(std::exchange(other.unit_, std::nullopt)) {}
+      unit_(std::exchange(other.unit_, std::nullopt)),
+      has_served_(other.has_served_),
+      unread_(other.unread_) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
     if (this == &other) return *this;
@@ -131,6 +133,8 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
     process_ = std::exchange(other.process_, -1);
     line_ = std::exchange(other.line_, -1);
     unit_ = std::exchange(other.unit_, std::nullopt);
+    has_served_ = other.has_served_;
+    unread_ = other.unread_;
     return *this;
 }
 
@@ -150,12 +154,19 @@ void WorkerProcess::end() noexcept {
 
 void WorkerProcess::give(int unit) {
     unit_ = unit;
-    (void)send_packet(line_, &unit, sizeof unit);
+    unread_ = !send_packet(line_, &unit, sizeof unit);
 }
 
-std::optional<WorkerMessage> WorkerProcess::listen() const {
+void WorkerProcess::set_idle() {
+    unit_.reset();
+    has_served_ = true;
+}
+
+std::optional<WorkerMessage> WorkerProcess::listen() {
     std::array<char, longest_message> packet{};
+    errno = 0;
     const std::size_t size = receive_packet(line_, packet.data(), packet.size());
+    if (size == 0 && errno == ECONNRESET) unread_ = true;  // so says an end that closed with a packet in it
     Head head;
     if (size < sizeof head) return std::nullopt;
     std::memcpy(&head, packet.data(), sizeof head);

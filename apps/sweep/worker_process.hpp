@@ -43,10 +43,13 @@ class WorkerProcess {
     [[nodiscard]] int line() const { return line_; }  ///< a file descriptor to poll
     [[nodiscard]] const std::optional<int>& unit() const { return unit_; }
     void give(int unit);  ///< a worker that is dead already is noticed by listen()
-    void set_idle() { unit_.reset(); }
+    void set_idle();
 
     /// The next message; none: it died. Blocks until there is one.
-    [[nodiscard]] std::optional<WorkerMessage> listen() const;
+    [[nodiscard]] std::optional<WorkerMessage> listen();
+    /// Of a dead worker that had done a unit: whether it died before it took the one that it has now. (One
+    /// that has done nothing yet may be unable to begin: who gave to such for ever would never end.)
+    [[nodiscard]] bool died_before_its_unit() const { return has_served_ && unread_; }
 
     /// Of a dead worker: "worker died: signal 11".
     [[nodiscard]] std::string cause_of_death();
@@ -57,6 +60,8 @@ class WorkerProcess {
     pid_t process_ = -1;
     int line_ = -1;
     std::optional<int> unit_;
+    bool has_served_ = false;  ///< it has done a unit
+    bool unread_ = false;      ///< what it was given last it never read
 };
 
 }  // namespace camopt::apps

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -105,6 +106,100 @@ TEST(WorkerPool, AUnitThatKillsTwoWorkersIsLostAndTheRestIsDone) {
                                                       {7, "worker died: signal 9"},
                                                       {8, "worker died: exit code 3"}}));
     EXPECT_TRUE(no_child_is_left());
+}
+
+/// Who did a unit.
+struct WhoDidIt {
+    std::map<int, pid_t> last;  ///< by unit
+
+    /// The worker tells its process and the unit in one number, as numbers are all that it can tell.
+    void listen_to(PoolTask& task, Heard& heard) {
+        constexpr int most_processes = 1 << 22;  // of Linux
+        task.work = [](int unit, const std::function<void(int)>& tell) {
+            tell(unit * most_processes + static_cast<int>(::getpid()));
+        };
+        task.told = [this, &heard](int number) {
+            last[number / most_processes] = number % most_processes;
+            ++heard.told[number / most_processes];
+        };
+    }
+};
+
+void see_it_dead(pid_t process) {
+    siginfo_t seen{};
+    (void)::waitid(P_PID, static_cast<id_t>(process), &seen, WEXITED | WNOWAIT);  // left for the pool to bury
+}
+
+void kill_and_see_it_dead(pid_t process) {
+    ::kill(process, SIGKILL);
+    see_it_dead(process);
+}
+
+/// The second worker dies of unit 1, which goes to the first, who has said that it is done and is dead too.
+TEST(WorkerPool, AUnitGivenToTheDeadIsNotBlamedForThem) {
+    const TemporaryFolder folder;
+    const std::string mark = folder.path() + "/begun";
+    Heard heard;
+    WhoDidIt who;
+    PoolTask task = heard.task(2, 2);
+    who.listen_to(task, heard);
+    task.work = [&, tell_who = task.work](int unit, const std::function<void(int)>& tell) {
+        if (unit == 1 && !std::filesystem::exists(mark)) {
+            std::ofstream(mark) << ::getpid();
+            while (true) ::pause();
+        }
+        tell_who(unit, tell);
+        if (unit == 0)
+            std::thread([] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));  // "done" is said by then
+                std::raise(SIGKILL);
+            }).detach();
+    };
+    task.told = [&, remember = task.told](int number) {
+        remember(number);
+        if (heard.told.contains(1)) return;
+        pid_t second = 0;
+        while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
+        kill_and_see_it_dead(second);
+        see_it_dead(who.last.at(0));
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+    EXPECT_EQ(heard.told.size(), 2U);
+    EXPECT_TRUE(heard.lost.empty());
+    EXPECT_TRUE(no_child_is_left());
+}
+
+/// The first worker is stopped when it is done, is given unit 1 of the other, who died, and dies unread.
+TEST(WorkerPool, AUnitThatADyingWorkerNeverReadIsNotBlamedForIt) {
+    const TemporaryFolder folder;
+    const std::string mark = folder.path() + "/begun";
+    Heard heard;
+    WhoDidIt who;
+    PoolTask task = heard.task(2, 2);
+    who.listen_to(task, heard);
+    task.work = [&, tell_who = task.work](int unit, const std::function<void(int)>& tell) {
+        if (unit == 1 && !std::filesystem::exists(mark)) {
+            std::ofstream(mark) << ::getpid();
+            while (true) ::pause();
+        }
+        tell_who(unit, tell);
+    };
+    pid_t stopped = 0;
+    task.done = [&](int unit) {
+        if (unit == 1) return;
+        stopped = who.last.at(0);
+        ::kill(stopped, SIGSTOP);
+        pid_t second = 0;
+        while (!(std::ifstream(mark) >> second)) std::this_thread::yield();
+        kill_and_see_it_dead(second);
+    };
+    int ticks = 0;
+    task.tick = [&] {  // by the third one the stopped worker has been given what it will never read
+        if (stopped != 0 && ++ticks == 3) ::kill(stopped, SIGKILL);
+    };
+    EXPECT_EQ(run_workers(task), PoolOutcome::finished);
+    EXPECT_EQ(heard.told.size(), 2U);
+    EXPECT_TRUE(heard.lost.empty());
 }
 
 TEST(WorkerPool, ExceptionsEndTheRunAndKeepTheirWords) {
