@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace camopt {
 
 namespace {
 
-// Corners of nearly parallel faces are far away or rounding; others of the same value stand beside them.
+// Corners of nearly parallel faces are far away, rounding or no numbers at all (the determinant may round to
+// more than this where a pivot is zero); others of the same value stand beside them.
 constexpr double singular = 1e-24;
 // A share below zero by this much is zero.
 constexpr double game_rounding = 1e-12;
@@ -96,7 +98,7 @@ GameValue solve_game(std::span<const std::array<double, 3>> rows) {
                 system.row(2) = faces[k];
                 if (std::abs(system.determinant()) < singular) continue;
                 Eigen::Vector3d mix = system.partialPivLu().solve(Eigen::Vector4d::Unit(3)).head<3>();
-                if (mix.minCoeff() < -game_rounding) continue;
+                if (!mix.allFinite() || mix.minCoeff() < -game_rounding) continue;
                 mix = mix.cwiseMax(0.0) / mix.cwiseMax(0.0).sum();
                 const double value = least_row(rows, mix);
                 if (value > best.value) best = {{mix[0], mix[1], mix[2]}, value};
@@ -116,11 +118,12 @@ GameValue solve_game_by_cuts(std::span<const std::array<double, 3>> rows) {
         double least = game.value - same_value;
         for (const std::array<double, 3>& row : rows) {
             const double value = game.mix[0] * row[0] + game.mix[1] * row[1] + game.mix[2] * row[2];
-            if (value >= least) continue;
+            if (!(value < least)) continue;
             least = value;
             lowest = &row;
         }
-        if (lowest == nullptr) return game;
+        // A row that is in the game already is lower by rounding alone.
+        if (lowest == nullptr || std::ranges::find(chosen, *lowest) != chosen.end()) return game;
         chosen.push_back(*lowest);
         game = solve_game(chosen);
     }

@@ -8,12 +8,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace camopt {
 namespace {
 
 using testing_support::paper_objective;
+
+/// The largest least row of all mixes in steps of 1 / count.
+double best_of_lattice(const std::vector<std::array<double, 3>>& rows, int count) {
+    double best = 0.0;
+    for (int i = 0; i <= count; ++i) {
+        for (int j = 0; i + j <= count; ++j) {
+            double least = infinity;
+            for (const auto& row : rows)
+                least = std::min(least, (i * row[0] + j * row[1] + (count - i - j) * row[2]) / count);
+            best = std::max(best, least);
+        }
+    }
+    return best;
+}
 
 TEST(MatrixGame, KnownGames) {
     // Rows as planes over the simplex: matching pennies in three columns has the value 1/3.
@@ -34,20 +49,41 @@ TEST(MatrixGame, NoMixOfALatticeIsBetter) {
         for (auto& row : rows)
             for (double& entry : row) entry = number(random);
         const GameValue value = solve_game(rows);
-        double best = 0.0;
-        for (int i = 0; i <= 60; ++i) {
-            for (int j = 0; i + j <= 60; ++j) {
-                double least = infinity;
-                for (const auto& row : rows)
-                    least = std::min(least, (i * row[0] + j * row[1] + (60 - i - j) * row[2]) / 60.0);
-                best = std::max(best, least);
-            }
-        }
+        const double best = best_of_lattice(rows, 60);
         EXPECT_GE(value.value, best - 1e-12);
         EXPECT_LE(value.value, best + 0.1);
         EXPECT_GE(value.bound, value.value - 1e-13);
         EXPECT_LE(value.bound, value.value + 1e-12);
         EXPECT_NEAR(solve_game_by_cuts(rows).value, value.value, 1e-11);
+    }
+}
+
+TEST(MatrixGame, CornersOfNearlyParallelFacesAreNoNumbersAndNoValue) {
+    // Games of a trade-off surface with thin triangles: a determinant rounds to more than nothing where the
+    // pivot is zero, and the corner was NaN with the value infinity; the cuts went on for ever.
+    using Rows = std::vector<std::array<double, 3>>;
+    const std::vector<Rows> games = {
+        {{0x1.c3599094f8f5p-3, 0x1.4f2dfd2ee1364p-3, 0x1.8906cp-37},
+         {0x1.413d8p-36, 0x1.59a76d18e4cfcp+2, 0x1.aa277b46f2d72p+0},
+         {0x1.364d936579c8cp-3, 0x1.52998f71eee5ep-2, 0x1.9ce18037bb47p-7},
+         {0x1.79c29d2d7c81p-3, 0x1.e0e8f0d636344p-3, 0x1.14f4b8500b3cp-10},
+         {0x1.c359909350d88p-3, 0x1.4f2dfd30ec878p-3, 0x1.636p-43}},
+        {{0x1.3d45c9982c405p-4, 0x1.364d936582b48p-3, 0x1.0774p-40},
+         {0x1.23344e4fb0bb3p+2, 0x1.413d8p-36, 0x1.2d1b27eba0412p+0},
+         {0x1.67ba36ecca045p-3, 0x1.e5b7b4de9167p-4, 0x1.351abec99fd4p-8},
+         {0x1.3d45c99a458fp-4, 0x1.364d9365189d4p-3, 0x1.37bap-40}},
+        {{0x1.b4115a990abdp-12, 0x1.7e2ba2e11d978p-10, 0x1.b014991d8p-26},
+         {0x1.21525e02c5fbcp-8, 0x1.1dd0168p-32, 0x1.9961de3d95fcp-12},
+         {0x1.bb2844921351p-12, 0x1.7d40c2dc1de74p-10, 0x1.aa081358p-31}},
+    };
+    for (const Rows& rows : games) {
+        const GameValue value = solve_game(rows);
+        const double best = best_of_lattice(rows, 400);
+        ASSERT_TRUE(std::isfinite(value.mix[0] + value.mix[1] + value.mix[2]));
+        EXPECT_GE(value.value, best - 1e-12);
+        EXPECT_LE(value.value, best + 0.01);
+        EXPECT_NEAR(value.bound, value.value, 1e-12);
+        EXPECT_NEAR(solve_game_by_cuts(rows).value, value.value, 1e-12);
     }
 }
 
