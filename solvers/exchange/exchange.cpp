@@ -13,9 +13,6 @@ namespace {
 // Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
 constexpr double adding_part = 0.1;
 
-// No round is solved more coarsely than this.
-constexpr double coarsest_round = 1e-4;
-
 /// Adds rows where the motion behind a backend's point breaks rules. 0: there is no such place, or its rows
 /// are there already, and the backend leaves violated what it was told to keep: nothing more to tell it.
 int refined(ContinuousProblem& problem, const BackendResult& found, double tolerance) {
@@ -56,34 +53,17 @@ bool is_better(const Candidate& left, const Candidate& right, double tolerance) 
 
 namespace {
 
-/// What the grid does not see at a point of it, relative: of the objective or of the worst limit.
-double unseen_by(const Nlp& grid, const Candidate& found, const Eigen::VectorXd& x) {
-    const double unseen = found.objective - grid.cost(x);
-    return std::max(found.violation, unseen / std::max(1.0, std::abs(found.objective)));
-}
-
-/// How exactly the next round is to be solved. The error of the exchange falls like that of Newton's method,
-/// so the next grid misses about the square of what this one missed; to solve it more exactly is lost.
-/// Only our own solver is told so, and only of programs that it solves by one run of its interior point.
-double tolerance_of_next_round(const Solver& solver, const NlpShape& grid, double unseen, double wished) {
-    const bool one_run =
-        grid.convex && grid.quadratic_cost && std::ranges::all_of(grid.rows, &RowKind::linear);
-    if (solver.name() != "structured" || !one_run) return wished;
-    return std::max(wished, std::min(coarsest_round, unseen * unseen));
-}
-
 /// Goes on with `result`, whose best point is judged, from a start.
 ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen::VectorXd next_start,
                          const ExchangeOptions& options, const SolveControl& control, ExchangeResult result) {
     const SolveControl timed = control.sooner(options.backend.max_seconds);
-    BackendOptions backend = options.backend;
     while (result.rounds < options.most_rounds) {
         if (const std::optional<Termination> ending = timed.ending()) {
             result.termination = *ending;
             if (interrupted_at_once(result)) result.best = {};
             return result;
         }
-        result.last = solver.minimize(problem.grid(), next_start, backend, timed);
+        result.last = solver.minimize(problem.grid(), next_start, options.backend, timed);
         result.termination = result.last.termination;
         result.iterations += result.last.iterations;
         ++result.rounds;
@@ -111,16 +91,13 @@ ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen
             if (interrupted_at_once(result)) result.best = result.latest = {};
             return result;
         }
-        const double unseen = unseen_by(problem.grid(), found, x);
-        const bool settled = unseen <= options.tolerance;
-        const bool nothing_to_add = settled || refined(problem, result.last, options.tolerance) == 0;
-        const double wished = options.backend.tolerance;
-        if (nothing_to_add && backend.tolerance <= wished) {
+        const double unseen = found.objective - problem.grid().cost(x);
+        const bool settled = unseen <= options.tolerance * std::max(1.0, std::abs(found.objective)) &&
+                             found.violation <= options.tolerance;
+        if (settled || refined(problem, result.last, options.tolerance) == 0) {
             result.converged = true;
             return result;
         }
-        backend.tolerance =
-            nothing_to_add ? wished : tolerance_of_next_round(solver, problem.grid().shape(), unseen, wished);
         next_start = found.x;
     }
     return result;
