@@ -196,7 +196,9 @@ std::string changes_together(const std::vector<Relaxation>& rows) {
 
 std::string listed(const std::vector<std::string>& keys) {
     std::string text;
-    for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key_words(key).words;
+    for (const std::string& key : keys)
+        text += (text.empty() ? "" : ", ") +
+                (key == together_key ? "all limits together" : key_words(key).words);
     return text;
 }
 

@@ -83,6 +83,9 @@ struct Relaxation {
 };
 
 /// What was found out about a scene without a motion, beside the changes of one number alone.
+/// Among Explanation::unsettled: the search for what all limits together would have to give.
+inline constexpr const char* together_key = "together";
+
 struct Explanation {
     /// Changes that do together, where no limit alone can be relaxed far enough: all by the same part of
     /// themselves, but those that need none.
@@ -90,7 +93,7 @@ struct Explanation {
     std::vector<std::string> any_motion;  ///< keys of limits that no motion whatever keeps, spline or not
     std::vector<std::string> alone;       ///< keys of limits that no motion keeps even without the others
     int finest = 0;                       ///< segments of the finest spline that was tried in vain; 0: none
-    std::vector<std::string> unsettled;   ///< keys of changes whose search did not end
+    std::vector<std::string> unsettled;   ///< keys of changes whose search did not end, `together_key` too
     double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given of solver.max_seconds
 };
 

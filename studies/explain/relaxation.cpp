@@ -122,11 +122,6 @@ class Explainer {
         return !contradictory();
     }
 
-    void add_unsettled(const std::string& key) {
-        if (std::ranges::find(found_.unsettled, key) == found_.unsettled.end())
-            found_.unsettled.push_back(key);
-    }
-
     /// One row, or the key of a search that did not end. `find`: the needed value within the time it is
     /// given.
     template <typename Find>
@@ -204,8 +199,7 @@ class Explainer {
             budget_.say("what would help: all limits together");
             found_.together = joint_relaxation(scene_, limits, budget_);
         }
-        if (found_.together.empty() && is_over())
-            for (const Adjustment& one : limits) add_unsettled(one.key);
+        if (found_.together.empty() && is_over()) found_.unsettled.emplace_back(together_key);
     }
 };
 

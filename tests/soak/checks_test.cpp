@@ -308,6 +308,20 @@ max_seconds = {}
     FAIL() << "no time ended the search";
 }
 
+TEST(SoakChecks, InfeasibleNeedsAProofOfEitherKind) {
+    Solved claimed = solved(motion_scene);
+    claimed.outcome.verdict = "infeasible";
+    expect_broken(check_infeasibility(claimed));  // it has a motion
+    claimed.outcome.spline.reset();
+    expect_broken(check_infeasibility(claimed));  // by a bound of the objective
+    claimed.outcome.proof.reset();
+    expect_broken(check_infeasibility(claimed));
+    claimed.outcome.proof_kind = "boxes";
+    expect_broken(check_infeasibility(claimed));  // boxes without their steps
+    claimed.outcome.has_box_proof = true;
+    EXPECT_EQ(check_infeasibility(claimed).value_or("none"), "");
+}
+
 TEST(SoakLaws, HaveTheFiguresOfTheHandbooks) {
     const auto sine = law_figures("modified_sine");
     EXPECT_NEAR(sine.at("velocity"), 1.759603385953771, 1e-12);

@@ -228,12 +228,12 @@ TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
     solution.explanation->seconds = 30.0;
     solution.explanation->allowed = 30.0;
     solution.explanation->finest = 32;
-    solution.explanation->unsettled = {"cam.offset_mm"};
+    solution.explanation->unsettled = {"cam.offset_mm", "together"};
     std::string text;
     for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
     EXPECT_TRUE(says(text,
                      "The search for what helps took 30 s; solver.max_seconds leaves it 30 s. It did not "
-                     "settle: offset."))
+                     "settle: offset, all limits together."))
         << text;
     EXPECT_TRUE(says(text, "More segments were tried in vain, up to 32.")) << text;
 }

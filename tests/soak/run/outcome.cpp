@@ -141,6 +141,8 @@ void read_result(const std::string& text, Outcome& outcome) {
 void read_certificate_text(const std::string& text, Outcome& outcome) {
     const json file = json::parse(text);
     outcome.repeatable += file.dump();
+    if (const auto boxes = file.find("boxes"); boxes != file.end() && !boxes->is_null())
+        outcome.has_box_proof = !boxes->at("steps").empty();
     const json& proof = file.at("proof");
     if (proof.is_null()) return;
     Proof found;

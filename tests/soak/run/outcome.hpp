@@ -69,6 +69,7 @@ struct Outcome {
     /// Searches for what would help that the clock ended, as result.json says.
     std::vector<std::string> unsettled;
     std::optional<Proof> proof;
+    bool has_box_proof = false;  ///< the certificate holds the steps of a proof over boxes
     double processor_seconds = 0.0, wall_seconds = 0.0;
     /// Both texts without what may differ between two identical calls: seconds.
     std::string repeatable;
