@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""report_test.py PROGRAM SCENES FOLDER: what a person reads of every example scene.
+"""report_test.py PROGRAM SCENES SOLVED FOLDER: what a person reads of every example scene (SOLVED: solve_examples.py).
 
 The report names every key that the key table knows and the scene sets, with its value. Peaks are those of motion.csv
 to the printed digits. With a speed the motion stands in mm/s and m/s² (swinging: rad/s) first; a scene written in
@@ -16,7 +16,8 @@ import sys
 import tomllib
 import xml.dom.minidom
 
-PROGRAM, SCENES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+PROGRAM = sys.argv[1]
+SCENES, SOLVED, FOLDER = (pathlib.Path(word) for word in sys.argv[2:5])
 SECONDS = 300
 INCH = 25.4
 IN_TIME = {"mm/s", "m/s²", "m/s³", "rad/s", "rad/s²", "rad/s³", "in/s", "in/s²", "in/s³"}
@@ -195,7 +196,7 @@ def check_scenes(known):
     for path in sorted(SCENES.glob("*.toml")):
         text = path.read_text(encoding="utf-8")
         scene = tomllib.loads(text)
-        folder, console = solve(path, path.stem)
+        folder, console = SOLVED / path.stem, (SOLVED / f"{path.stem}.console").read_text(encoding="utf-8")
         report = (folder / "report.md").read_text(encoding="utf-8")
         kept = (folder / "scene.toml").read_text(encoding="utf-8")
         if "measured" not in scene:  # whose table stands in the kept scene
@@ -298,7 +299,7 @@ def check_other_commands():
 
 def check_forces():
     """At the breakpoints, which both tables have: F = m a + c s + preload, T = F s'."""
-    folder = FOLDER / "cam_forces"
+    folder = SOLVED / "cam_forces"
     forces = tomllib.loads((SCENES / "cam_forces.toml").read_text(encoding="utf-8"))["forces"]
     with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
         motion = {round(float(row["theta_deg"]), 9): row for row in csv.DictReader(file)}  # the last is from the right

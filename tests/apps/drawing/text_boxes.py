@@ -6,11 +6,12 @@ A box is as wide as DejaVu Sans draws the words or a little wider (a table of wi
 letters, turned as the picture turns it. Two boxes of one picture must not overlap, and every box must lie in the
 view box. Reads the pictures as a browser would: classes and the rules of their <style>, in order.
 
-    text_boxes.py PICTURE.svg …                  exit status 1 where a picture has a fault
-    text_boxes.py --scenes CAMOPT SCENES FOLDER  solves every scene of the folder SCENES into FOLDER, draws it,
-                                                 sweeps, traces fronts and compares laws, and looks at every
-                                                 picture that comes out
-    text_boxes.py --self-test                    pictures with a fault are found, those without are not
+    text_boxes.py PICTURE.svg …  exit status 1 where a picture has a fault
+    text_boxes.py --scenes CAMOPT SCENES SOLVED FOLDER
+                                 draws every scene of the folder SCENES from its result in SOLVED (solve_examples.py),
+                                 sweeps, traces fronts and compares laws into FOLDER, and looks at every picture there
+                                 and in SOLVED
+    text_boxes.py --self-test    pictures with a fault are found, those without are not
 """
 
 import math
@@ -156,9 +157,8 @@ def self_test():
     print(f"self test: {len(cases)} pictures judged rightly")
 
 
-QUICK = ["--set", "solver.max_seconds=6", "--set", "solver.starts=1"]
-SLOW = {"tappet_75": "90", "tappet_90": "90"}  # s until a motion keeps their limits, on a machine with other work
 FOUND = (0, 1, 3)  # a scene without an optimum has pictures too
+LINKAGES = ("tappet_75", "tappet_90")  # slow to find a motion; without one there is no picture to look at
 MILLED = ("cam_forces", "cam_grooved", "cam_conjugate", "barrel_paper_cup", "ocrf_indexing")
 STUDIES = (  # folder, command, scene, the rest
     ("weights", "sweep", "drd_cubic_8", ["--weights", "simplex:6"]),
@@ -175,35 +175,33 @@ STUDIES = (  # folder, command, scene, the rest
 )
 
 
-def pictures_of(program, scenes, folder):
-    """Solves and draws; the pictures of all scenes."""
+def pictures_of(program, scenes, solved, folder):
+    """Draws what was solved, and studies; the pictures of all of them."""
+    scenes, solved, folder = pathlib.Path(scenes), pathlib.Path(solved), pathlib.Path(folder)
     shutil.rmtree(folder, ignore_errors=True)
-    for scene in sorted(pathlib.Path(scenes).glob("*.toml")):
-        result = pathlib.Path(folder) / scene.stem
-        seconds = ["--set", f"solver.max_seconds={SLOW[scene.stem]}"] if scene.stem in SLOW else []
-        solved = subprocess.run([program, "solve", scene, "--out", result] + QUICK + seconds, capture_output=True, text=True)
-        if solved.returncode not in FOUND:
-            raise SystemExit(f"{scene}: exit status {solved.returncode}: {solved.stderr}")
-        if scene.stem in SLOW and not (result / "mechanism.svg").exists():
-            raise SystemExit(f"{scene}: no motion was found, so there is no picture to look at: {solved.stdout}")
-        if (result / "profile.svg").exists():
-            drawn = subprocess.run([program, "export", result, "--out", result / "drawn", "--drawing", "svg"],
-                                   capture_output=True, text=True)
-            if drawn.returncode not in FOUND or not (result / "drawn" / "drawing.svg").exists():
-                raise SystemExit(f"{scene}: no drawing: {drawn.stderr}")
+    for name in LINKAGES:
+        if not (solved / name / "mechanism.svg").exists():
+            raise SystemExit(f"{name}: no motion was found, so there is no picture to look at")
+    for scene in sorted(scenes.glob("*.toml")):
+        if (solved / scene.stem / "profile.svg").exists():
+            drawn = folder / "drawn" / scene.stem
+            export = subprocess.run([program, "export", solved / scene.stem, "--out", drawn, "--drawing", "svg"],
+                                    capture_output=True, text=True)
+            if export.returncode not in FOUND or not (drawn / "drawing.svg").exists():
+                raise SystemExit(f"{scene}: no drawing: {export.stderr}")
     for scene in MILLED:
-        result = pathlib.Path(folder) / scene
-        milled = subprocess.run([program, "export", result, "--out", result / "milled", "--nc", "--cutter-mm", "12"],
+        milled = folder / "milled" / scene
+        export = subprocess.run([program, "export", solved / scene, "--out", milled, "--nc", "--cutter-mm", "12"],
                                 capture_output=True, text=True)
-        if milled.returncode not in FOUND or not (result / "milled" / "cam_nc.svg").exists():
-            raise SystemExit(f"{scene}: no tool path: {milled.stderr}")
+        if export.returncode not in FOUND or not (milled / "cam_nc.svg").exists():
+            raise SystemExit(f"{scene}: no tool path: {export.stderr}")
     for name, command, scene, words in STUDIES:
-        result = pathlib.Path(folder) / "studies" / name
-        made = subprocess.run([program, command, pathlib.Path(scenes) / f"{scene}.toml", "--out", result] + words,
+        result = folder / "studies" / name
+        made = subprocess.run([program, command, scenes / f"{scene}.toml", "--out", result] + words,
                               capture_output=True, text=True)
         if made.returncode not in FOUND or not list(result.glob("*.svg")):
             raise SystemExit(f"{command} of {scene}: exit status {made.returncode}, no picture: {made.stderr}")
-    return sorted(pathlib.Path(folder).rglob("*.svg"))
+    return sorted(solved.rglob("*.svg")) + sorted(folder.rglob("*.svg"))
 
 
 def main():
