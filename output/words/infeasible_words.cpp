@@ -197,8 +197,8 @@ std::string changes_together(const std::vector<Relaxation>& rows) {
 std::string listed(const std::vector<std::string>& keys) {
     std::string text;
     for (const std::string& key : keys)
-        text += (text.empty() ? "" : ", ") +
-                (key == together_key ? "all limits together" : key_words(key).words);
+        text +=
+            (text.empty() ? "" : ", ") + (key == together_key ? "all limits together" : key_words(key).words);
     return text;
 }
 
