@@ -60,15 +60,17 @@ std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left,
 
 class Search {
  public:
-    Search(const Subject& subject, const PolynomialPiece& piece, double floor, double accuracy)
-        : subject_(subject), piece_(piece), floor_(floor), accuracy_(accuracy) {}
+    Search(const Subject& subject, const PolynomialPiece& piece, double floor, double accuracy,
+           Effort& effort)
+        : subject_(subject), piece_(piece), floor_(floor), accuracy_(accuracy), effort_(effort) {}
 
     /// False where it gave up.
     [[nodiscard]] bool run() {
         const double length = piece_.piece.end - piece_.piece.begin;
         std::vector<Stretch> open = {{0.0, length}};
         for (int count = 0; !open.empty(); ++count) {
-            if (count == most_stretches) return false;
+            if (count == most_stretches || effort_.enclosures <= 0) return false;
+            --effort_.enclosures;
             const Stretch stretch = open.back();
             open.pop_back();
             const RangeAlong range = over(stretch.begin, stretch.end);
@@ -140,16 +142,17 @@ class Search {
     const Subject& subject_;
     const PolynomialPiece& piece_;
     double floor_ = 0.0, accuracy_ = 0.0;
+    Effort& effort_;
     std::vector<Extremum> found_;
 };
 
 }  // namespace
 
 std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const PolynomialPiece& piece,
-                                              double floor, double accuracy) {
-    if (piece.y.size() > most_degree + 1) return {};
+                                              double floor, double accuracy, Effort& effort) {
+    if (effort.enclosures <= 0 || piece.y.size() > most_degree + 1) return {};
     if (!subject.rule.range_along(derivative_ranges(piece.y, 0.0, 0.0), subject.q)) return {};
-    Search search(subject, piece, floor, accuracy);
+    Search search(subject, piece, floor, accuracy, effort);
     if (!search.run()) return {};
     return search.take();
 }

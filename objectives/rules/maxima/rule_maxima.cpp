@@ -26,6 +26,7 @@ constexpr double far_below = 0.1;
 // Of a rule's scale: to this an enclosed maximum is known. A tenth of the tightest usual tolerance.
 constexpr double enclosed_accuracy = 1e-10;
 
+using piece_maxima::Effort;
 using piece_maxima::PolynomialPiece;
 using piece_maxima::Stretch;
 using piece_maxima::Subject;
@@ -132,11 +133,13 @@ class CurvedPieces {
         double largest = -infinity;
         for (const Extremum& end : all) largest = std::max(largest, end.value);
         const double floor = std::min(0.0, largest) - far_below * scale;
+        Effort effort = Effort::of(pieces_.size());
         for (const PolynomialPiece& piece : pieces_) {
-            if (auto inside = piece_maxima::enclosed(subject_, piece, floor, enclosed_accuracy * scale)) {
+            if (auto inside =
+                    piece_maxima::enclosed(subject_, piece, floor, enclosed_accuracy * scale, effort)) {
                 append(all, std::move(*inside));
             } else {
-                append(all, piece_maxima::sampled(subject_, piece.piece, samples_on_spline));
+                append(all, piece_maxima::sampled(subject_, piece.piece, samples_on_spline, effort));
             }
         }
         // Where two pieces meet, the left one's end comes first.
@@ -196,7 +199,9 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
                            candidates);
             }
         } else {
-            append(candidates, piece_maxima::sampled(subject, {piece.begin, piece.end}, samples_on_shape));
+            Effort effort = Effort::of(1);
+            append(candidates,
+                   piece_maxima::sampled(subject, {piece.begin, piece.end}, samples_on_shape, effort));
         }
     }
     curved.finish(candidates);
@@ -209,8 +214,10 @@ std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, c
     if (!rule.places().empty()) return at_places(subject);
     CurvedPieces curved(subject);
     const auto by_samples = [&](const std::vector<double>& points) {
+        Effort effort = Effort::of(points.size());
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            append(candidates, piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape));
+            append(candidates,
+                   piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape, effort));
     };
     const auto* chain = dynamic_cast<const MotionChain*>(&motion);
     if (!chain) {

@@ -20,6 +20,11 @@ constexpr double close = 1e-3;
 constexpr double mistrust = 8.0;
 constexpr int most_halvings = 8;
 
+// What a motion may take that keeps its limits: a dozen evaluations a piece are usual, some pieces take
+// hundreds.
+constexpr int usual_enclosures = 2000, enclosures_of_a_piece = 200;
+constexpr int usual_evaluations = 4000, evaluations_of_a_piece = 100;
+
 struct ValueAndSlope {
     double value = 0.0, slope = 0.0;
 };
@@ -50,12 +55,17 @@ struct Sample {
 
 class Sampler {
  public:
-    Sampler(const Subject& subject, const Stretch& piece) : subject_(subject), piece_(piece) {
+    Sampler(const Subject& subject, const Stretch& piece, Effort& effort)
+        : subject_(subject), piece_(piece), effort_(effort) {
         const ValueAndSlope begin = at(piece.begin).at, end = at(piece.end).at;
         matters_ = std::min(0.0, std::max(begin.value, end.value));
     }
 
-    [[nodiscard]] Sample at(double x) const { return {x, value_and_slope(subject_, piece_, x)}; }
+    [[nodiscard]] Sample at(double x) const {
+        --effort_.evaluations;
+        return {x, value_and_slope(subject_, piece_, x)};
+    }
+    [[nodiscard]] bool tired() const { return effort_.evaluations <= 0; }
     /// Samples after `left` up to and with `right`, as dense as the rule is narrow.
     void refine(const Sample& left, const Sample& right, int halvings, std::vector<Sample>& samples) const {
         const double width = right.x - left.x;
@@ -68,7 +78,7 @@ class Sampler {
             std::abs(middle.at.value - cubic) + 0.25 * width * std::abs(middle.at.slope - tilt);
         const double top = std::max({left.at.value, middle.at.value, right.at.value});
         const bool dull = top + mistrust * error < matters_;
-        if (dull || error <= close * subject_.rule.scale() || halvings == most_halvings) {
+        if (dull || error <= close * subject_.rule.scale() || halvings == most_halvings || tired()) {
             samples.push_back(middle);
             samples.push_back(right);
             return;
@@ -80,6 +90,7 @@ class Sampler {
  private:
     const Subject& subject_;
     const Stretch& piece_;
+    Effort& effort_;
     double matters_ = 0.0;
 };
 
@@ -110,8 +121,15 @@ double root_of_slope(const std::function<double(double x)>& slope, const Stretch
     return 0.5 * (left + right);
 }
 
-std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int least_samples) {
-    const Sampler sampler(subject, piece);
+Effort Effort::of(std::size_t pieces) {
+    const auto count = static_cast<int>(pieces);
+    return {usual_enclosures + enclosures_of_a_piece * count,
+            usual_evaluations + evaluations_of_a_piece * count};
+}
+
+std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int least_samples,
+                              Effort& effort) {
+    const Sampler sampler(subject, piece, effort);
     std::vector<Sample> samples = {sampler.at(piece.begin)};
     const int stretches = std::max(1, least_samples / 2);  // each is looked at in its middle too
     for (int k = 1; k <= stretches; ++k) {
@@ -119,12 +137,17 @@ std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int 
         sampler.refine(Sample(samples.back()), sampler.at(x), 0, samples);
     }
     std::vector<Extremum> found = {{samples.front().at.value, piece.begin, Side::right}};
-    const auto slope = [&](double x) { return value_and_slope(subject, piece, x).slope; };
+    const auto slope = [&](double x) { return sampler.at(x).at.slope; };
     for (std::size_t k = 1; k < samples.size(); ++k) {
         const Sample &left = samples[k - 1], &right = samples[k];
         // A sample that meets the top itself: of a motion that is its own mirror image the middle does.
         if (left.at.slope == 0.0 && k > 1) found.push_back({left.at.value, left.x, Side::right});
         if (left.at.slope > 0.0 && right.at.slope < 0.0) {
+            if (sampler.tired()) {
+                const Sample& higher = left.at.value > right.at.value ? left : right;
+                found.push_back({higher.at.value, higher.x, Side::right});
+                continue;
+            }
             const double x = root_of_slope(slope, {left.x, right.x}, {left.at.slope, right.at.slope});
             found.push_back({subject.value(x, Side::right), x, Side::right});
         }

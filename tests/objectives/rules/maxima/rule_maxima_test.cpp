@@ -226,7 +226,8 @@ TEST(RuleMaxima, OfARuleThatHugsItsLimitAreFoundQuickly) {
     const Hugging rule;
     const Eigen::VectorXd none;
     const piece_maxima::Subject subject{rule, curve, none};
-    const auto found = piece_maxima::enclosed(subject, {{0.0, 0.02}, y}, -1.0, 1e-10);
+    auto effort = piece_maxima::Effort::of(1);
+    const auto found = piece_maxima::enclosed(subject, {{0.0, 0.02}, y}, -1.0, 1e-10, effort);
     ASSERT_TRUE(found);
     EXPECT_LT(rule.looks(), 500);
     // y'/(1 + y) − 1 = −x⁵/120 / (1 + y): largest at the beginning.
@@ -234,6 +235,49 @@ TEST(RuleMaxima, OfARuleThatHugsItsLimitAreFoundQuickly) {
         EXPECT_LE(maximum.value, 1e-15);
         EXPECT_GE(maximum.value, -1e-7);
     }
+}
+
+/// sin(10⁶·y): thousands of maxima a piece, none of which says anything.
+class Shaking final : public PointRule {
+ public:
+    [[nodiscard]] std::string name() const override { return "shaking"; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return false; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>&,
+                                                        const Eigen::VectorXd&) const override {
+        ++looks_;
+        return RangeAlong({-1.0, 1.0}, {-1e6, 1e6}, {-1e12, 1e12});
+    }
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd&) const override {
+        ++looks_;
+        RuleValue value{std::sin(often * point.derivative[0]), Eigen::VectorXd::Zero(4),
+                        Eigen::MatrixXd::Zero(4, 4)};
+        value.gradient[0] = often * std::cos(often * point.derivative[0]);
+        return value;
+    }
+    [[nodiscard]] int looks() const { return looks_; }
+
+ private:
+    static constexpr double often = 1e6;
+    mutable int looks_ = 0;
+    std::vector<int> parameters_;
+};
+
+/// A search that strays far outside asked 16,000 times a piece, for seconds that nobody could stop.
+TEST(RuleMaxima, OfAMotionFarOutsideDoNotCostSeconds) {
+    constexpr int pieces = 20;
+    std::vector<double> breakpoints;
+    for (int k = 0; k <= pieces; ++k) breakpoints.push_back(static_cast<double>(k) / pieces);
+    Eigen::MatrixXd ramp = Eigen::MatrixXd::Zero(4, pieces);
+    for (int k = 0; k < pieces; ++k) ramp.col(k).head(2) << breakpoints[static_cast<std::size_t>(k)], 1.0;
+    const auto curve = std::make_shared<SplineCurve>(SplineSpace(3, 2, breakpoints), ramp);
+    const MotionChain chain({{0.0, 1.0, curve}});
+    const Shaking rule;
+    const std::vector<Extremum> found = rule_maxima(rule, chain, Eigen::VectorXd());
+    EXPECT_LT(rule.looks(), 30000);
+    EXPECT_GT(largest_of(found).value, 0.999);  // broken, and seen to be
 }
 
 }  // namespace
