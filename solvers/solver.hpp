@@ -6,6 +6,7 @@
 #include "core/deadline.hpp"
 #include "core/nlp.hpp"
 #include "core/text/choices.hpp"
+#include "solvers/path_point.hpp"
 
 #include <Eigen/Core>
 
@@ -15,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace camopt {
 
@@ -77,7 +79,11 @@ struct BackendOptions {
     int max_iterations = 3000;                  ///< iterations (evaluations for the derivative-free), >= 1
     double max_seconds = 60.0;                  ///< wall time, > 0; SolveControl::deadline may be earlier
     std::map<std::string, OptionValue> native;  ///< the backend's own options
-    void validate() const;                      ///< throws InputError
+    /// Where a backend with a central path may begin instead of the start; of a problem whose first rows are
+    /// the same.
+    std::optional<PathPoint> near = {};
+    bool keep_path = false;  ///< asks for BackendResult::path
+    void validate() const;   ///< throws InputError
 };
 
 struct BackendResult {
@@ -88,6 +94,7 @@ struct BackendResult {
     /// > 0 at an active upper bound, < 0 at an active lower one. Absent where the backend has none.
     std::optional<Eigen::VectorXd> row_multipliers, bound_multipliers;
     int iterations = 0;
+    std::vector<PathPoint> path;  ///< where it was asked for and there is one: gaps descending
 };
 
 class Solver {

@@ -11,8 +11,13 @@ namespace camopt {
 
 namespace {
 
-// Two peaks closer than this, relative to the larger, are the same peak reached twice: the first is reported.
-constexpr double same_peak = 1e-12;
+// Both sides of a breakpoint closer than this, relative to the larger, are one value.
+constexpr double same_value = 1e-12;
+
+// An optimum touches its peaks at many places, each to the tolerance of a solve, some 1e-9 of the peak;
+// places this close are the same peak reached again, and which of them is higher by the last digits says
+// nothing.
+constexpr double same_peak = 1e-8;
 
 double mean_square(const SplineCurve& curve, int order) {
     double integral = 0.0;
@@ -62,7 +67,7 @@ std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFuncti
             // Where the function is continuous both sides of a breakpoint are one point: keep the larger.
             if (!candidates.empty() && candidates.back().at == candidate.at) {
                 const double jump = std::abs(candidates.back().value - candidate.value);
-                if (jump <= same_peak * std::max(1.0, std::abs(candidate.value))) continue;
+                if (jump <= same_value * std::max(1.0, std::abs(candidate.value))) continue;
             }
             candidates.push_back(candidate);
         }
@@ -81,25 +86,41 @@ namespace {
 /// Of functions given one by one, in the order of their segments.
 class LargestMagnitude {
  public:
-    explicit LargestMagnitude(const SplineSpace& space) : space_(space), largest_{-1.0, space.begin()} {}
+    explicit LargestMagnitude(const SplineSpace& space) : space_(space) {}
 
     void add(int segment, const Eigen::VectorXd& polynomial) {
         candidates_.clear();
         add_candidates_on_segment(space_, segment, polynomial, candidates_);
-        for (const Extremum& candidate : candidates_) {
-            const double magnitude = std::abs(candidate.value);
-            if (magnitude > largest_.value + same_peak * std::max(1.0, magnitude) || largest_.value < 0.0) {
-                largest_ = {magnitude, candidate.at, candidate.side};
-            } else if (magnitude > largest_.value) {
-                largest_.value = magnitude;
-            }
-        }
+        for (const Extremum& candidate : candidates_)
+            add({std::abs(candidate.value), candidate.at, candidate.side});
     }
-    [[nodiscard]] const Extremum& largest() const { return largest_; }
+
+    /// The largest value, at the first place that comes to it within `same_peak`.
+    [[nodiscard]] Extremum largest() const {
+        Extremum largest = records_.back();
+        const auto first = std::ranges::find_if(records_, [&](const Extremum& record) {
+            return record.value >= largest.value - same_peak * largest.value;
+        });
+        if (first != records_.end()) largest = {largest.value, first->at, first->side};  // else: no number
+        return largest;
+    }
 
  private:
+    void add(const Extremum& place) {
+        if (records_.empty()) {
+            records_.push_back(place);
+        } else if (place.value > records_.back().value) {
+            if (!climbing_) records_.push_back(place);
+            records_.back() = place;
+            climbing_ = true;
+        } else {
+            climbing_ = climbing_ && place.at == records_.back().at;  // the other side of the same breakpoint
+        }
+    }
+
     const SplineSpace& space_;
-    Extremum largest_;
+    std::vector<Extremum> records_;  ///< summits, each above all before it
+    bool climbing_ = true;           ///< whether the way up to the last of them may go on
     std::vector<Extremum> candidates_;
 };
 

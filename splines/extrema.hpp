@@ -28,7 +28,8 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
 /// The local maxima over the whole space, in x order; a maximum that two segments share is given once.
 [[nodiscard]] std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFunction& function);
 
-/// The extremum of largest magnitude; `value` is that magnitude. Of equal ones (to round-off) the first.
+/// The extremum of largest magnitude; `value` is that magnitude. Of places that come to it within 1e-8 of it,
+/// as an optimum does at many, `at` is the first.
 [[nodiscard]] Extremum largest_magnitude(const SplineSpace& space, const SegmentFunction& function);
 
 /// Exactly: max |y^{(order)}|, its root mean square, and max |y' y''|. order 1 … 3.

@@ -46,6 +46,25 @@ MotionPoint point_of(const ChainPart& part, const std::vector<double>& own_break
 }
 }  // namespace
 
+std::optional<std::array<Interval, 5>> ranges_of(const ChainPart& part, const Interval& x) {
+    std::array<Interval, 5> own{Interval(part.y0)};
+    if (!part.shape) return own;
+    // Not beyond the shape by rounding.
+    const auto place = [&](double at) {
+        return std::clamp((at - part.x0) / part.x_scale, part.shape->begin(), part.shape->end());
+    };
+    const double one = place(x.lower), other = place(x.upper);
+    const auto shape = part.shape->ranges({std::min(one, other), std::max(one, other)});
+    if (!shape) return {};
+    const Interval slower = Interval(1.0) / Interval(part.x_scale);
+    Interval scale(part.y_scale);
+    for (std::size_t r = 0; r < own.size(); ++r) {
+        own[r] = own[r] + scale * (*shape)[r];
+        scale = scale * slower;
+    }
+    return own;
+}
+
 int interval_of(const std::vector<double>& begins, double x, Side side) {
     const auto next =
         side == Side::right ? std::ranges::upper_bound(begins, x) : std::ranges::lower_bound(begins, x);

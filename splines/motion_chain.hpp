@@ -20,6 +20,10 @@ struct ChainPart {
     double y0 = 0.0, y_scale = 1.0;
 };
 
+/// Where y to its fourth derivative lie over `x`, a stretch inside the part between two breakpoints of its
+/// shape; empty where the shape does not say.
+[[nodiscard]] std::optional<std::array<Interval, 5>> ranges_of(const ChainPart& part, const Interval& x);
+
 class MotionChain final : public Motion {
  public:
     /// Throws InputError where there is no part, or a part does not begin where the one before it ended.

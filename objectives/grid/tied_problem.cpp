@@ -31,6 +31,7 @@ class TiedProblem::Grid final : public Nlp {
         each_entry([&](int row, int column, double) { slots_.claim(shape_.hessian, row, column); });
         slots_.finish();
     }
+    void set_weight(double weight) { weight_ = weight; }
     double cost(const ConstVectorRef& x) const override {
         return base_.cost(x) + weight_ * energy_.value(design(x));
     }
@@ -73,15 +74,16 @@ class TiedProblem::Grid final : public Nlp {
 };
 
 TiedProblem::TiedProblem(CamProblem& problem, double weight)
-    : problem_(problem), energy_(jerk_energy(problem.model())), weight_(weight) {
-    set_weight(weight);
-}
+    : problem_(problem),
+      energy_(jerk_energy(problem.model())),
+      weight_(weight),
+      grid_(std::make_unique<Grid>(problem.grid(), energy_, weight)) {}
 
 TiedProblem::~TiedProblem() = default;
 
 void TiedProblem::set_weight(double weight) {
     weight_ = weight;
-    grid_ = std::make_unique<Grid>(problem_.grid(), energy_, weight_);
+    grid_->set_weight(weight);
 }
 
 double TiedProblem::energy(const Eigen::VectorXd& x) const {
@@ -110,7 +112,7 @@ double TiedProblem::worst_of_limits(const Eigen::VectorXd& x) const {
 
 /// The rows of the problem changed.
 void TiedProblem::follow(int added) {
-    if (added > 0) set_weight(weight_);
+    if (added > 0) grid_ = std::make_unique<Grid>(problem_.grid(), energy_, weight_);
 }
 
 int TiedProblem::refine(std::span<const Violation> worst) {

@@ -93,6 +93,9 @@ struct Certificate {
     std::vector<CaseProof> cases;  ///< ProofKind::boxes: lower_bound is the least of their bounds
     /// ProofKind::boxes without cases: the planes and boxes that the bound follows from.
     std::shared_ptr<const BoxProof> box_proof;
+    /// Keys of the limits that were enclosed along all of the delivered motion, and of those that were looked
+    /// at in places alone, however close.
+    std::vector<std::string> verified, unverified;
 };
 
 }  // namespace camopt

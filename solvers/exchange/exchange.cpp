@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace camopt {
 
@@ -13,16 +14,35 @@ namespace {
 // Rows are added for maxima above this part of the tolerance, so that their sum stays below it.
 constexpr double adding_part = 0.1;
 
-/// Adds rows where the motion behind a backend's point breaks rules. 0: there is no such place, or its rows
-/// are there already, and the backend leaves violated what it was told to keep: nothing more to tell it.
-int refined(ContinuousProblem& problem, const BackendResult& found, double tolerance) {
+// The optimum moves by about what its new rows were violated by. The path is taken up where its gap is this
+// many times as wide: measured, closer places leave long problems (n = 256 and more) to the careful factor.
+constexpr double room = 1000.0;
+
+struct Refinement {
+    int rows = 0;            ///< added
+    double violation = 0.0;  ///< the worst that they answer
+};
+
+/// Adds rows where the motion behind a backend's point breaks rules. None: there is no such place, or its
+/// rows are there already, and the backend leaves violated what it was told to keep: nothing more to tell it.
+Refinement refined(ContinuousProblem& problem, const BackendResult& found, double tolerance) {
     std::vector<Violation> worst = problem.violations(found.x, 0.0);
     std::erase_if(worst,
                   [&](const Violation& violation) { return violation.amount <= adding_part * tolerance; });
-    if (worst.empty()) return 0;
+    if (worst.empty()) return {};
+    double violation = 0.0;
+    for (const Violation& one : worst) violation = std::max(violation, one.amount);
     const bool presses =
         found.row_multipliers && found.row_multipliers->size() == problem.grid().shape().constraints();
-    return presses ? problem.refine_pressed(worst, *found.row_multipliers) : problem.refine(worst);
+    return {presses ? problem.refine_pressed(worst, *found.row_multipliers) : problem.refine(worst),
+            violation};
+}
+
+/// What came before the place where a path was taken up, and from there the new one.
+std::vector<PathPoint> joined(std::vector<PathPoint> before, double gap, std::vector<PathPoint> after) {
+    std::erase_if(before, [&](const PathPoint& point) { return point.gap < gap; });
+    before.insert(before.end(), std::make_move_iterator(after.begin()), std::make_move_iterator(after.end()));
+    return before;
 }
 
 /// Who cancels before anything was searched for is not given the start for a result.
@@ -57,13 +77,18 @@ namespace {
 ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen::VectorXd next_start,
                          const ExchangeOptions& options, const SolveControl& control, ExchangeResult result) {
     const SolveControl timed = control.sooner(options.backend.max_seconds);
+    BackendOptions backend = options.backend;
+    backend.keep_path = true;
     while (result.rounds < options.most_rounds) {
         if (const std::optional<Termination> ending = timed.ending()) {
             result.termination = *ending;
             if (interrupted_at_once(result)) result.best = {};
             return result;
         }
-        result.last = solver.minimize(problem.grid(), next_start, options.backend, timed);
+        std::vector<PathPoint> before = std::move(result.last.path);
+        result.last = solver.minimize(problem.grid(), next_start, backend, timed);
+        if (backend.near)
+            result.last.path = joined(std::move(before), backend.near->gap, std::move(result.last.path));
         result.termination = result.last.termination;
         result.iterations += result.last.iterations;
         ++result.rounds;
@@ -94,11 +119,15 @@ ExchangeResult exchanged(ContinuousProblem& problem, const Solver& solver, Eigen
         const double unseen = found.objective - problem.grid().cost(x);
         const bool settled = unseen <= options.tolerance * std::max(1.0, std::abs(found.objective)) &&
                              found.violation <= options.tolerance;
-        if (settled || refined(problem, result.last, options.tolerance) == 0) {
+        const Refinement added = settled ? Refinement{} : refined(problem, result.last, options.tolerance);
+        if (added.rows == 0) {
             result.converged = true;
             return result;
         }
         next_start = found.x;
+        backend.near.reset();
+        if (const PathPoint* place = point_before(result.last.path, room * added.violation))
+            backend.near = *place;
     }
     return result;
 }

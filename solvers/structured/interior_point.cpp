@@ -25,11 +25,24 @@ class Iteration {
         change_.setZero(ranges_.sides());
     }
 
-    InteriorPointResult run(const VectorXd& start, const SolveControl& control);
+    InteriorPointResult run(const VectorXd& start, const SolveControl& control) {
+        return initialise(start) ? run(control) : not_evaluated();
+    }
+    InteriorPointResult run(const CentralPoint& near, const SolveControl& control) {
+        return resume(near) ? run(control) : not_evaluated();
+    }
 
  private:
-    InteriorPointResult search(const VectorXd& start, const SolveControl& control);
+    static InteriorPointResult not_evaluated() {
+        InteriorPointResult result;
+        result.stop = Stop::evaluation_error;
+        return result;
+    }
+    InteriorPointResult run(const SolveControl& control);
+    InteriorPointResult search(const SolveControl& control);
     bool initialise(const VectorXd& start);
+    bool resume(const CentralPoint& near);
+    void keep_place(const Errors& now, std::vector<CentralPoint>& path) const;
     void push_inside(const VectorXd& start);
     [[nodiscard]] Errors errors() const;
     bool take_step(Stop& reason);
@@ -100,6 +113,31 @@ bool Iteration::initialise(const VectorXd& start) {
         const bool of_variable = ranges_.source[static_cast<std::size_t>(b)].row < 0;
         point_.gap[b] = std::max(rest_.bound[b] + point_.gap[b], smooth && of_variable ? 0.0 : away);
         point_.dual[b] = direction_.finite ? std::max(direction_.dual[b], away) : away;
+    }
+    return true;
+}
+
+/// Takes the path up near one of its points. Bounds that were not there then, or that the point lies beyond
+/// now, get the gap and the multiplier that this place of the path has for them.
+bool Iteration::resume(const CentralPoint& near) {
+    // Of a bound that is new: sizes are of order 1. Products may leave the path by this factor.
+    constexpr double new_multiplier = 0.1, off_path = 10.0;
+    point_.x = near.point.x;
+    point_.lambda.resize(ranges_.equal_to.size());
+    for (std::size_t k = 0; k < ranges_.equalities.size(); ++k)
+        point_.lambda[static_cast<Index>(k)] = near.point.lambda[ranges_.equalities[k]];
+    point_.gap.setZero(ranges_.sides());
+    point_.dual.setZero(ranges_.sides());
+    newton_.residuals(point_, rest_);
+    if (!rest_.bound.allFinite()) return false;
+    for (Index b = 0; b < ranges_.sides(); ++b) {
+        point_.gap[b] = 1.0;
+        if (ranges_.present[b] == 0.0) continue;
+        const RangeRows::Source& from = ranges_.source[static_cast<std::size_t>(b)];
+        const double known = from.row < 0 ? 0.0 : -from.sign * near.point.lambda[from.row];
+        point_.gap[b] = std::max(rest_.bound[b], near.mu / std::max(known, new_multiplier));
+        const double on_path = near.mu / point_.gap[b];
+        point_.dual[b] = std::clamp(known, on_path / off_path, on_path * off_path);
     }
     return true;
 }
@@ -249,18 +287,22 @@ bool Iteration::take_smooth_step(double target, Stop& reason) {
     return false;
 }
 
-InteriorPointResult Iteration::run(const VectorXd& start, const SolveControl& control) {
-    InteriorPointResult result = search(start, control);
+/// Keeps the point where the path came closer by a factor since the last that was kept.
+void Iteration::keep_place(const Errors& now, std::vector<CentralPoint>& path) const {
+    constexpr double first = 1.0, closer = 0.5, last = 1e-9;
+    const double before = path.empty() ? 2.0 * first : path.back().gap;
+    if (now.gap > closer * before || now.gap < last || now.primal > now.gap) return;
+    path.push_back({{point_.x, ranges_.row_multipliers(point_.lambda, point_.dual)}, rest_.mu, now.gap});
+}
+
+InteriorPointResult Iteration::run(const SolveControl& control) {
+    InteriorPointResult result = search(control);
     if (result.has_point()) result.best = {best_.x, ranges_.row_multipliers(best_.lambda, best_.dual)};
     return result;
 }
 
-InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl& control) {
+InteriorPointResult Iteration::search(const SolveControl& control) {
     InteriorPointResult result;
-    if (!initialise(start)) {
-        result.stop = Stop::evaluation_error;
-        return result;
-    }
     newton_.residuals(point_, rest_);
     if (!rest_.finite() || !std::isfinite(model_.cost->value(point_.x))) {
         result.stop = Stop::evaluation_error;
@@ -274,6 +316,7 @@ InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl&
             best_ = point_;
             result.errors = now;
         }
+        if (limits_.keep_path) keep_place(now, result.path);
         if (result.errors.worst() <= limits_.tolerance) {
             result.stop = Stop::converged;
             polish_multipliers(result);
@@ -299,13 +342,32 @@ InteriorPointResult Iteration::search(const VectorXd& start, const SolveControl&
 
 }  // namespace
 
+namespace {
+
+/// What was found for the smaller model, in terms of the given one.
+InteriorPointResult restored(InteriorPointResult result, const PathReduction& reduction) {
+    const auto restore = [&](PrimalDualPoint& point) {
+        point = {reduction.restored(point.x), reduction.restored_multipliers(point.lambda)};
+    };
+    if (result.has_point()) restore(result.best);
+    for (CentralPoint& place : result.path) restore(place.point);
+    return result;
+}
+
+}  // namespace
+
 InteriorPointResult interior_point(const ConvexModel& model, const VectorXd& start,
                                    const InteriorPointLimits& limits, const SolveControl& control) {
     const PathReduction reduction(model, start);
-    InteriorPointResult result = Iteration(reduction.model(), limits).run(reduction.reduced(start), control);
-    if (!result.has_point()) return result;
-    result.best = {reduction.restored(result.best.x), reduction.restored_multipliers(result.best.lambda)};
-    return result;
+    return restored(Iteration(reduction.model(), limits).run(reduction.reduced(start), control), reduction);
+}
+
+InteriorPointResult interior_point(const ConvexModel& model, const CentralPoint& near,
+                                   const InteriorPointLimits& limits, const SolveControl& control) {
+    const PathReduction reduction(model, near.point.x);
+    CentralPoint begin = near;
+    begin.point = {reduction.reduced(near.point.x), reduction.reduced_multipliers(near.point.lambda)};
+    return restored(Iteration(reduction.model(), limits).run(begin, control), reduction);
 }
 
 }  // namespace camopt::structured

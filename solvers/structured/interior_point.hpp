@@ -18,12 +18,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace camopt::structured {
 
 struct PrimalDualPoint {
     Eigen::VectorXd x;
     Eigen::VectorXd lambda;  ///< one a row; of an inequality −Σ σ_b z_b over its bounds
+};
+
+/// A point near the central path, its products g z about `mu`.
+struct CentralPoint {
+    PrimalDualPoint point;
+    double mu = 0.0;
+    double gap = 0.0;  ///< as in Errors
 };
 
 /// Relative errors of the scaled problem.
@@ -52,6 +60,7 @@ struct InteriorPointLimits {
     FactorKind factor = FactorKind::automatic;
     int correctors = 2;      ///< centrality correctors an iteration, at most
     bool suspicious = true;  ///< stop at signs of infeasibility or unboundedness
+    bool keep_path = false;  ///< asks for InteriorPointResult::path
     Deadline deadline = {};
 };
 
@@ -60,10 +69,16 @@ struct InteriorPointResult {
     PrimalDualPoint best;  ///< smallest Errors::worst()
     Errors errors;         ///< of `best`
     int iterations = 0;
+    std::vector<CentralPoint> path;
     [[nodiscard]] bool has_point() const { return std::isfinite(errors.worst()); }
 };
 
+/// A beginning far from the path: from any point.
 [[nodiscard]] InteriorPointResult interior_point(const ConvexModel& model, const Eigen::VectorXd& start,
+                                                 const InteriorPointLimits& limits,
+                                                 const SolveControl& control);
+/// From a point near the path of a neighbouring model.
+[[nodiscard]] InteriorPointResult interior_point(const ConvexModel& model, const CentralPoint& near,
                                                  const InteriorPointLimits& limits,
                                                  const SolveControl& control);
 

@@ -15,6 +15,7 @@ InteriorPointLimits interior_point_limits(const BackendOptions& options, const S
     limits.shift = own.regularisation;
     limits.factor = own.factor;
     limits.correctors = own.correctors;
+    limits.keep_path = options.keep_path;
     limits.deadline = control.deadline.sooner(options.max_seconds);
     return limits;
 }

@@ -343,6 +343,15 @@ VectorXd StandardForm::row_multipliers(const VectorXd& lambda, double cost_scale
     return result;
 }
 
+VectorXd StandardForm::model_multipliers(const VectorXd& lambda) const {
+    VectorXd result = VectorXd::Zero(static_cast<Index>(kept_rows_.size()));
+    for (Index k = 0; k < result.size(); ++k) {
+        const Index row = kept_rows_[static_cast<std::size_t>(k)];
+        if (row < lambda.size()) result[k] = lambda[row] * cost_scale_ / row_scale_[k];
+    }
+    return result;
+}
+
 VectorXd StandardForm::bound_multipliers(const VectorXd& gradient, const VectorXd& lambda) const {
     const NlpShape& shape = problem_.shape();
     VectorXd result = -(gradient + full_.transpose() * lambda);

@@ -47,6 +47,8 @@ class StandardForm {
     [[nodiscard]] Eigen::VectorXd to_problem(const Eigen::VectorXd& x) const;
     /// λ of the problem from λ̂ of the model; `cost_scale` = 1 for a ray.
     [[nodiscard]] Eigen::VectorXd row_multipliers(const Eigen::VectorXd& lambda, double cost_scale) const;
+    /// λ̂ from λ; rows beyond those given have 0.
+    [[nodiscard]] Eigen::VectorXd model_multipliers(const Eigen::VectorXd& lambda) const;
     /// −(gradient + Gᵀ λ) where a finite bound of the right side exists, 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd bound_multipliers(const Eigen::VectorXd& gradient,
                                                     const Eigen::VectorXd& lambda) const;

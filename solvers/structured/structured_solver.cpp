@@ -26,6 +26,10 @@ constexpr double acceptable = 100.0;  // times the tolerance
 constexpr double elastic_tolerance = 1e-13;
 constexpr double least_proof = 1e-11;  // scaled common violation below which double precision proves nothing
 
+// A neighbour is reached in a dozen iterations; where it takes as many as a beginning from afar, that is
+// surer.
+constexpr int most_from_near = 30;
+
 const char* word(Stop stop) {
     switch (stop) {
         case Stop::converged:
@@ -57,6 +61,7 @@ class StructuredRun {
         : problem_(problem),
           start_(start),
           control_(control),
+          near_(options.near),
           tolerance_(options.tolerance),
           limits_(structured::interior_point_limits(options, structured_options(options.native), control)),
           form_(problem, start) {}
@@ -65,6 +70,7 @@ class StructuredRun {
 
  private:
     BackendResult refused();
+    InteriorPointResult from_near();
     BackendResult delivered(const InteriorPointResult& solved) const;
     bool proved_infeasible(BackendResult& result);
     bool proved_unbounded(const InteriorPointResult& solved, BackendResult& result) const;
@@ -72,6 +78,7 @@ class StructuredRun {
     const Nlp& problem_;
     const VectorXd& start_;
     const SolveControl& control_;
+    const std::optional<PathPoint>& near_;
     double tolerance_;
     InteriorPointLimits limits_;  ///< its clock runs while the problem is read
     StandardForm form_;
@@ -94,11 +101,30 @@ BackendResult StructuredRun::refused() {
     return result;
 }
 
+/// Along the path of a neighbouring problem; no point where that leads nowhere.
+InteriorPointResult StructuredRun::from_near() {
+    if (!near_ || near_->x.size() != problem_.shape().variables()) return {};
+    const structured::CentralPoint near{
+        {form_.to_model(near_->x), form_.model_multipliers(near_->row_multipliers)},
+        form_.cost_scale() * near_->mu,
+        near_->gap};
+    InteriorPointLimits limits = limits_;
+    limits.max_iterations = std::min(limits.max_iterations, most_from_near);
+    InteriorPointResult solved = interior_point(form_.model(), near, limits, control_);
+    iterations_ += solved.iterations;
+    const bool ended =
+        solved.stop == Stop::converged || solved.stop == Stop::interrupted || solved.stop == Stop::time_limit;
+    return ended ? solved : InteriorPointResult{};
+}
+
 BackendResult StructuredRun::run() {
     if (form_.status() != StandardForm::Status::ready) return refused();
     const VectorXd start = form_.to_model(start_);
-    InteriorPointResult solved = interior_point(form_.model(), start, limits_, control_);
-    iterations_ = solved.iterations;
+    InteriorPointResult solved = from_near();
+    if (!solved.has_point()) {
+        solved = interior_point(form_.model(), start, limits_, control_);
+        iterations_ += solved.iterations;
+    }
     BackendResult result;
     const auto hopeless = [&] {
         return solved.stop != Stop::converged && solved.stop != Stop::interrupted &&
@@ -186,6 +212,10 @@ BackendResult StructuredRun::delivered(const InteriorPointResult& solved) const 
         result.x = start_;
         return result;
     }
+    for (const structured::CentralPoint& place : solved.path)
+        result.path.push_back({form_.to_problem(place.point.x),
+                               form_.row_multipliers(place.point.lambda, form_.cost_scale()),
+                               place.mu / form_.cost_scale(), place.gap});
     result.x = form_.to_problem(solved.best.x);
     result.row_multipliers = form_.row_multipliers(solved.best.lambda, form_.cost_scale());
     VectorXd gradient(result.x.size());

@@ -24,6 +24,10 @@ constexpr std::array<double, 4> tie_break_weights = {1e-4, 1e-5, 1e-6, 1e-7};
 // The tie-break must be solved more exactly than the tolerance it may spend.
 constexpr double tie_break_accuracy = 0.1;
 
+// The energy pushes by its weight: the path of the problem without it is left where its gap is this many
+// times as wide.
+constexpr double energy_room = 1.0;
+
 double relative_to(double objective) {
     return std::max(1.0, std::abs(objective));
 }
@@ -81,9 +85,11 @@ void break_tie(CamProblem& problem, const Scene& scene, ContinuousResult& result
     const Candidate start{result.x, objective, result.certificate.worst_violation};
     const bool looks = memory != nullptr && memory->only_looks;
     TiedProblem tied(problem, tie_break_weights.front());
+    const std::vector<PathPoint>& path = result.exchange.last.path;
     for (const double weight : tie_break_weights) {
         if (looks && weight > memory->tie_break_weight.value_or(weight)) continue;
         tied.set_weight(weight);
+        if (const PathPoint* place = point_before(path, energy_room * weight)) options.backend.near = *place;
         const std::optional<Candidate> smoother = smoother_optimum(
             problem, tied, start, options, objective + clearly_too_much * allowance, control);
         if (memory != nullptr) memory->keep(problem);

@@ -272,4 +272,12 @@ VectorXd PathReduction::restored_multipliers(const VectorXd& lambda) const {
     return result;
 }
 
+VectorXd PathReduction::reduced_multipliers(const VectorXd& lambda) const {
+    if (removed_.empty()) return lambda;
+    VectorXd result(row_count_);
+    for (Index i = 0; i < lambda.size(); ++i)
+        result[row_[static_cast<std::size_t>(i)]] = lambda[i] / part_[static_cast<std::size_t>(i)];
+    return result;
+}
+
 }  // namespace camopt::structured

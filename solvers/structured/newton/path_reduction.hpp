@@ -32,6 +32,8 @@ class PathReduction {
     [[nodiscard]] Eigen::VectorXd restored(const Eigen::VectorXd& x) const;
     /// One a row of the given model.
     [[nodiscard]] Eigen::VectorXd restored_multipliers(const Eigen::VectorXd& lambda) const;
+    /// The other way: of a sum as its last row has it.
+    [[nodiscard]] Eigen::VectorXd reduced_multipliers(const Eigen::VectorXd& lambda) const;
 
  private:
     struct Candidate;

@@ -12,21 +12,12 @@ constexpr double tolerance = 2e-9;
 /// min ∫ y'''² over the curves of `data` whose cost is at most `limit`.
 QuadraticData tie_break(const CamCase& cam, double limit) {
     QuadraticData data = cam_problem(cam);
-    const Eigen::Index last = data.rows.rows();
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index j = 0; j < data.rows.outerSize(); ++j)
-        for (Sparse::InnerIterator entry(data.rows, j); entry; ++entry)
-            entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(entry.col()), entry.value());
-    for (Eigen::Index j = data.cost.size() - 3; j < data.cost.size(); ++j)
-        entries.emplace_back(static_cast<int>(last), static_cast<int>(j), data.cost[j]);
-    data.rows.resize(last + 1, data.cost.size());
-    data.rows.setFromTriplets(entries.begin(), entries.end());
-    data.lower.conservativeResize(last + 1);
-    data.upper.conservativeResize(last + 1);
-    data.lower[last] = -infinity;
-    data.upper[last] = limit;
+    const int V = static_cast<int>(data.cost.size()) - 3, A = V + 1, J = V + 2;
+    RowCollector row;
+    row.add({{V, data.cost[V]}, {A, data.cost[A]}, {J, data.cost[J]}}, -infinity, limit);
+    row.append(data);
     data.cost.setZero();
-    entries.clear();
+    std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < static_cast<int>(cam.steps.size()); ++i) {
         const double weight = 1.0 / cam.steps[static_cast<std::size_t>(i)];
         const int a = 3 * i + 2, b = 3 * i + 5;

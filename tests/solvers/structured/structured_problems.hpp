@@ -164,11 +164,28 @@ class RowCollector {
         upper_.push_back(high);
     }
     int count() const { return static_cast<int>(lower_.size()); }
+    /// In place of the rows that `data` has.
     void write(QuadraticData& data) const {
-        data.rows.resize(count(), data.cost.size());
-        data.rows.setFromTriplets(entries_.begin(), entries_.end());
-        data.lower = Eigen::Map<const Eigen::VectorXd>(lower_.data(), count());
-        data.upper = Eigen::Map<const Eigen::VectorXd>(upper_.data(), count());
+        data.rows.resize(0, data.cost.size());
+        data.lower.resize(0);
+        data.upper.resize(0);
+        append(data);
+    }
+    /// After the rows that `data` has.
+    void append(QuadraticData& data) const {
+        const Eigen::Index before = data.rows.rows(), after = before + count();
+        std::vector<Eigen::Triplet<double>> entries;
+        for (Eigen::Index j = 0; j < data.rows.outerSize(); ++j)
+            for (Sparse::InnerIterator entry(data.rows, j); entry; ++entry)
+                entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(j), entry.value());
+        for (const Eigen::Triplet<double>& own : entries_)
+            entries.emplace_back(static_cast<int>(before) + own.row(), own.col(), own.value());
+        data.rows.resize(after, data.cost.size());
+        data.rows.setFromTriplets(entries.begin(), entries.end());
+        data.lower.conservativeResize(after);
+        data.upper.conservativeResize(after);
+        data.lower.tail(count()) = Eigen::Map<const Eigen::VectorXd>(lower_.data(), count());
+        data.upper.tail(count()) = Eigen::Map<const Eigen::VectorXd>(upper_.data(), count());
     }
 
  private:
@@ -188,6 +205,15 @@ inline CamCase uniform_cam(int segments) {
     CamCase made;
     made.steps.assign(static_cast<std::size_t>(segments), 1.0 / segments);
     return made;
+}
+
+/// −V <= y' <= V at the part t of segment i; states as in cam_problem().
+inline void add_velocity_rows(RowCollector& rows, const CamCase& cam, int i, double t) {
+    const double h = cam.steps[static_cast<std::size_t>(i)];
+    const int v = 3 * i + 1, a = v + 1, a1 = v + 4, V = 3 * (static_cast<int>(cam.steps.size()) + 1);
+    const double fa = h * (t - t * t / 2), fa1 = h * t * t / 2;  // y' = v + h (t a + t²/2 (a1 − a))
+    rows.add({{v, 1.0}, {a, fa}, {a1, fa1}, {V, -1.0}}, -infinity, 0.0);
+    rows.add({{v, 1.0}, {a, fa}, {a1, fa1}, {V, 1.0}}, 0.0, infinity);
 }
 
 /// Least-peak cubic in states form: x = (y_0, y'_0, y''_0, y_1, …, V, A, J).
@@ -214,12 +240,8 @@ inline QuadraticData cam_problem(const CamCase& cam) {
             rows.add({{v1, 1.0}, {v, -1.0}, {a, -h / 2}, {a1, -h / 2}}, 0.0, 0.0);
             rows.add({{y1, 1.0}, {y, -1.0}, {v, -h}, {a, -h * h / 3}, {a1, -h * h / 6}}, 0.0, 0.0);
         }
-        for (int k = 0; k < cam.samples; ++k) {
-            const double t = static_cast<double>(k) / cam.samples;  // y' = v + h (t a + t²/2 (a1 − a))
-            const double fa = h * (t - t * t / 2), fa1 = h * t * t / 2;
-            rows.add({{v, 1.0}, {a, fa}, {a1, fa1}, {V, -1.0}}, -infinity, 0.0);
-            rows.add({{v, 1.0}, {a, fa}, {a1, fa1}, {V, 1.0}}, 0.0, infinity);
-        }
+        for (int k = 0; k < cam.samples; ++k)
+            add_velocity_rows(rows, cam, i, static_cast<double>(k) / cam.samples);
         rows.add({{a1, 1.0}, {A, -1.0}}, -infinity, 0.0);
         rows.add({{a1, 1.0}, {A, 1.0}}, 0.0, infinity);
         rows.add({{a1, 1.0}, {a, -1.0}, {J, -h}}, -infinity, 0.0);
