@@ -172,15 +172,20 @@ void report_breakpoints(Solution& solution) {
 Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
     const Stopwatch watch;
     Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
-    const double at_start = is_delivered(solution) ? solution.certificate.objective : infinity;
+    double at_start = infinity;
+    if (is_delivered(solution)) at_start = solution.certificate.objective;
     const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
-    const FreeKnotSearch search = search_breakpoints(scene, solution, control.sooner(searching));
+    FreeKnotSearch search = search_breakpoints(scene, solution, control.sooner(searching));
     const bool found = search.best.found.x.size() > 0 &&
                        search.best.found.violation <= scene.solver.tolerance &&
                        search.best.found.objective < at_start;
     if (found) {
         Solution better = solve_without_explaining(with_breakpoints(scene, search.breakpoints), control);
-        if (is_delivered(better) && better.certificate.objective < at_start) {
+        if (!is_delivered(better)) {
+            // What is delivered is another motion, of which the search says nothing.
+            search.best.stationarity = infinity;
+            search.best.termination = control.ending().value_or(Termination::numerical_failure);
+        } else if (better.certificate.objective < at_start) {
             add(better.evaluations, solution.evaluations);
             solution = std::move(better);
         }

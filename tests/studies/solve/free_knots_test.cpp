@@ -170,5 +170,45 @@ TEST(FreeKnotSolve, ProgramsAreRefused) {
         "spline.knots: found \"free\" in a program; allowed: \"fixed\", or motion type \"DRD\" or \"RR\"");
 }
 
+/// What the search found is lost where it is stopped before the solve on the breakpoints found: the motion on
+/// the first ones is delivered then, and is no local optimum of free ones.
+TEST(FreeKnotSolve, StoppedItDoesNotCallTheFirstBreakpointsLocal) {
+    Scene scene = scene_of(MotionType::drd, 3, 6);
+    scene.solver.starts.reset();
+    const double at_start = solve(fixed(scene)).certificate.objective;
+    int stopped = 0;
+    for (double most = 100.0; most < 1e4; most *= 1.5) {
+        int polls = 0;
+        SolveControl control;
+        control.stop_requested = [&] { return ++polls > most; };
+        const Certificate certificate = solve(scene, control).certificate;
+        if (polls <= most) break;
+        ++stopped;
+        if (certificate.objective < at_start - 1e-6) continue;
+        EXPECT_EQ(certificate.verdict, Verdict::feasible) << most;
+        EXPECT_EQ(certificate.reason, Reason::interrupted) << most;
+    }
+    EXPECT_GT(stopped, 5);
+}
+
+/// Promised for a move as large as the motion, not for one as short as the step: on uniform breakpoints, 15 %
+/// from the optimum, it is no small number.
+TEST(FreeKnotDescent, WhatAStepStillPromisesIsNotMeasuredByItsLength) {
+    const Scene scene = scene_of(MotionType::drd, 3, 6);
+    FreeKnotOptions options;
+    for (int most = 5; most < 200; ++most) {
+        FreeKnotProblem problem(scene, reference_peaks(scene));
+        int polls = 0;
+        SolveControl control;
+        control.stop_requested = [&] { return ++polls > most; };
+        const FreeKnotResult result =
+            descend(problem, problem.start(), *make_structured_solver(), options, control);
+        if (!std::isfinite(result.stationarity)) continue;
+        EXPECT_GT(result.stationarity, 0.05);
+        return;
+    }
+    ADD_FAILURE() << "no step was judged";
+}
+
 }  // namespace
 }  // namespace camopt

@@ -101,6 +101,28 @@ TEST(Measured, NoOtherMotionOfTheSpaceIsNearer) {
         }
 }
 
+/// Where nothing was measured the fit is the smoothest one, not whatever a singular system gives.
+TEST(Measured, AGapInTheTableIsBridgedSmoothly) {
+    Scene scene = measured_scene(300, cycloid, 24);
+    MeasuredMotion& table = *scene.measured;
+    MeasuredMotion seen = table;
+    seen.angle.clear();
+    seen.displacement.clear();
+    for (std::size_t k = 0; k < table.angle.size(); ++k) {
+        const double x = table.angle[k] / rise;
+        if (x > 0.3 && x < 0.7) continue;
+        seen.angle.push_back(table.angle[k]);
+        seen.displacement.push_back(table.displacement[k]);
+    }
+    table = seen;
+    const MotionFamily family = scene_family(scene, DesignKind::coefficients);
+    const auto motion = family.motion(nearest_design(family, scene.motion, table));
+    for (int k = 0; k <= 100; ++k) {
+        const double x = k / 100.0;
+        EXPECT_NEAR(motion.at(x).derivative[0], cycloid(x), 0.02) << x;
+    }
+}
+
 TEST(Measured, TooFewRowsForTheSplineAreRefused) {
     const Scene scene = measured_scene(9, cycloid, 64);
     try {

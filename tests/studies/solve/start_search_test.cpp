@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 namespace camopt {
 namespace {
 
@@ -32,20 +35,19 @@ Scene sharp_cam(int segments) {
 }
 
 struct Searched {
-    int starts, passes;
+    int starts, rounds, passes;
     double objective;
 };
 
-Searched searched(const Scene& scene, int end) {
+Searched searched(const Scene& scene, int end, const SolveControl& control = {}) {
     const auto solver = make_structured_solver();
     const ExchangeOptions exchange;
     const JudgeOptions judge{1e-8};
-    const SolveControl control;
     StartSearch search(CamProblem(scene_model(scene, DesignKind::states, reference_peaks(scene))), *solver,
                        exchange, judge, control);
     search.run(0, end, seed, {});
     EXPECT_TRUE(search.found());
-    return {search.ran(), search.totals().iterations, search.best().found.objective};
+    return {search.ran(), search.totals().rounds, search.totals().iterations, search.best().found.objective};
 }
 
 /// The convexified Hessian held steps to rows that were not active: up to 200 passes a grid, all of one
@@ -68,6 +70,33 @@ TEST(StartSearch, EndsBesideAMinimumThatIsKnown) {
     EXPECT_NEAR(all.objective, first.objective, 1e-8);
     EXPECT_GT(all.passes, first.passes);
     EXPECT_LE(all.passes - first.passes, 5 * (starts - 1));
+}
+
+/// The limit on searches in vain strikes while the first start has just found a motion within the limits:
+/// that one goes on to its end, and the others are begun.
+TEST(StartSearch, ThatFoundSomethingWasNotInVain) {
+    const Scene scene = sharp_cam(12);
+    const double tolerance = ExchangeOptions().tolerance;
+    SolveControl control;
+    control.in_vain = Deadline::after(1.0);
+    control.progress = [&](const Progress& progress) {
+        if (!control.in_vain.passed() && progress.violation && *progress.violation <= tolerance)
+            std::this_thread::sleep_for(std::chrono::duration<double>(control.in_vain.seconds_left() + 0.01));
+    };
+    const Searched struck = searched(scene, 3, control);
+    EXPECT_TRUE(control.in_vain.passed()) << "nothing was shown";
+    EXPECT_EQ(struck.starts, 3);
+    EXPECT_NEAR(struck.objective, searched(scene, 3).objective, 1e-8);
+}
+
+TEST(StartSearch, SearchesOnceFromAStart) {
+    const Scene scene = sharp_cam(12);
+    CamProblem problem(scene_model(scene, DesignKind::states, reference_peaks(scene)));
+    const ExchangeResult direct =
+        minimize_by_exchange(problem, *make_structured_solver(), problem.start(), {}, {});
+    const Searched once = searched(scene, 1);
+    EXPECT_EQ(once.rounds, direct.rounds);
+    EXPECT_EQ(once.passes, direct.iterations);
 }
 
 }  // namespace
