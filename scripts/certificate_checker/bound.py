@@ -4,6 +4,7 @@ from fractions import Fraction
 
 from .conditions import Conditions, solved
 from .exact import ORDERS, Refuted, SAME_PLACE, Unverified, derivative, integral, number, product
+from .train_rows import use_ringing_rows
 
 
 MOST_LEANING = 30           # tangents whose slopes are chosen anew
@@ -44,6 +45,7 @@ class Bound:
         self.leaning = {}                                 # what leans on each dimension that is searched, 1/m
         self.relaxed, self.left_out = relaxed, {}
         self.rows, self.remainders, self.tangents = [], [], []
+        self.ringing = []  # rows of an elastic follower's vibration: train_rows.py
         self.most = [self.most_of(term) for term in problem.terms]
         self.supremum = [self.supremum_of(run) for run in problem.runs]
         self.own_peaks()
@@ -81,7 +83,8 @@ class Bound:
         for order in (3, 2, 1):
             if known[order] is None or (order > 1 and not run.rests[0]):
                 continue
-            below = known[order] * length + (ends if order == 1 else 0)
+            reach = length / 2 if order == 1 or run.rests[1] else length  # to the nearer of two ends that are known
+            below = known[order] * reach + (ends if order == 1 else 0)
             if known[order - 1] is None or below < known[order - 1]:
                 known[order - 1] = below
         narrowest = min(run.space.width(i) for i in range(run.space.segments))
@@ -132,6 +135,10 @@ class Bound:
             self.peaks[row.peak] += multiplier
         self.rows.append((row, multiplier))
 
+    def use_peak(self, name, run, function, most, peak, multiplier):
+        """function(control points of run) <= most + peak, times a multiplier."""
+        self.use(Row(name, run, function, most, peak), multiplier)
+
     def add_row(self, row, factor=1):
         """A row of the certificate, by its name alone: rule, place, side, derivative, sign."""
         origin, multiplier = row["origin"], factor * number(row["multiplier"])
@@ -139,6 +146,8 @@ class Bound:
             return  # conditions and limits of peaks: their multipliers are chosen here
         if multiplier < 0:
             raise Refuted(f"{row['name']}: a multiplier below 0 of a row that has no lower side")
+        if self.problem.train and origin["rule"].startswith(("residual", "limits.residual_")):
+            return self.ringing.append((origin, multiplier))
         at, side = number(origin["at"]), origin.get("side", "right")
         found = self.row_of(origin, at, side, *self.run_at(at, side))
         if found is None:
@@ -214,25 +223,32 @@ class Bound:
             self.use(other or row, multiplier)
 
     def slopes_that_fit(self, free):
-        """By how much the slopes of these tangents are to be larger: least squares of what the multipliers leave."""
+        """By how much the slopes of these tangents are to be larger. Light ones would turn far to stand in for heavy ones
+        beside them: that is damped in proportion."""
+        columns = [(row.run, self.problem.runs[row.run].space.functional(at, 0, side), multiplier)
+                   for row, multiplier, at, side in free]
+        return self.fitted(columns, [free[0][1] / t[1] for t in free], [(t[0], t[1]) for t in self.tangents])
+
+    def fitted(self, columns, damping, beside):
+        """Factors of these functions (run, function, times what) with which the rows so far and the rows (row, multiplier) beside
+        leave as little as can be of a function of the control points: least squares, steadied."""
         rests, functions = [Conditions(run.conditions) for run in self.problem.runs], [dict(f) for f in self.functions]
-        for row, multiplier, _, _ in self.tangents:
+        for row, multiplier in beside:
             for j, w in row.function.items():
                 functions[row.run][j] = functions[row.run].get(j, Fraction(0)) + multiplier * w
         left = {(k, j): w for k, rest in enumerate(rests) for j, w in rest.reduced(functions[k], Fraction(0))[0].items()}
-        columns = []
-        for row, multiplier, at, side in free:
-            function = self.problem.runs[row.run].space.functional(at, 0, side)
-            own = rests[row.run].reduced(function, Fraction(0))[0]
-            columns.append({(row.run, j): number(float(multiplier * w)) for j, w in own.items()})
-        matrix = [[inner(a, b) for b in columns] + [-inner(a, left)] for a in columns]
+        reduced = [{(k, j): number(float(factor * w)) for j, w in rests[k].reduced(dict(function), Fraction(0))[0].items()}
+                   for k, function, factor in columns]
+        matrix = [[inner(a, b) for b in reduced] + [-inner(a, left)] for a in reduced]
         for i, line in enumerate(matrix):
-            line[i] *= 1 + STEADY
+            line[i] *= 1 + STEADY * number(float(damping[i]))
         return solved(matrix) or []
 
     def value(self, cost=True):
         """What follows from all rows used."""
         self.lean_tangents()
+        if self.ringing:
+            use_ringing_rows(self)
         total = self.constant
         self.slopes = []
         for i, term in enumerate(self.problem.terms):
@@ -254,7 +270,7 @@ class Bound:
 
     def under(self, run, function, supremum):
         """(constant, residual): the function of the spline is at least constant - residual."""
-        if run.uneven() and supremum[run.top()] is not None:
+        if run.is_fine() and supremum[run.top()] is not None:
             return self.under_in_top(run, function, supremum)
         conditions = Conditions(run.conditions)
         if conditions.contradiction:

@@ -47,6 +47,11 @@ def difference(a, b, factor=1):
     return result
 
 
+def box_room(value):
+    """By how much ends of boxes may differ and be the same."""
+    return SAME_ROW * 100 * max(1, abs(value))
+
+
 class Step:
     def __init__(self, data):
         self.data, self.kind = data, data["kind"]
@@ -332,7 +337,7 @@ class BoxProof:
         at, side = number(origin["at"]), origin.get("side", "right")
         slopes = [number(s) for s in data["slope"]]
         states = [self.state(at, side, order) for order in range(4)]
-        formulas, parameters = self.rules_of(origin, states[0][3])
+        formulas, parameters = self.rules_of(origin, states[0][3], at)
         weights, fixed = {}, Fraction(0)
         for slope, (row, value, _, _) in zip(slopes, states):
             weights, fixed = difference(weights, row, -slope), fixed + slope * value
@@ -343,14 +348,17 @@ class BoxProof:
             step.side = greatest(step.weights, self.box)
             return
         box = self.box_of_plane(step, index, states, parameters)
-        found = [self.lowest(formula, slopes, box, number(data["constant"])) for formula in formulas]
-        lowest = max((value for value in found if value is not None), default=None)
+        lowest = self.lowest_of_any(formulas, slopes, box, number(data["constant"]))
+        if lowest is None and not self.is_within(box, data["box"]):  # the plane was made for less: it adds nothing
+            self.left_out[f"{origin['rule']}, over a box that is proved less far than the file says"] = True
+            step.side = greatest(step.weights, self.box)
+            return
         if lowest is None:
             raise Refuted(f"step {index}: the plane passes {origin['rule']} at x = {float(at)}")
         self.planes += 1
         self.of_scene(step, index, weights, -lowest - fixed)
 
-    def rules_of(self, origin, stretch):
+    def rules_of(self, origin, stretch, at):
         """(formulas of z, the variables that stand behind y''')."""
         cam, rule = self.problem.cam, origin["rule"]
         if rule in ("+torque", "-torque"):
@@ -360,11 +368,11 @@ class BoxProof:
             return [lambda z: sign * z[1] * z[2] - z[4]], [self.place["peak", i]]
         if cam is None or cam.rules is None:
             return [], []
-        return cam.rules.formulas(rule, origin.get("order"), origin.get("sign", 0), origin.get("remark", "")), \
-            [self.place["dimension", name] for name in cam.rules.searched]
+        return cam.formulas_at(origin, at), [self.place["dimension", name] for name in cam.rules.searched]
 
     def box_of_plane(self, step, index, states, parameters):
-        """What the steps that the plane names prove of z; the file's box must say no less."""
+        """What the steps that the plane names prove of z, as far as they can be followed here. The file's box must say no
+        less than the file's own steps."""
         box = []
         rows = [(row, value) for row, value, _, _ in states] + [({j: Fraction(1)}, Fraction(0)) for j in parameters]
         data = step.data
@@ -377,16 +385,37 @@ class BoxProof:
                 function = {j: sign * w for j, w in row.items()}
                 most = greatest(function, self.box)
                 if end != -1:
-                    proved = self.steps[end].side + greatest(difference(function, self.steps[end].weights), self.box)
-                    room = SAME_ROW * 100 * max(1, abs(proved))
-                    if proved + sign * value > sign * number(stated) + room:
+                    beside = greatest(difference(function, self.steps[end].weights), self.box)
+                    claimed = self.steps[end].stated + beside
+                    if claimed + sign * value > sign * number(stated) + box_room(claimed):
                         raise Refuted(f"step {index}: the plane's box ends before what step {end} proves")
-                    most = min(most, proved)
+                    most = min(most, self.steps[end].side + beside)
                 own.append(sign * most + value)
+            if i == 0 and self.problem.cam:
+                own = self.problem.cam.kept_within(*own)
             if own[0] > own[1]:  # nothing but rounding is left
                 own = [min(own), max(own)]
             box.append(tuple(own))
         return box
+
+    @staticmethod
+    def is_within(box, stated):
+        """Whether a box ends where the file says, or before."""
+        return all(low >= number(l) - box_room(low) and high <= number(u) + box_room(high)
+                   for (low, high), l, u in zip(box, stated["lower"], stated["upper"], strict=True))
+
+    def lowest_of_any(self, formulas, slopes, box, stated):
+        """Each of the formulas is a limit: it is enough that the plane lies under one."""
+        found, undecided = [], None
+        for formula in formulas:
+            try:
+                found.append(self.lowest(formula, slopes, box, stated))
+            except Unverified as fault:
+                undecided = fault
+        known = [value for value in found if value is not None]
+        if not known and undecided:
+            raise undecided
+        return max(known, default=None)
 
     @staticmethod
     def lowest(formula, slopes, box, stated):

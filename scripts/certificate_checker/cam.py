@@ -5,6 +5,8 @@ from fractions import Fraction
 
 from .bound import Row
 from . import enclosures
+from .inverse_rules import InverseRules
+from .remote_rules import RemoteRules
 from .spatial_rules import SpatialRules
 from .disk_rules import FACE_TURNS, DiskRules, Side, TwoSides, constant
 from .exact import (
@@ -20,6 +22,9 @@ DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat"
               "oscillating_flat": ("base_radius", "center_distance", "face_offset")}
 
 
+OTHER_RULES = {"barrel": SpatialRules, "cylindrical": SpatialRules, "remote": RemoteRules, "inverse": InverseRules}
+
+
 class Cam:
     """A disk cam. Lengths in m; of translating followers u = s' - sense * offset, D = start + s, start the follower's
     height at displacement 0. Of other cams the motion alone is judged."""
@@ -32,15 +37,11 @@ class Cam:
         self.lift = problem.lift[0]
         weights = {n: number(scene["objective"].get(n, 0)) for n in
                    ("base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset")}
-        if (not self.judged or self.swings) and (any(weights.values()) or
-                                                 any(isinstance(v, dict) for v in cam.values())):
-            raise Unverified("dimensions of this kind of cam in the objective, or searched")
-        self.constant = self.fixed
-        if self.kind in ("barrel", "cylindrical"):
-            self.judged, self.swings, self.width, self.form = True, True, None, "open"
-            self.rules, self.as_found = SpatialRules(problem, scene), SpatialRules(problem, scene, 4 * KEPT)
+        self.cost = exactly(Fraction(0))  # of the dimensions as they were found
         if self.kind != "disk":
-            return
+            return self.be_other(scene, result, weights)
+        if self.swings and (any(weights.values()) or any(isinstance(v, dict) for v in cam.values())):
+            raise Unverified("dimensions of this kind of cam in the objective, or searched")
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         given = {name: self.dimension(cam, name) for name in DIMENSIONS[self.follower]}
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
@@ -52,8 +53,8 @@ class Cam:
         self.base, self.roller = (self.sizes.get(name, Fraction(0)) for name in ("base_radius", "roller_radius"))
         self.fixed = sum((self.weights[name] * abs(given[name]) for name in given if name not in self.searched),
                          Fraction(0))
-        self.constant = self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
-                                          if self.sizes[name] is not None), Fraction(0))
+        self.cost = exactly(self.fixed + sum((self.weights[name] * self.sizes[name] for name in self.searched
+                                              if self.sizes[name] is not None), Fraction(0)))
         unit = problem.unit_angle
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
         self.width = self.dimension(cam, "face_half_width") or None
@@ -61,6 +62,35 @@ class Cam:
         self.form = cam.get("form", "open")
         self.rules = self.rules_of(scene, given, Fraction(0))
         self.as_found = self.rules_of(scene, self.sizes, 4 * KEPT)
+
+    def be_other(self, scene, result, weights):
+        """A cam of another kind: its limits are formulas of its own. Of dimensions in the objective, which are divided by the lift (of
+        what turns: times the centre distance, the middle of its range), the lower end of the enclosed cost is taken for bounds."""
+        make = OTHER_RULES.get(self.kind)
+        if make is None:
+            return
+        self.judged, self.swings, self.width, self.form = True, True, None, "open"
+        self.rules = make(self.problem, scene)
+        if make is not SpatialRules:
+            if any(weights.values()):
+                raise Unverified("dimensions of this kind of cam in the objective")
+            self.as_found = make(self.problem, scene, 4 * KEPT)
+            return
+        self.searched = self.rules.searched
+        found = {name: self.found(result, name) for name in self.searched}
+        self.as_found = SpatialRules(self.problem, scene, 4 * KEPT, found)
+        sizes, unit = self.rules.sizes | found, self.rules.lift
+        if self.rules.kind != "translating":
+            distance = self.rules.sizes["center_distance"]
+            unit = times(unit, exactly(sum(distance) / 2 if isinstance(distance, tuple) else distance))
+        used = {name: weight for name, weight in weights.items() if weight}
+        if not set(used) <= set(sizes):
+            raise Unverified("dimensions of this kind of cam in the objective")
+        self.weights = {name: used.get(name, Fraction(0)) / unit[1] for name in set(used) | set(self.searched)}
+        self.fixed = sum((self.weights[name] * sizes[name] for name in used if name not in self.searched), Fraction(0))
+        if None not in found.values():
+            low = sum((self.weights[name] * sizes[name] for name in used), Fraction(0))
+            self.cost = low, low * unit[1] / unit[0]
 
     def rules_of(self, scene, sizes, room):
         """The rules of the cam's one side or of its two."""
@@ -233,7 +263,8 @@ class Cam:
         """What looks at a limit along the delivered motion; None: nothing here does."""
         limits, pushed = self.problem.limits, not self.swings
         if self.kind != "disk":
-            return self.keeper_in_space(key)
+            formulas, more = self.as_found.kept(key)
+            return (lambda curve: self.keep_formulas(curve, key, formulas, more)) if formulas else None
         if self.form != "open" and key not in ("contact_force_min_n", "torque_max_nm"):
             return self.keeper_on_sides(key)
         if key.endswith("pressure_angle_deg"):
@@ -259,17 +290,6 @@ class Cam:
             return lambda curve: self.keep_formulas(curve, key, self.as_found.formulas("limits." + key))
         return None
 
-    def keeper_in_space(self, key):
-        rules = self.as_found
-        if key == "pressure_angle_deg":
-            return lambda curve: self.keep_formulas(
-                curve, key, [f for sign in (1, -1) for f in rules.formulas("limits." + key, 1, sign)])
-        if key == "undercut_margin":
-            margin = number(self.problem.limits[key])
-            return lambda curve: self.keep_formulas(curve, key, [rules.margin(margin, flank) for flank in (1, -1)],
-                                                    [(0, enclosures.ONE)])
-        return None
-
     def keep_along_laws(self, key, laws):
         """False: nothing here looks at the limit there."""
         signs = (1, -1) if key.endswith("pressure_angle_deg") else (0,)
@@ -284,15 +304,26 @@ class Cam:
         return bool(formulas)
 
     def keep_formulas(self, curve, key, formulas, more=()):
-        """Formulas of one cam angle along the motion: nowhere above 0. `more`: intervals of further numbers of a formula."""
+        """Formulas of one cam angle along the motion: nowhere above 0. `more`: ranges of further numbers of a formula; what moves
+        beside the motion is told the place too."""
+        moves = self.kind != "disk" and self.as_found.moves
+        more = [enclosures.interval(*ends) for ends in more]
         for run in curve.pieces:
-            for p, width, _, _ in run:
+            for p, width, left, _ in run:
                 orders = [[constant(c) for c in derivative(p, order)] for order in range(3)]
                 for formula in formulas:
-                    def room(numbers, formula=formula, orders=orders):
-                        return -formula([at_time(c, numbers[0]) for c in orders] + numbers[1:])
+                    def room(numbers, formula=formula, orders=orders, left=left):
+                        state = [at_time(c, numbers[0]) for c in orders] + numbers[1:]
+                        return -(formula(state, constant(left) + numbers[0]) if moves else formula(state))
                     if enclosures.least(room, [enclosures.interval(Fraction(0), width), *more], 0) is None:
                         raise Refuted(f"limits.{key} is passed")
+
+    def formulas_at(self, origin, at):
+        """What a row's limit may mean at a place."""
+        words = origin["rule"], origin.get("order"), origin.get("sign", 0), origin.get("remark", "")
+        if self.rules is None:
+            return []
+        return self.rules.formulas(*words, at) if self.kind != "disk" and self.rules.moves else self.rules.formulas(*words)
 
     def keep_pressure_of_arm(self, curve, key):
         """Both sides along the motion, and at rest the least of all limits."""
@@ -315,7 +346,8 @@ class Cam:
             middle, half = middle_of((unit[1], unit[0]))
             function = {j: -self.sense * middle * w for j, w in run.space.functional(at, 1, side).items()}
             return Row(name, k, function, FACE_TURNS + half * bound.supremum[k][1]), Fraction(1)
-        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None:
+        if not rule.endswith("pressure_angle_deg") or origin.get("order") != 1 or bound.curve is None or \
+                self.kind in ("remote", "inverse") or self.searched:
             return None
         values = [bound.curve.value_at(k, at, side, order) for order in range(2)]
         place = [enclosures.interval(v)[0] for v in values]
@@ -365,8 +397,11 @@ class Cam:
 
     def displacements(self, bound, k, at):
         """What y can be at a place."""
-        low, high = bound.displacements_at(k, at)
-        own = self.rules.displacements() if self.problem.type == "DRD" else None
+        return self.kept_within(*bound.displacements_at(k, at))
+
+    def kept_within(self, low, high):
+        """What the limits leave of a range of y."""
+        own = self.rules.displacements() if self.rules and self.problem.type == "DRD" else None
         return (max(low, own[0]), min(high, own[1])) if own else (low, high)
 
     def keep_pressure(self, curve):

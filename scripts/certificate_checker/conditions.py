@@ -2,22 +2,25 @@
 """Conditions, exactly."""
 from fractions import Fraction
 
-from .exact import number
+from .exact import STATED, number
 
 
 class Conditions:
     """The conditions of a run solved for as many control points: each is then a function of the others. Redundant ones
-    drop out; exact contradictions are the proof that there is no motion."""
+    drop out, and so does what differs from others by rounding (camopt leaves it out too, and no bound is the worse for it);
+    contradictions are the proof that there is no motion."""
 
     def __init__(self, rows):
         self.rows = {}  # control point: (row of the others, value)
-        self.contradiction = None
+        self.contradiction = self.rounding = None  # (name, by how much)
         for row, value, name in rows:
             row, value = self.reduced(dict(row), value)
             row = {j: w for j, w in row.items() if w}
             if not row:
-                if abs(value) > (self.contradiction[1] if self.contradiction else 0):
+                if abs(value) > STATED and abs(value) > (self.contradiction[1] if self.contradiction else 0):
                     self.contradiction = (name, abs(value))
+                elif value and abs(value) <= STATED:
+                    self.rounding = (name, abs(value))
                 continue
             pivot = max(row, key=lambda j: abs(row[j]))
             weight = row.pop(pivot)

@@ -73,6 +73,24 @@ def sine_and_cosine(a):
         added(multiplied(cosine, turned), multiplied((-sine[1], -sine[0]), aside))
 
 
+def exponential(a):
+    """exp of the 2^-k th part by Taylor's series, squared k times; exp rises."""
+    ends = []
+    for end in a:
+        halvings = max(0, abs(end).bit_length() - BITS + 1)
+        x, unit = (end << GUARD) >> halvings, BITS + GUARD
+        total, term, n = 1 << unit, 1 << unit, 0
+        while term > 1 or term < -1:
+            n += 1
+            term = (term * x >> unit) // n
+            total += term
+        value = (total - (1 << GUARD)) >> GUARD, -(-(total + (1 << GUARD)) >> GUARD)
+        for _ in range(halvings):
+            value = multiplied(value, value)
+        ends.append(value)
+    return ends[0][0], ends[1][1]
+
+
 class Over:
     """A formula over a box: the interval of its values and, by variable, that of its slopes."""
 
@@ -122,6 +140,10 @@ class Over:
         value = rooted(self.value)
         return self.through(value, inverted((2 * value[0], 2 * value[1])) if self.slopes else (0, 0))
 
+    def exponential(self):
+        value = exponential(self.value)
+        return self.through(value, value)
+
     def sine_and_cosine(self):
         sine, cosine = sine_and_cosine(self.value)
         return self.through(sine, cosine), self.through(cosine, (-sine[1], -sine[0]))
@@ -134,6 +156,39 @@ def over_box(formula, box):
 
 def at_place(formula, place):
     return formula([Over((x, x)) for x in place])
+
+
+class Complex:
+    """re + i im, of numbers that are enclosed."""
+
+    __slots__ = ("re", "im")
+
+    def __init__(self, re, im):
+        self.re, self.im = re, im
+
+    def __add__(self, other):
+        return Complex(self.re + other.re, self.im + other.im)
+
+    def __sub__(self, other):
+        return Complex(self.re - other.re, self.im - other.im)
+
+    def __mul__(self, other):
+        return Complex(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+
+    def scaled(self, factor):
+        return Complex(self.re * factor, self.im * factor)
+
+    def square(self):
+        """Of the magnitude."""
+        return self.re.square() + self.im.square()
+
+    def inverse(self):
+        return Complex(self.re, -self.im).scaled(self.square().inverse())
+
+    def exponential(self):
+        size = self.re.exponential()
+        sine, cosine = self.im.sine_and_cosine()
+        return Complex(size * cosine, size * sine)
 
 
 def tangent_at(formula, place):

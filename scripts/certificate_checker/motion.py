@@ -26,6 +26,9 @@ class Curve:
                  for r in range(4)]
         self.relative = [d / max(p, Fraction(1, 10**6)) for d, p in zip(self.distance, peaks)]
         for order, allowed in enumerate([STATED, STATED * 100, JOINED, JOINED]):
+            if allowed < self.relative[order] <= 10 * allowed and any(run.is_fine() for run in problem.runs):
+                raise Unverified(f"a motion on segments so short that its doubles say it to {float(self.relative[order]):.1e} only "
+                                 f"(of the peak of its derivative {order})")
             if self.relative[order] > allowed:
                 raise Refuted(f"the motion meets its conditions and joins only to {float(self.relative[order]):.1e} of "
                               f"the peak of its derivative {order}, or is not of the scene's spline space")
@@ -43,7 +46,7 @@ class Curve:
         if conditions.contradiction:
             name, by = conditions.contradiction
             raise Unverified(f"conditions that contradict each other by {float(by):.1e} ({name})")
-        if run.uneven():
+        if run.is_fine():
             control = self.from_the_top(run, points, delivered)
         else:
             control = conditions.completed(space.control_points(points, delivered))
@@ -126,6 +129,9 @@ class Curve:
                     length += w
             low, high = root(total / length)
             return low / term.reference, high / term.reference
+        if term.kind == "residual":
+            low, high = problem.train.residual(self)
+            return low / term.reference, high / term.reference
         for stretch in [s for s in problem.stretches if s.kind == "spline"]:
             if term.kind == "torque":
                 pieces = [(product(derivative(p), derivative(p, 2)), w)
@@ -139,7 +145,7 @@ class Curve:
 
     def objective(self):
         """(low, high)."""
-        low = high = self.problem.cam.constant if self.problem.cam else Fraction(0)
+        low, high = self.problem.cam.cost if self.problem.cam else (Fraction(0), Fraction(0))
         for term in self.problem.terms:
             if term.weight:
                 own = self.term(term)
@@ -152,10 +158,10 @@ class Curve:
         for term in self.problem.terms:
             if term.cap is not None:
                 own = self.term(term)[1] * term.reference
+                name = f"derivative {term.order}" if term.kind == "peak" else term.kind
                 if own > term.cap * (1 + KEPT + relaxed):
-                    raise Refuted(f"the limit of derivative {term.order} is {float(term.cap)}, "
-                                  f"the motion reaches {float(own)}")
-                kept.append(f"derivative {term.order}")
+                    raise Refuted(f"the limit of {name} is {float(term.cap)}, the motion reaches {float(own)}")
+                kept.append(name)
         for order, cap, key in self.problem.motion_caps:
             own = largest_magnitude(self.along(order))[1]
             if own > cap * (1 + KEPT + relaxed):

@@ -8,6 +8,7 @@ from .exact import (
     middle_of, number, product, root, times)
 from .spaces import Space
 
+CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope that a last digit moves
 LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
 
 
@@ -52,9 +53,10 @@ class Run:
         self.space, self.stretches, self.conditions = space, stretches, []
         self.rests = (True, True)
 
-    def uneven(self):
+    def is_fine(self):
+        """Where a segment is far narrower than others, or than the whole, the last digit of y is much of its third derivative."""
         widths = [self.space.width(i) for i in range(self.space.segments)]
-        return 1000 * min(widths) < max(widths)
+        return 1000 * min(widths) < max(max(widths), 2 * sum(widths))
 
     def top(self):
         return min(3, self.space.continuity)
@@ -76,7 +78,8 @@ class Run:
 
 
 class Peak:
-    """A term of the objective: weight * max |y^(order)| / reference (kind "rms": root mean square)."""
+    """A term of the objective: weight * max |y^(order)| / reference (kind "rms": root mean square; "residual": vibration of an
+    elastic follower's output after the motion)."""
 
     def __init__(self, kind, order, weight, reference, cap=None):
         self.kind, self.order, self.weight, self.reference, self.cap = kind, order, weight, reference, cap
@@ -109,10 +112,20 @@ class Problem:
         self.references = references
         self.terms = self.terms_of(references)
         self.cam = None
+        self.train = None  # an elastic follower
 
     def least_cost(self):
         """What dimensions cost at least: the peaks share the rest."""
         return self.cam.least_cost() if self.cam and self.cam.judged else Fraction(0)
+
+    def has_close_points(self):
+        """Two set points nearer than a millionth to each other."""
+        tables = [self.motion.get("via", [])] + [segment.get("via", []) for segment in self.motion.get("segments", [])]
+        for via in tables:
+            places = sorted(p for p in (self.place(point, "at", Fraction(0)) for point in via) if p is not None)
+            if any(b - a < CLOSE for a, b in zip(places, places[1:])):
+                return True
+        return False
 
     # -- lengths and angles
 

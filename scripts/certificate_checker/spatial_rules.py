@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from .disk_rules import constant
 from .enclosures import Over
+from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
 from .problem import LENGTHS, angle_of
 
@@ -16,16 +17,17 @@ NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "ro
 
 
 class SpatialRules:
-    """Lengths in m, angles in rad."""
+    """Lengths in m, angles in rad. `found`: of dimensions that are searched what was found; without it they are the numbers
+    behind y''' in units of the largest they may be. `room`: by how much a rule may be passed."""
 
-    searched = ()
+    moves = False
 
-    def __init__(self, problem, scene, room=Fraction(0)):
+    def __init__(self, problem, scene, room=Fraction(0), found=None):
         cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
-        self.sizes = {name: next((number(cam[f"{key}_{unit}"]) * size for unit, size in LENGTHS.items()
-                                  for key in self.keys(name) if f"{key}_{unit}" in cam), Fraction(0)) for name in NAMES}
+        self.sizes = {name: self.given(cam, name) for name in NAMES} | (found or {})
+        self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
         size, unit = problem.lift
         degree = times(PI, exactly(Fraction(1, 180)))
         self.lift = times(exactly(size), degree if unit == "deg" else exactly(Fraction(1)))
@@ -40,12 +42,28 @@ class SpatialRules:
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""
         return (name, "cylinder_radius") if name == "center_distance" and self.kind == "translating" else (name,)
 
+    def given(self, cam, name):
+        """m, or (least, most) where it is searched."""
+        for unit, size in LENGTHS.items():
+            for key in self.keys(name):
+                value = cam.get(f"{key}_{unit}")
+                if isinstance(value, dict):
+                    return number(value["min"]) * size, number(value["max"]) * size
+                if value is not None:
+                    return number(value) * size
+        return Fraction(0)
+
+    def size(self, name, numbers):
+        if name not in self.searched:
+            return constant(self.sizes[name])
+        return numbers[4 + list(self.searched).index(name)] * constant(self.searched[name][1])
+
     def axis(self, numbers, height):
         """V_u, V_b, F, A_u, A_b and the parts of e' of the axis at a height over its near end."""
         lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
         slope, bend = numbers[1] * lift * inverse, numbers[2] * lift * inverse * inverse
         sense, none = constant(self.sense), constant(0)
-        arm, distance, beside = (constant(self.sizes[n]) for n in ("arm_length", "center_distance", "lateral_offset"))
+        arm, distance, beside = (self.size(n, numbers) for n in ("arm_length", "center_distance", "lateral_offset"))
         if self.kind == "translating":
             return slope, sense * (distance - height), sense * beside, bend, -beside, none, -sense
         sine, cosine = (Over.number(*self.start) + numbers[0] * lift).sine_and_cosine()
@@ -60,34 +78,71 @@ class SpatialRules:
 
     def formulas(self, key, order=None, sign=0, remark=""):
         """All rules that a limit stands for: at the near and the far end of the roller."""
-        ends = [] if remark else [constant(0), constant(self.sizes["roller_length"])]
-        if key == "limits.pressure_angle_deg" and sign:
-            return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, height) for height in ends]
+        if key == "limits.pressure_angle_deg" and sign and not remark:
+            return [self.pressure(number(self.limits["pressure_angle_deg"]), sign, part) for part in (Fraction(0), Fraction(1))]
+        if key == "limits.undercut_margin" and not remark:
+            return [self.scaled_margin(number(self.limits["undercut_margin"]), flank, part) for flank in (1, -1)
+                    for part in (Fraction(0), Fraction(1, 2), Fraction(1))]
         return []
 
-    def pressure(self, limit, sign, height):
-        """sign V_u cos - |V_b| sin."""
+    def kept(self, key):
+        """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
+        if key == "pressure_angle_deg":
+            return [f for sign in (1, -1) for f in self.formulas("limits." + key, 1, sign)], []
+        if key == "undercut_margin":
+            margin = number(self.limits[key])
+            return [self.margin(margin, flank) for flank in (1, -1)], [(Fraction(0), Fraction(1))]
+        return [], []
+
+    def height(self, part, numbers):
+        return constant(part) * self.size("roller_length", numbers)
+
+    def pressures(self, limit, sign):
+        return []
+
+    def pressure(self, limit, sign, part):
+        """sign V_u cos - |V_b| sin, at a part of the roller's length."""
         steep = Over.number(*tangent(limit))
         cosine = (constant(1) + steep.square()).root().inverse()
         sine = cosine * steep
         above = constant(-self.sense if self.kind == "barrel" else self.sense)
 
         def rule(numbers):
-            across, along = self.axis(numbers, height)[:2]
+            across, along = self.axis(numbers, self.height(part, numbers))[:2]
             return constant(sign) * across * cosine - above * along * sine - self.room
         return rule
 
     def margin(self, least, flank):
         """least - g at any height: the last of the numbers is the part of the roller's length."""
-        radius, side = constant(self.sizes["roller_radius"]), constant(flank)
+        side = constant(flank)
 
         def rule(numbers):
-            height = numbers[3] * constant(self.sizes["roller_length"])
+            radius, height = self.size("roller_radius", numbers), numbers[3] * self.size("roller_length", numbers)
             across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(numbers, height)
             inverse = (across.square() + along.square()).inverse()
             turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
             bend = (turn - constant(2) * beside * tilt) * inverse * inverse.root()
             return constant(least) - constant(1) + side * radius * bend + (radius * tilt * inverse).square() - self.room
+        return rule
+
+    def scaled_margin(self, least, flank, part):
+        """least - g times W^3 / (r lever |V_b|): linear in the follower's acceleration, which A_u has times the lever."""
+        side = constant(flank)
+
+        def rule(numbers):
+            radius, height = self.size("roller_radius", numbers), self.height(part, numbers)
+            lever = constant(1) if self.kind == "translating" else self.size("arm_length", numbers)
+            if self.kind == "rotating":
+                lever = lever + height
+            still = [*numbers[:2], constant(0), *numbers[3:]]
+            across, along, beside, turn_u, turn_b, tilt_u, tilt_b = self.axis(still, height)
+            square = across.square() + along.square()
+            turn, tilt = turn_b * across - turn_u * along, tilt_b * across - tilt_u * along
+            room = constant(least - 1) * square * square.root() * radius.inverse() + \
+                side * (turn - constant(2) * beside * tilt) + radius * tilt.square() * square.root().inverse()
+            sign, inverse = sign_of(along), Over.number(*self.beta).inverse()
+            bend = numbers[2] * Over.number(*self.lift) * inverse.square()
+            return room * (lever * sign * along).inverse() - side * sign * bend - self.room
         return rule
 
     def displacements(self):

@@ -35,7 +35,7 @@ def factor_of(proof, problem):
     then are in other units, and its multipliers are all smaller (or larger) by this factor."""
     for name, cost in zip(proof["variables"], proof["cost"]):
         for term in problem.terms:
-            if term.weight and name == "peak " + next(n for n, o in ORDERS.items() if o == term.order) and cost:
+            if term.weight and term.kind == "peak" and name == "peak " + next(n for n, o in ORDERS.items() if o == term.order) and cost:
                 return term.weight / number(cost)
     return Fraction(1)
 

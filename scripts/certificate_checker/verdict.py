@@ -11,10 +11,11 @@ from .bound import Bound
 from .box_proof import BoxProof
 from .cam import Cam
 from .conditions import Conditions
-from .exact import KEPT, NOT_CONVEX, Refuted, STATED, Unverified, number
+from .exact import KEPT, NOT_CONVEX, PI, Refuted, STATED, Unverified, middle_of, number
 from .motion import Curve
-from .problem import Problem, references_of
+from .problem import Problem, angle_of, references_of
 from .stored import check_box, factor_of, stored_bound
+from .train import Train
 from .vipr import vipr
 
 
@@ -56,8 +57,8 @@ def close(stated, low, high):
 
 # What a scene may say, as far as this checker knows what it means.
 KNOWN_TABLES = {"title", "motion", "spline", "objective", "cam", "linkage", "forces", "measured", "limits", "drawing",
-                "solver"}
-KNOWN_TERMS = {"velocity", "acceleration", "jerk", "rms_acceleration", "rms_jerk", "torque", "reference", "tie_break",
+                "solver", "dynamics"}
+KNOWN_TERMS = {"velocity", "acceleration", "jerk", "rms_acceleration", "rms_jerk", "torque", "residual", "reference", "tie_break",
                "base_radius", "roller_radius", "offset", "center_distance", "arm_length", "face_offset"}
 
 
@@ -67,6 +68,28 @@ def name_what_is_unknown(scene):
         raise Unverified(f"[{table}]")
     for term in sorted(set(scene.get("objective", {})) - KNOWN_TERMS):
         raise Unverified(f"objective.{term}")
+
+
+def with_angles_found(scene, result):
+    """(the scene with the angles that were found in place of their ranges, whether there are any). They lie in their ranges
+    and fill the turn."""
+    segments, searched = [dict(s) for s in scene["motion"].get("segments", [])], False
+    for segment, found in zip(segments, result.get("segments") or []):
+        for unit, degree in (("deg", Fraction(1)), ("rad", middle_of(PI)[0] / 180)):
+            given = segment.get(f"angle_{unit}")
+            if not isinstance(given, dict):
+                continue
+            angle, searched = number(found["angle_deg"]) * degree, True
+            if not number(given["min"]) * (1 - STATED) <= angle <= number(given["max"]) * (1 + STATED):
+                raise Refuted(f"an angle of {found['angle_deg']} deg is outside its range")
+            segment[f"angle_{unit}"] = angle
+    if not searched:
+        return scene, False
+    angles = [angle_of(segment, "angle") for segment in segments]
+    turn = {"deg": Fraction(360), "rad": 2 * middle_of(PI)[0]}
+    if scene["motion"].get("closed", True) and abs(1 - sum(a / turn[unit] for a, unit in angles)) > STATED:
+        raise Refuted("the angles found do not add up to a turn")
+    return scene | {"motion": scene["motion"] | {"segments": segments}}, True
 
 
 def judge(folder, report, vipr_path):
@@ -89,9 +112,17 @@ def judge(folder, report, vipr_path):
         given = sorted(found)
         if found != given or len(set(given)) != len(given) or given[0] != 0:
             raise Refuted("the breakpoints do not ascend")
+    scene, angles_searched = with_angles_found(scene, result) if result["motion"] else (scene, False)
+    if angles_searched and certificate["proof_kind"] != "none":
+        raise Unverified("a bound over angles that are searched")
     problem = Problem(scene, references_of(scene, result["reference"]), found)
     if "cam" in scene:
         problem.cam = Cam(problem, scene, result)
+    if "dynamics" in scene:
+        problem.train = Train(problem)
+        problem.terms += problem.train.residual_term(result.get("dynamics") or {"terms": []})
+    elif number(scene["objective"].get("residual", 0)):
+        raise Unverified("objective.residual without [dynamics]")
     relaxed = number(proof["limits_relaxed_by"]) if proof else Fraction(0)
     if relaxed < 0 or relaxed > KEPT * 100:
         raise Refuted(f"limits are relaxed by {float(relaxed)}")
@@ -104,10 +135,11 @@ def judge(folder, report, vipr_path):
 
 def judge_infeasible(problem, proof, report, vipr_path):
     for run in problem.runs:
-        contradiction = Conditions(run.conditions).contradiction
+        conditions = Conditions(run.conditions)
+        contradiction = conditions.contradiction
+        if conditions.rounding and not contradiction:
+            raise Unverified(f"conditions that contradict each other by {float(conditions.rounding[1]):.1e} only")
         if contradiction:
-            if contradiction[1] <= STATED:
-                raise Unverified(f"conditions that contradict each other by {float(contradiction[1]):.1e} only")
             report.say(f"conditions contradict each other ({contradiction[0]}): no spline of the space meets them")
             return []
     if proof is None:
@@ -137,26 +169,40 @@ def judge_empty_boxes(problem, boxes, report):
 
 def write_vipr(path, bound, problem, cost, value):
     if path and None in bound.remainders:
-        print("no VIPR file is written: breakpoints whose distances differ by more than 1000", file=sys.stderr)
+        print("no VIPR file is written: breakpoints too close together", file=sys.stderr)
     elif path:
         Path(path).write_text(vipr(bound, problem, cost, value))
 
 
-def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
-    verdict, proof = certificate["verdict"], certificate["proof"]
+def judge_objective(problem, certificate, result, report):
+    """The delivered motion, and the largest its objective can be."""
     curve = Curve(problem, result)
     report.say("motion: an exact spline of the space, on all conditions, lies within " +
                ", ".join(f"{float(r):.0e}" for r in curve.relative) + " (of y, y', y'', y''', relative)")
-    missing = []
     low, high = curve.objective()
     stated = number(certificate["objective"])
     report.say(f"objective: between {float(low):.15g} and {float(high):.15g}")
     if not close(stated, low, high):
         raise Refuted(f"the objective is {float(high)}, not {float(stated)}")
+    return curve, high
+
+
+def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
+    verdict, proof = certificate["verdict"], certificate["proof"]
+    missing = []
+    try:
+        curve, high = judge_objective(problem, certificate, result, report)
+    except Refuted as fault:
+        if problem.has_close_points():
+            raise Unverified(f"set points so close together that rounding is much of the slope between them: {fault}") from fault
+        raise
     kept = curve.keep_caps(relaxed)
     if problem.cam:
         more, missing = problem.cam.keep_limits(curve)
         kept += more
+    if problem.train:
+        more, unseen = problem.train.keep_limits(curve)
+        kept, missing = kept + more, missing + unseen
     report.say("limits kept: " + (", ".join(kept) or "none given"))
     bound_stated = certificate["lower_bound"]
     if certificate["proof_kind"] == "none" or bound_stated is None:
@@ -166,6 +212,7 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
     allowed = problem.gap * (max(Fraction(1), abs(high)) if high > Fraction(1, 16) else 16 * high)
     not_convex = "gap" not in problem.solver and not result["solver"]["convex"]
     allowed_gap = allowed * (NOT_CONVEX if not_convex else 1)
+    rest = Fraction(0)  # what multipliers leave, bounded by less than the file knows
     if certificate["proof_kind"] == "boxes":
         if "boxes" not in certificate:
             raise Unverified("a proof by cases")
@@ -193,12 +240,15 @@ def judge_motion(problem, certificate, result, relaxed, report, vipr_path):
             bound.add_row(row, factor)
         bound.add_root_mean_squares(curve)
         value, left_out = bound.value(), bound.left_out
+        rest = bound.residual
         report.say(f"bound: no motion of the scene is below {float(min(value, high)):.15g}, "
                    f"rounding {float(bound.residual):.1e}")
     short = number(bound_stated) - value
     if short > allowed / 10:
         if left_out:
             raise Unverified("rows of " + ", ".join(sorted(left_out)))
+        if short <= allowed or (verdict != "optimal" and short <= rest):  # less than what optimal means, or than what is left
+            raise Unverified(f"the last digits of the bound {bound_stated}: {float(value):.15g} is proved")
         raise Refuted(f"the bound {bound_stated} is not proved: only {float(value):.15g} is")
     if verdict == "optimal" and high - value > allowed_gap:
         if left_out:

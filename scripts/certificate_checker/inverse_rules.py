@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""The limits of an inverse cam, as formulas of the feeder's y, y', y'' and of the place x in the motion.
+
+The roller is at (L, 0), L = rest + (end - rest) (angle / stroke)^2, the guide in the body has the polar angle psi(L) = -theta, theta the body's
+angle. The body's pin P, |P| = L1, lies on the rocker's line through C in the direction e of the angle phi: P = C + r e, hence
+
+    r = -C . e -+ sqrt((C . e)^2 + L1^2 - |C|^2),   tan phi = (Y - C_y) / offset,   phi' = Y' cos^2 phi / offset.
+
+P' = theta' P*, * for turned by +90 degrees, is r' e + r phi' e*. Times e* and e, and differentiated once more, with q = P . e, t = P . e*:
+
+    theta' q = r phi',   r' = -theta' t,   theta'' q = r phi'' - 2 theta' phi' t + theta'^2 t.
+
+tan(pressure angle) = L dpsi/dL = -L theta' / L'. The guide's curvature is (L psi'' + 2 psi' + L^2 psi'^3) / (1 + L^2 psi'^2)^(3/2), here '
+by L: psi' = -theta'/L', psi'' = -(theta'' + psi' L'') / L'^2. Its walls are regular where 1 -+ r curvature > 0, r the roller's radius.
+"""
+from fractions import Fraction
+
+from .disk_rules import DiskRules, constant
+from .enclosures import Over
+from .exact import Unverified, exactly, number, tangent
+from .plane_vectors import across, divided, dot, plus, scaled, sign_of
+from .problem import angle_of
+from .remote_rules import enclosed, length_in
+
+NAMES = ("roller_radius", "roller_rest", "roller_end", "roller_from", "pin_distance", "rocker_pivot_x", "rocker_pivot_y",
+         "feeder_offset", "feeder_start")
+
+
+class InverseRules:
+    """Lengths in m, angles in rad. Rules depend on the place in the motion: moves."""
+
+    searched, moves = {}, True
+    displacements = staticmethod(DiskRules.displacements)
+
+    def __init__(self, problem, scene, room=Fraction(0)):
+        cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
+        self.sizes = {name: length_in(cam, name) for name in NAMES}
+        self.lift, self.beta = exactly(problem.lift[0]), enclosed(problem.unit_angle)
+        self.stroke = enclosed(angle_of(cam, "roller_angle"))
+        self.pin_angle = enclosed(angle_of(cam, "pin_angle") or (Fraction(0), "deg"))
+        self.side, self.nearer = self.branch()
+
+    def size(self, name):
+        return constant(self.sizes[name])
+
+    def branch(self):
+        """Which way along the rocker's line, and which of the two places there, is the pin of the scene: it is where the body stands
+        at displacement 0."""
+        sine, cosine = Over.number(*self.pin_angle).sine_and_cosine()
+        wanted = self.size("pin_distance") * cosine, self.size("pin_distance") * sine
+        found = []
+        for side in (1, -1):
+            for nearer in (1, -1):
+                self.side, self.nearer = side, nearer
+                pin, reach = self.pin(constant(0))[:2]
+                away = plus(pin, scaled(constant(-1), wanted))
+                if reach.value[0] > 0:
+                    found.append((dot(away, away).value[1], side, nearer))
+        if not found:
+            raise Unverified("a rocker that does not reach the pin")
+        return min(found)[1:]
+
+    def pin(self, s):
+        """P, r, e, tan phi and cos^2 phi at a displacement of the feeder."""
+        pivot = self.size("rocker_pivot_x"), self.size("rocker_pivot_y")
+        rise = divided(s + self.size("feeder_start") - pivot[1], self.size("feeder_offset"))
+        square = (constant(1) + rise.square()).inverse()
+        cosine = square.root() * constant(self.side)
+        e = cosine, cosine * rise
+        foot = dot(pivot, e)
+        rest = foot.square() + self.size("pin_distance").square() - dot(pivot, pivot)
+        reach = -foot - constant(self.nearer) * rest.root()
+        return plus(pivot, scaled(reach, e)), reach, e, rise, square
+
+    def body(self, s, slope):
+        """dtheta/ds, theta' and theta'' without what s'' adds to it, which is dtheta/ds s''."""
+        pin, reach, e, rise, square = self.pin(s)
+        offset = self.size("feeder_offset")
+        per_slope = divided(square, offset)
+        along, beside = dot(pin, e), dot(pin, across(e))
+        ratio = divided(reach * per_slope, along)
+        turning = per_slope * slope
+        rate = ratio * slope
+        still = divided(-constant(2) * reach * turning.square() * rise - constant(2) * rate * turning * beside +
+                        rate.square() * beside, along)
+        return ratio, rate, still
+
+    def roller(self, x):
+        """L, L', L'' by the cam angle, at a place in rises."""
+        inverse, length = Over.number(*self.stroke).inverse(), self.size("roller_end") - self.size("roller_rest")
+        begin = ((self.size("roller_from") - self.size("roller_rest")) * length.inverse()).root()
+        part = begin + x * Over.number(*self.beta) * inverse  # of the stroke
+        return self.size("roller_rest") + length * part.square(), constant(2) * length * part * inverse, \
+            constant(2) * length * inverse.square()
+
+    def state(self, numbers):
+        inverse, lift = Over.number(*self.beta).inverse(), Over.number(*self.lift)
+        return numbers[0] * lift, numbers[1] * lift * inverse, numbers[2] * lift * inverse.square()
+
+    # -- the rules
+
+    def formulas(self, key, order=None, sign=0, remark="", at=None):
+        """All rules that the key of a limit stands for at a place; of the margin one for either wall."""
+        name = key.removeprefix("limits.")
+        if remark:
+            return []
+        if name == "pressure_angle_deg" and sign:
+            found = [self.pressure(number(self.limits[name]), sign)]
+        elif name == "undercut_margin":
+            found = [self.margin(number(self.limits[name]), side) for side in (1, -1)]
+        else:
+            return []
+        return [lambda numbers, f=f: f(numbers, constant(at)) for f in found]
+
+    def kept(self, key):
+        """(formulas of the numbers and the place, nowhere above 0 along a motion that keeps the limit; further numbers)."""
+        if key == "pressure_angle_deg":
+            return [self.pressure(number(self.limits[key]), sign) for sign in (1, -1)], []
+        if key == "undercut_margin":
+            return [self.margin(number(self.limits[key]), side) for side in (1, -1)], []
+        return [], []
+
+    def pressures(self, limit, sign):
+        """At rest the guide is a circle about the body's pivot."""
+        return []
+
+    def pressure(self, limit, sign):
+        """sign (-L theta') cos(limit) <= L' sin(limit), over cos(limit) L |dtheta/ds|: linear in the feeder's velocity."""
+        steep = Over.number(*tangent(limit))
+
+        def rule(numbers, x):
+            s, slope, _ = self.state(numbers)
+            distance, speed, _ = self.roller(x)
+            ratio = self.body(s, slope)[0]
+            turns = sign_of(ratio)
+            return -constant(sign) * turns * slope - divided(steep * speed, turns * distance * ratio) - self.room
+        return rule
+
+    def margin(self, least, side):
+        """least - (1 - side r curvature), times (1 + tan^2)^(3/2) L'^2 / (r L |dtheta/ds|): linear in the feeder's acceleration."""
+        def rule(numbers, x):
+            s, slope, acceleration = self.state(numbers)
+            distance, speed, forth = self.roller(x)
+            ratio, rate, still = self.body(s, slope)
+            guide = -rate * speed.inverse()
+            steep = distance * guide
+            secant = constant(1) + steep.square()
+            bend = -(still + guide * forth) * speed.square().inverse()
+            top = distance * bend + guide * (constant(2) + steep.square())
+            room = constant(side) * top + (constant(least - 1) - self.room) * secant * secant.root() * \
+                self.size("roller_radius").inverse()
+            turns = sign_of(ratio)
+            return divided(room * speed.square(), turns * distance * ratio) - constant(side) * turns * acceleration
+        return rule

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+"""The limits of a cam whose lever moves the output through a linkage, as formulas of the output's y, y', y''.
+
+A dyad: a link with the pivot B and the arm c reaches with a coupler of length b the joint E. With v = E - B the link's own joint
+J, counted from B, is p v + q v', v' = v turned by +90 degrees: |J| = c and |J - v| = b give
+
+    p = (v^2 + c^2 - b^2) / (2 v^2),   q = +- sqrt(c^2 / v^2 - p^2)   (+: J lies left of v).
+
+b being constant, g = J - v has g . (J. - E.) = 0 and g . (J.. - E..) + |J. - E.|^2 = 0, a dot by the output; with J. = a. J' and
+J.. = a.. J' - a.^2 J, a the link's angle,
+
+    a. = g . E. / g . J',   a.. = (g . (E.. + a.^2 J) - |a. J' - E.|^2) / g . J'.
+
+The roller sits at C = A + l u - O, A the lever's pivot, u the direction of its arm, O the cam's centre. By the cam angle, in
+the frame that turns with the cam in the sense s: V = C' - s z x C and V' = C'' - 2 s z x C' - C. With C_u, C_a along u and across it and w
+the angle of u,
+
+    V = (s C_a, l w' - s C_u),   V' = (2 s l w' - l w'^2 - C_u, l w'' - C_a),   curvature |V|^3 = -s V x V'.
+
+The roller's centre moves across u, the common normal is (C_u - s l w', C_a) / |V|: tan(pressure angle) = (C_u - s l w') / C_a.
+"""
+from fractions import Fraction
+
+from .disk_rules import DiskRules, constant
+from .enclosures import Over
+from .exact import PI, Unverified, exactly, number, tangent, times
+from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
+from .problem import LENGTHS, angle_of
+
+NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider_x", "slider_y"),
+           "lever_coupler_lever": ("lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm"),
+           "lever_coupler_lever_coupler_slider": (
+               "lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm", "rocker_output_arm",
+               "second_coupler", "slider_x", "slider_y")}
+OF_THE_CAM = ("roller_radius", "roller_arm", "lever_pivot_x", "lever_pivot_y", "center_x", "center_y")
+
+
+def enclosed(angle):
+    """rad, of (number, unit)."""
+    size, unit = angle
+    return exactly(size) if unit == "rad" else times(exactly(size / 180), PI)
+
+
+def length_in(table, name):
+    """m; 0 where it is not given."""
+    for unit, size in LENGTHS.items():
+        if f"{name}_{unit}" in table:
+            if isinstance(table[f"{name}_{unit}"], dict):
+                raise Unverified(f"{name}: a dimension of this kind of cam that is searched")
+            return number(table[f"{name}_{unit}"]) * size
+    return Fraction(0)
+
+
+class RemoteRules:
+    """Lengths in m, angles in rad. `room`: by how much a rule may be passed, in parts of its limit."""
+
+    searched, moves = {}, False
+    displacements = staticmethod(DiskRules.displacements)
+
+    def __init__(self, problem, scene, room=Fraction(0)):
+        cam, linkage, self.limits, self.room = scene["cam"], scene["linkage"], problem.limits, constant(room)
+        if cam.get("pressure_angle_at", "roller_center") != "roller_center":
+            raise Unverified("a pressure angle at the contact point")
+        self.kind = linkage["type"]
+        self.sense = constant(-1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1)
+        self.sizes = {name: length_in(cam, name) for name in OF_THE_CAM} | \
+            {name: length_in(linkage, name) for name in NUMBERS[self.kind]}
+        self.angles = {name: enclosed(angle_of(linkage, name) or (Fraction(default), "deg")) for name, default in
+                       (("lever_angle", 0), ("rocker_angle", 0), ("slider_angle", 90), ("output_angle", 0))}
+        self.left = {name: constant(1 if linkage.get(name, "left") == "left" else -1)
+                     for name in ("lever_branch", "rocker_branch")}
+        self.lift = enclosed(problem.lift) if problem.lift[1] != "m" else exactly(problem.lift[0])
+        self.beta = enclosed(problem.unit_angle)
+
+    def size(self, name):
+        return constant(self.sizes[name])
+
+    def place(self, name):
+        return self.size(name + "_x"), self.size(name + "_y")
+
+    # -- from the output back to the lever: (joint, its first and its second derivative by the output)
+
+    def slider(self, s):
+        way, none = direction(Over.number(*self.angles["slider_angle"])), (constant(0), constant(0))
+        return plus(self.place("slider"), scaled(s, way)), way, none
+
+    def swinging_output(self, s):
+        """(direction, first and second derivative of the angle)."""
+        return direction(Over.number(*self.angles["output_angle"]) + s), constant(1), constant(0)
+
+    def followed(self, pivot, arm, coupler, branch, far):
+        """(direction of the arm of a dyad, first and second derivative of its angle)."""
+        joint, first, second = far
+        v = minus(joint, pivot)
+        inverse = dot(v, v).inverse()
+        p = (dot(v, v) + arm.square() - coupler.square()) * inverse * constant(Fraction(1, 2))
+        q = (arm.square() * inverse - p.square()).root() * self.left[branch]
+        own = plus(scaled(p, v), scaled(q, across(v)))
+        gap, swing = minus(own, v), across(own)
+        lever = dot(gap, swing)
+        rate = divided(dot(gap, first), lever)
+        gone = minus(scaled(rate, swing), first)
+        bend = divided(dot(gap, plus(second, scaled(rate.square(), own))) - dot(gone, gone), lever)
+        return scaled(arm.inverse(), own), rate, bend
+
+    def far_joint(self, s):
+        """The coupler's joint that is not the lever's."""
+        if self.kind == "lever_coupler_slider":
+            return self.slider(s)
+        pivot, arm = self.place("rocker_pivot"), self.size("rocker_input_arm")
+        way, rate, bend = self.swinging_output(s)
+        if self.kind == "lever_coupler_lever_coupler_slider":
+            way, rate, bend = self.followed(pivot, self.size("rocker_output_arm"), self.size("second_coupler"),
+                                            "rocker_branch", self.slider(s))
+            way = turned(way, direction(Over.number(*self.angles["rocker_angle"])))
+        along = scaled(arm, way)
+        return plus(pivot, along), scaled(rate, across(along)), \
+            minus(scaled(bend, across(along)), scaled(rate.square(), along))
+
+    def roller_arm(self, s):
+        """(u, first and second derivative of its angle by the output)."""
+        if self.kind == "lever":
+            return self.swinging_output(s)
+        way, rate, bend = self.followed(self.place("lever_pivot"), self.size("lever_arm"), self.size("coupler"),
+                                        "lever_branch", self.far_joint(s))
+        low, high = self.angles["lever_angle"]
+        return turned(way, direction(Over.number(-high, -low))), rate, bend
+
+    def roller(self, numbers):
+        """C_u, C_a, u's angle by the output to both orders, s' and s''."""
+        lift, inverse = Over.number(*self.lift), Over.number(*self.beta).inverse()
+        way, rate, bend = self.roller_arm(numbers[0] * lift)
+        pivot = minus(self.place("lever_pivot"), self.place("center"))
+        slope = numbers[1] * lift * inverse
+        return dot(pivot, way) + self.size("roller_arm"), dot(pivot, across(way)), rate, bend, slope, \
+            numbers[2] * lift * inverse.square()
+
+    # -- the rules
+
+    def formulas(self, key, order=None, sign=0, remark=""):
+        """All rules that the key of a limit stands for. The sign tells rises from returns of the lever; as the pressure angle's
+        limit is the same for both, either sign must be kept."""
+        name = key.removeprefix("limits.")
+        if remark:
+            return []
+        if name == "pressure_angle_deg" and sign:
+            return [self.pressure(number(self.limits[name]), sign)]
+        radius = self.size("roller_radius")
+        for start, factor in (("cam_radius_min_", 1), ("concave_radius_min_", -1)):
+            if name.startswith(start):
+                least = length_in(self.limits, start.removesuffix("_"))
+                return [self.excess(radius + constant(factor * least), constant(1))]
+        if name == "undercut_margin":
+            return [self.excess(radius, constant(1 - number(self.limits[name])))]
+        return []
+
+    def pressures(self, limit, sign):
+        return [self.pressure(limit, sign)]
+
+    def kept(self, key):
+        """(formulas that are nowhere above 0 along a motion that keeps the limit, further numbers of theirs)."""
+        signs = (1, -1) if key == "pressure_angle_deg" else (0,)
+        return [f for sign in signs for f in self.formulas("limits." + key, 1, sign)], []
+
+    def pressure(self, limit, sign):
+        """sign (C_u - s l w') cos(limit) <= |C_a| sin(limit), over cos(limit) l |dw/ds|: linear in the output's velocity."""
+        steep = Over.number(*tangent(limit))
+
+        def rule(numbers):
+            along, beside, rate, _, slope, _ = self.roller(numbers)
+            side, lever = sign_of(beside) * constant(sign), self.size("roller_arm") * rate
+            turns = sign_of(rate)
+            still = divided(side * along - sign_of(beside) * beside * steep, turns * lever)
+            return still - side * self.sense * turns * slope - self.room
+        return rule
+
+    def excess(self, factor, share):
+        """factor * curvature - share, times |V|^3 / (l |C_a dw/ds|): linear in the output's acceleration."""
+        def rule(numbers):
+            along, beside, rate, bend, slope, acceleration = self.roller(numbers)
+            arm = self.size("roller_arm")
+            swing = arm * rate * slope
+            v, w = self.sense * beside, swing - self.sense * along
+            square = v.square() + w.square()
+            forth = constant(2) * self.sense * swing - swing * rate * slope - along
+            aside = arm * bend * slope.square() - beside
+            still = -self.sense * (v * aside - w * forth)
+            lever = arm * rate * beside
+            turns = sign_of(lever)
+            return divided(factor * still - (share + self.room) * square * square.root(), turns * lever) - \
+                factor * turns * acceleration
+        return rule

@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: MIT
+"""An elastic follower of one mass, by the definitions of docs/theory/elastic_follower.md.
+
+With the spring k and the damper c to the cam, the return spring k_r with the preload P, K = k + k_r, in lifts and with the time in
+units of x (T seconds each):
+
+    x'' + 2 z w x' + w^2 x = s w^2 y + 2 z w y' - P / K w^2 / lift,   w = sqrt(K / m) T,  z = c / (2 sqrt(K m)),  s = k / K.
+
+The mass follows y by x = s y - P / (K lift) + e, and from rest
+
+    e'' + 2 z w e' + w^2 e = f = (1 - s) 2 z w y' - s y''.
+
+With L = -z w + i v, v = w sqrt(1 - z^2), and E(x) = integral over t from 0 to x of exp(L (x - t)) f(t) this is
+
+    e = Im E / v,   e' + z w e = Re E,   amplitude of the free vibration = |E| / v.
+
+Let J(x) be the same integral of y''; that of y' is (J - y') / L. By parts, with the jumps of y^(r) at the breakpoints b (at the start: from 0),
+
+    J(x) = sum over b <= x of exp(L (x - b)) sum over r >= 2 of jump_r / L^(r - 1) - sum over r >= 2 of y^(r)(x) / L^(r - 1).
+
+After the last breakpoint, at rest, nothing of the second sum is left: there E = ((1 - s) 2 z w / L - s) J.
+
+The force on the cam in units of K lift:  s P / (K lift) + s (1 - s) y + 2 z / w (1 - s) y' - s e - 2 z / w e'.
+"""
+from fractions import Fraction
+
+from . import enclosures
+from .disk_rules import constant
+from .enclosures import Complex, Over
+from .exact import KEPT, PI, STATED, Refuted, Unverified, derivative, exactly, number, times, value_at
+from .laws import at_time, harmonic
+from .problem import Peak
+
+FORCES = {"n_mm": 1000, "n_m": 1}
+AMPLITUDES = {"um": Fraction(1, 10**6), "mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
+SAME_PEAK = Fraction(1, 10**11)  # a largest amplitude is enclosed to this part of it
+PLACES = 64                      # speeds at which the largest one is looked for
+KNOWN = ("mass_kg", "natural_frequency_hz", "natural_frequency_rad_s", "stiffness", "damping_ratio", "damping_n_s_m",
+         "return_spring", "preload_n", "speed_range_rpm")
+
+
+class Train:
+    """Masses in kg, rates in N/m, amplitudes in lifts."""
+
+    def __init__(self, problem):
+        self.problem, given = problem, problem.scene["dynamics"]
+        for key in given:
+            if not key.startswith(KNOWN):
+                raise Unverified(f"dynamics.{key}")
+        if problem.lift[1] != "m" or problem.type not in ("DRD", "RR"):
+            raise Unverified("an elastic follower that swings, or of a program")
+        mass, back = number(given["mass_kg"]), self.rate(given, "return_spring")
+        self.frequency = self.frequency_of(given, mass, back)
+        square = self.frequency.square()
+        self.stiffness = constant(mass) * square                       # K
+        self.share = constant(1) - constant(back) * self.stiffness.inverse()  # s
+        self.damping = constant(number(given.get("damping_ratio", 0)))
+        if "damping_n_s_m" in given:
+            self.damping = constant(number(given["damping_n_s_m"]) / (2 * mass)) * self.frequency.inverse()
+        if self.damping.value[1] >= enclosures.ONE:
+            raise Unverified("an elastic follower that is damped above critical")
+        self.ring = (constant(1) - self.damping.square()).root()       # sqrt(1 - z^2)
+        self.preload = constant(number(given.get("preload_n", 0)) / problem.lift[0]) * self.stiffness.inverse()
+        self.times = self.times_of(given)
+        self.memory = {}
+
+    @staticmethod
+    def rate(given, name):
+        return sum((number(given[f"{name}_{unit}"]) * size for unit, size in FORCES.items() if f"{name}_{unit}" in given),
+                   Fraction(0))
+
+    def frequency_of(self, given, mass, back):
+        """sqrt(K / m), rad/s."""
+        if "natural_frequency_hz" in given:
+            return Over.number(*times(PI, exactly(2 * number(given["natural_frequency_hz"]))))
+        if "natural_frequency_rad_s" in given:
+            return constant(number(given["natural_frequency_rad_s"]))
+        return constant((self.rate(given, "stiffness") + back) / mass).root()
+
+    def times_of(self, given):
+        """Seconds of a unit of x, (shortest, longest)."""
+        if "speed_range_rpm" not in given:
+            time = 1 / self.problem.turns_per_second()
+            return time, time
+        low, high = (self.time_at(number(speed)) for speed in given["speed_range_rpm"])
+        return high, low
+
+    def time_at(self, rpm):
+        angle, unit = self.problem.unit_angle
+        if unit != "deg":
+            raise Unverified("a speed in rpm with angles in radians")
+        return angle / (6 * rpm)
+
+    # -- the response
+
+    def exponent(self, time):
+        """L, w and v."""
+        w = self.frequency * time
+        v = w * self.ring
+        return Complex(-self.damping * w, v), w, v
+
+    def powers(self, exponent, count):
+        inverse = exponent.inverse()
+        found = [inverse]
+        while len(found) < count:
+            found.append(found[-1] * inverse)
+        return found
+
+    @staticmethod
+    def jumps_of(pieces):
+        """[(width up to the breakpoint, [(r, jump of y^(r))])], from pieces (polynomial of y, width)."""
+        found, before, width = [], [], Fraction(0)
+        for polynomial, own in [*pieces, ([Fraction(0)], Fraction(0))]:
+            after = [derivative(polynomial, r)[0] for r in range(2, 6)]
+            jumps = [b - a for a, b in zip(before or [Fraction(0)] * 4, after)]
+            found.append((width, [(r + 2, constant(jump)) for r, jump in enumerate(jumps) if jump]))
+            before = [value_at(derivative(polynomial, r), own) for r in range(2, 6)]
+            width = own
+        return found
+
+    def rung(self, jumps, time):
+        """The first sum of J at every breakpoint."""
+        exponent = self.exponent(time)[0]
+        powers, gone, totals = self.powers(exponent, 4), {}, []
+        total = Complex(constant(0), constant(0))
+        for width, own in jumps:
+            if width and width not in gone:
+                gone[width] = exponent.scaled(constant(width)).exponential()
+            total = total * gone[width] if width else total
+            for r, jump in own:
+                total = total + powers[r - 2].scaled(jump)
+            totals.append(total)
+        return totals
+
+    def after_rest(self, whole, time):
+        """E from J."""
+        exponent, w, _ = self.exponent(time)
+        rest = constant(1) - self.share
+        factor = exponent.inverse().scaled(rest * constant(2) * self.damping * w) - Complex(self.share, constant(0))
+        return factor * whole
+
+    def amplitude_square(self, whole, time):
+        return self.after_rest(whole, time).square() * self.exponent(time)[2].square().inverse()
+
+    def largest(self, formula):
+        """(low, high) around the largest root of a formula of the time, over the speeds of the range."""
+        low, high = self.times
+
+        def at(time):
+            return enclosures.at_place(formula, [enclosures.interval(time)[0]]).value[0]
+
+        places = [low + (high - low) * Fraction(i, PLACES) for i in range(PLACES + 1)]
+        values = [at(place) for place in places]
+        best = max(range(len(places)), key=values.__getitem__)
+        a, b = places[max(0, best - 1)], places[min(PLACES, best + 1)]
+        while b - a > (high - low) / 10**9:
+            left, right = (number(float(a + (b - a) * Fraction(part, 3))) for part in (1, 2))
+            a, b = (left, b) if at(left) < at(right) else (a, right)
+        peak = max(values + [at(a), at(b)])
+        enough = -peak - enclosures.multiplied((peak, peak), enclosures.interval(SAME_PEAK))[1]
+        ends = [enclosures.interval(low)[0], enclosures.interval(high)[1]]
+        if enclosures.least(lambda z: -formula(z), [tuple(ends)], enough) is None:
+            raise Unverified("the largest amplitude over the speeds")
+        return enclosures.fraction(enclosures.rooted((peak, peak))[0]), enclosures.fraction(enclosures.rooted((-enough,) * 2)[1])
+
+    def residual(self, curve):
+        """(low, high) around the largest amplitude after the motion, over the speeds of the range."""
+        if "residual" not in self.memory:
+            jumps = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[0]])
+            self.memory["residual"] = self.largest(lambda z: self.amplitude_square(self.rung(jumps, z[0])[-1], z[0]))
+        return self.memory["residual"]
+
+    def residual_of_law(self, law):
+        """The same of one rise by a law of the catalogue. y'' = a + b sin g t + c cos g t: with h = exp(i g t) the integral of
+        exp(L (t - u)) exp(i g u) is (h - exp(L t)) / (i g - L), its real and its imaginary part by +g and -g."""
+        parts, half = harmonic(law), constant(Fraction(1, 2))
+
+        def formula(z):
+            exponent = self.exponent(z[0])[0]
+            total = Complex(constant(0), constant(0))
+            for width, a, b, c, g in parts:
+                t = constant(width)
+                gone = exponent.scaled(t * constant(Fraction(1, 4))).exponential()
+                gone = gone * gone
+                gone = gone * gone
+                own = (gone - Complex(constant(1), constant(0))) * exponent.inverse().scaled(a)
+                for sign in (1, -1):
+                    turn = Complex(constant(0), constant(sign) * g)
+                    spun = (turn.scaled(t).exponential() - gone) * (turn - exponent).inverse()
+                    own = own + spun * Complex(c * half, constant(-sign) * b * half)
+                total = total * gone + own
+            return self.amplitude_square(total, z[0])
+        return self.largest(formula)
+
+    def residual_functions(self, run, time):
+        """(real, imaginary) part of E / v as rows {control point: (number, its error)}, at one speed."""
+        time = constant(time)
+        exponent, _, v = self.exponent(time)
+        powers, rows, gone = self.powers(exponent, 4), {}, Complex(constant(1), constant(0))
+        for i in range(run.space.segments - 1, -1, -1):
+            width, after = run.space.width(i), gone
+            gone = gone * exponent.scaled(constant(width)).exponential()
+            for j, function in enumerate(run.space.basis(i)):
+                place = run.space.first(i) + j
+                for r, power in enumerate(powers):
+                    bent = derivative(function, r + 2)
+                    own = power * (gone.scaled(constant(bent[0])) - after.scaled(constant(value_at(bent, width))))
+                    rows[place] = rows[place] + own if place in rows else own
+        found = ({}, {})
+        for place, whole in rows.items():
+            value = self.after_rest(whole, time).scaled(v.inverse())
+            for row, part in zip(found, (value.re, value.im)):
+                middle = sum(part.value) // 2
+                row[place] = enclosures.fraction(middle), enclosures.fraction(part.value[1] - middle + 1)
+        return found
+
+    # -- limits of the delivered motion
+
+    def keep_force(self, curve, least):
+        """The force on the cam, N, along the motion at every speed, and in the dwells beside it."""
+        wanted = constant(least * (1 - KEPT) / self.problem.lift[0]) * self.stiffness.inverse()
+        rest, two = constant(1) - self.share, constant(2)
+        ends = [enclosures.interval(self.times[0])[0], enclosures.interval(self.times[1])[1]]
+        jumps, known = self.jumps_of([(p, w) for p, w, _, _ in curve.pieces[0]]), {}
+
+        def begun(i, time):
+            key = time.value, bool(time.slopes)
+            if key not in known:
+                known[key] = self.rung(jumps, time)
+            return known[key][i]
+
+        for i, (p, width, _, _) in enumerate(curve.pieces[0]):
+            orders = [[constant(c) for c in derivative(p, order)] for order in range(6)]
+
+            def room(z, i=i, orders=orders):
+                t, time = z
+                exponent, w, v = self.exponent(time)
+                states = [at_time(c, t) for c in orders]
+                powers = self.powers(exponent, 4)
+                driven = begun(i, time) * exponent.scaled(t).exponential()
+                for power, state in zip(powers, states[2:]):
+                    driven = driven - power.scaled(state)
+                slow = (driven - Complex(states[1], constant(0))) * powers[0]
+                moved = slow.scaled(rest * two * self.damping * w) - driven.scaled(self.share)
+                e = moved.im * v.inverse()
+                rate = moved.re - self.damping * w * e
+                damper = two * self.damping * w.inverse()
+                return self.share * (self.preload + rest * states[0] - e) + damper * (rest * states[1] - rate) - wanted
+            if enclosures.least(room, [enclosures.interval(Fraction(0), width), tuple(ends)], 0) is None:
+                raise Refuted("limits.dynamic_contact_force_min_n is passed")
+        # At rest, and while it rings: |e| <= amplitude, |e'| <= w amplitude.
+        still = self.share * self.preload - wanted
+        amplitude = Over.number(Fraction(0), self.residual(curve)[1])
+        run = self.problem.runs[0]
+        ringing = still + self.share * rest * constant(run.stretches[-1].to) - amplitude * (self.share + two * self.damping)
+        if still.value[0] < 0 or ringing.value[0] < 0:
+            raise Refuted("limits.dynamic_contact_force_min_n is passed in a dwell")
+
+    def keep_limits(self, curve):
+        """Names of the limits that are kept; what is not looked at."""
+        kept, missing = [], []
+        for key, value in self.problem.limits.items():
+            if key == "dynamic_contact_force_min_n":
+                self.keep_force(curve, number(value))
+                kept.append("limits." + key)
+            elif key.startswith("dynamic_"):
+                missing.append("limits." + key)
+        return kept, missing
+
+    def residual_limit(self):
+        """In lifts, None: there is none."""
+        for unit, size in AMPLITUDES.items():
+            if f"residual_{unit}" in self.problem.limits:
+                return number(self.problem.limits[f"residual_{unit}"]) * size / self.problem.lift[0]
+        return None
+
+    def residual_reference(self, stated):
+        """What the objective divides the residual by."""
+        asked = self.problem.objective.get("reference", "modified_sine")
+        if isinstance(asked, dict):
+            if "residual" not in asked:
+                raise Unverified("objective.reference without residual")
+            return number(asked["residual"])
+        low, high = self.residual_of_law(asked)
+        found = next((number(t["reference"]) for t in stated["terms"] if t["name"] == "residual"), low)
+        if not low * (1 - STATED) <= found <= high * (1 + STATED):
+            raise Refuted(f"the reference of the residual is {float(found)}, but that of the law is {float(low)}")
+        return found
+
+    def residual_term(self, stated):
+        """The term of the objective and its limit, or None."""
+        weight, cap = number(self.problem.objective.get("residual", 0)), self.residual_limit()
+        if not weight and cap is None:
+            return []
+        return [Peak("residual", 0, weight, self.residual_reference(stated) if weight else Fraction(1), cap)]

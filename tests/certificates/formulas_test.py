@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""The checker's formulas against what is known of them from elsewhere: positions alone, or differential equations in steps."""
+import math
+import sys
+import tomllib
+from fractions import Fraction
+from types import SimpleNamespace
+
+import checker
+
+sys.path.insert(0, str(checker.ROOT / "scripts"))
+from certificate_checker import enclosures  # noqa: E402
+from certificate_checker.disk_rules import constant  # noqa: E402
+from certificate_checker.inverse_rules import InverseRules  # noqa: E402
+from certificate_checker.problem import Problem  # noqa: E402
+from certificate_checker.remote_rules import RemoteRules  # noqa: E402
+from certificate_checker.spatial_rules import SpatialRules  # noqa: E402
+from certificate_checker.train import Train  # noqa: E402
+
+
+def scene_of(name):
+    return tomllib.loads((checker.ROOT / "scenes" / f"{name}.toml").read_text(), parse_float=Fraction)
+
+
+def problem_of(scene, lift, rise):
+    return SimpleNamespace(limits=scene["limits"], lift=lift, unit_angle=(Fraction(rise), "deg"))
+
+
+def value(number):
+    return float(enclosures.fraction(sum(number.value) // 2))
+
+
+def numbers(*values):
+    return [constant(number) for number in values]
+
+
+def near(name, found, expected, by=1e-12):
+    return [] if abs(found - expected) <= by * max(1.0, abs(expected)) else [f"{name}: {found}, expected {expected}"]
+
+
+def sides(name, rule_of, edge, state, *place):
+    """A rule is kept on the one side of the edge and passed on the other; the second number says which."""
+    edge, by = edge
+    passed, kept = (value(rule_of(Fraction(edge + sign * by))(numbers(*state), *map(constant, place))) for sign in (1, -1))
+    return [] if passed > 0 > kept else [f"{name}: {passed} and {kept} beside its edge"]
+
+
+def tappet():
+    """The tappet's lever and cam at 100 deg: figures of 60-digit arithmetic from positions, tests/profiles/remote."""
+    scene = scene_of("tappet_75")
+    rules = RemoteRules(problem_of(scene, (Fraction(80, 1000), "m"), 120), scene)
+    s = Fraction("-23.6171056594636") / 1000 + Fraction(40, 1000)
+    way, rate, bend = rules.roller_arm(constant(s))
+    faults = near("lever", math.atan2(value(way[1]), value(way[0])), -0.0591478088492702)
+    first = 0.208911060095432 / value(rate)
+    second = (0.331525238681079 - value(bend) * first**2) / value(rate)
+    beta, lift = math.radians(120), 0.08
+    state = [float(s) / lift, first * beta / lift, second * beta**2 / lift]
+    angle = math.degrees(math.atan(0.506286954581988))
+    faults += sides("tappet's pressure angle", lambda a: rules.pressure(a, -1), (angle, -1e-9), state)
+    return faults + sides("tappet's curvature", lambda r: rules.excess(constant(r), constant(1)),
+                          (1 / 6.87914199115577, 1e-9), state)
+
+
+def feeder():
+    """Guide, pressure angle and curvature from positions by differences."""
+    scene = scene_of("inverse_feeder")
+    lift, rise = 2.694, math.radians(143.3)
+    rules = InverseRules(problem_of(scene, (Fraction(2694, 1000) * Fraction(254, 10000), "m"), Fraction("143.3")), scene)
+    cam = {key: float(size) for key, size in scene["cam"].items() if key != "type"}
+    motion = [0.3, 1.4, 0.5, -0.8]
+
+    def guide(x):
+        """(L, psi) at a place, in inches."""
+        y = cam["feeder_start_in"] + lift * sum(c * x**k for k, c in enumerate(motion))
+        slope = (y - cam["rocker_pivot_y_in"]) / cam["feeder_offset_in"]
+        turn, pivot = math.atan(slope), (cam["rocker_pivot_x_in"], cam["rocker_pivot_y_in"])
+        e = -math.cos(turn), -math.sin(turn)
+        foot = e[0] * pivot[0] + e[1] * pivot[1]
+        reach = -foot - math.sqrt(foot**2 + cam["pin_distance_in"]**2 - pivot[0]**2 - pivot[1]**2)
+        theta = math.atan2(pivot[1] + reach * e[1], pivot[0] + reach * e[0])
+        rest, end, stroke = cam["roller_rest_in"], cam["roller_end_in"], math.radians(cam["roller_angle_deg"])
+        at = stroke * math.sqrt((cam["roller_from_in"] - rest) / (end - rest)) + x * rise
+        return rest + (end - rest) * (at / stroke)**2, -theta
+
+    x, h = 0.4, 1e-4
+    (l0, p0), (l1, p1), (l2, p2) = guide(x - h), guide(x), guide(x + h)
+    steep = math.degrees(math.atan(l1 * (p2 - p0) / (l2 - l0)))
+    points = [(r * math.cos(p), r * math.sin(p)) for r, p in ((l0, p0), (l1, p1), (l2, p2))]
+    (ax, ay), (bx, by), (cx, cy) = points
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    curvature = 2 * area / math.dist(points[0], points[1]) / math.dist(points[1], points[2]) / math.dist(points[0], points[2])
+    state = [motion[0] + motion[1] * x + motion[2] * x**2 + motion[3] * x**3,
+             motion[1] + 2 * motion[2] * x + 3 * motion[3] * x**2, 2 * motion[2] + 6 * motion[3] * x]
+
+    def either(limit):
+        return lambda z, at: max((rules.pressure(limit, sign)(z, at) for sign in (1, -1)), key=value)
+
+    faults = sides("feeder's pressure angle", either, (abs(steep), -1e-4), state, x)
+    radius = float(scene["cam"]["roller_radius_in"])
+    for side in (1, -1):
+        faults += sides("feeder's wall", lambda m, side=side: rules.margin(m, side), (1 - side * radius * curvature, 1e-5),
+                        state, x)
+    return faults
+
+
+def barrel():
+    """The margin of a flank is passed by the scaled rule where it is passed by the plain one."""
+    scene, faults = scene_of("barrel_paper_cup"), []
+    rules = SpatialRules(problem_of(scene, (scene["motion"]["lift_deg"], "deg"), 160), scene)
+    for state in ([0.2, 1.5, 4.0], [0.7, 1.1, -5.0], [0.5, 1.7, 0.0]):
+        for flank in (1, -1):
+            for part in (0, 1):
+                plain = -value(rules.margin(Fraction(0), flank)(numbers(*state, part)))
+                faults += sides("flank", lambda m, f=flank, p=part: rules.scaled_margin(m, f, p), (plain, 1e-9), [*state, 0])
+    return faults
+
+
+def slide():
+    """The residual of the modified sine, by Runge and Kutta."""
+    scene = scene_of("dynamics_fast_slide")
+    train = Train(Problem(scene, dict.fromkeys(("velocity", "acceleration", "jerk"), Fraction(1))))
+    train.times = (train.time_at(Fraction(280)),) * 2
+    found = train.residual_of_law("modified_sine")
+    w, z = 2 * math.pi * 70 * 90 / (6 * 280), 0.02
+    share = 1 - 8000 / (2.5 * (2 * math.pi * 70)**2)
+    size, slow, fast = 4 * math.pi**2 / (4 + math.pi), 4 * math.pi / 3, 4 * math.pi
+
+    def bend(x):
+        return size * (math.sin(fast * x) if x < 1 / 8 else math.cos(slow * (x - 1 / 8)) if x < 7 / 8 else
+                       -math.cos(fast * (x - 7 / 8)))
+
+    def rates(x, state):
+        slope, e, rate = state
+        return bend(x), rate, (1 - share) * 2 * z * w * slope - share * bend(x) - 2 * z * w * rate - w * w * e
+
+    state, count = (0.0, 0.0, 0.0), 8000
+    for n in range(count):
+        x, h = n / count, 1 / count
+        k1 = rates(x, state)
+        k2 = rates(x + h / 2, [s + h / 2 * k for s, k in zip(state, k1)])
+        k3 = rates(x + h / 2, [s + h / 2 * k for s, k in zip(state, k2)])
+        k4 = rates(x + h * (1 - 1e-12), [s + h * k for s, k in zip(state, k3)])
+        state = [s + h / 6 * (a + 2 * b + 2 * c + d) for s, a, b, c, d in zip(state, k1, k2, k3, k4)]
+    e, rate = state[1:]
+    expected = math.hypot(e, (rate + z * w * e) / (w * math.sqrt(1 - z * z)))
+    return near("residual of the modified sine", float(found[0]), expected, 1e-8)
+
+
+def main():
+    faults = [fault for test in (tappet, feeder, barrel, slide) for fault in test()]
+    for fault in faults:
+        print("FAULT:", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
