@@ -6,8 +6,10 @@
 #pragma once
 
 #include "core/extremum.hpp"
+#include "core/numbers/interval.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -28,6 +30,13 @@ class Motion {
 
     /// The point at x in [begin, end]. Where a derivative jumps, its limit from `side`. Infinite where it is.
     [[nodiscard]] virtual MotionPoint at(double x, Side side = Side::right) const = 0;
+
+    /// Where y to its fourth derivative lie over `x`, a stretch between two neighbouring breakpoints. Empty,
+    /// whatever the stretch: nobody has written that down.
+    [[nodiscard]] virtual std::optional<std::array<Interval, 5>> ranges(const Interval& x) const {
+        static_cast<void>(x);
+        return {};
+    }
 
     /// Ascending x where a derivative up to the third may jump or change its formula, begin and end included.
     [[nodiscard]] virtual std::vector<double> breakpoints() const = 0;

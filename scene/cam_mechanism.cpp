@@ -19,6 +19,14 @@ MechanismValue CamMechanism::pressure_excess(double limit, int sign, const Mecha
                     quantity(MechanismQuantity::pressure_denominator, state, station, active));
 }
 
+std::optional<RangeAlong> CamMechanism::pressure_along(double limit, int sign,
+                                                       const MechanismStateAlong& state, int station) const {
+    const auto numerator = quantity_along(MechanismQuantity::pressure_numerator, state, station);
+    const auto denominator = quantity_along(MechanismQuantity::pressure_denominator, state, station);
+    if (!numerator || !denominator) return {};
+    return sign * std::cos(limit) * *numerator - std::sin(limit) * *denominator;
+}
+
 std::string CamMechanism::undercut_words() const {
     return "the cam crosses itself there, the part that remains does not lead the roller as designed. A "
            "smaller "

@@ -13,6 +13,7 @@
 
 #include "core/curvature.hpp"
 #include "core/follower_state.hpp"
+#include "core/numbers/range_along.hpp"
 #include "core/numbers/range_over.hpp"
 #include "scene/cam_spec.hpp"
 
@@ -58,6 +59,13 @@ struct MechanismStateOver {
     std::vector<RangeOver> dimensions;
     RangeOver s, velocity, acceleration;
     Interval theta;
+};
+
+/// The same along a stretch of a motion, by whatever the motion is by.
+struct MechanismStateAlong {
+    std::span<const double> dimensions;
+    RangeAlong s, velocity, acceleration;
+    RangeAlong theta;
 };
 
 /// One point of the cam at one station. Planar: z = 0.
@@ -108,6 +116,12 @@ class CamMechanism {
     [[nodiscard]] virtual bool binds(MechanismQuantity which, int station) const {
         static_cast<void>(which);
         static_cast<void>(station);
+        return true;
+    }
+    /// Whether what holds at all stations holds everywhere on the cam: not where stations are a choice of
+    /// many.
+    [[nodiscard]] virtual bool has_all_stations(MechanismQuantity which) const {
+        static_cast<void>(which);
         return true;
     }
     /// Where in the dimensions the roller's radius stands; -1: there is no roller.
@@ -188,6 +202,21 @@ class CamMechanism {
         static_cast<void>(station);
         return {};
     }
+    /// What encloses a quantity along a stretch of a motion, with its slope and its second derivative by what
+    /// the motion is by. Everything where it may be out of reach somewhere in the stretch. Empty: nobody has
+    /// written that down.
+    [[nodiscard]] virtual std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                                   const MechanismStateAlong& state,
+                                                                   int station) const {
+        static_cast<void>(which);
+        static_cast<void>(state);
+        static_cast<void>(station);
+        return {};
+    }
+    /// The same of pressure_excess.
+    [[nodiscard]] virtual std::optional<RangeAlong> pressure_along(double limit, int sign,
+                                                                   const MechanismStateAlong& state,
+                                                                   int station) const;
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;
     /// By how much the cam frame has turned where the mechanism is in this state, rad: σθ of a cam that turns

@@ -52,6 +52,9 @@ struct RangeAlong {
 [[nodiscard]] inline RangeAlong square(const RangeAlong& a) {
     return composed(square(a.value), Interval(2.0) * a.value, Interval(2.0), a);
 }
+[[nodiscard]] inline RangeAlong squared(const RangeAlong& a) {
+    return square(a);
+}
 [[nodiscard]] inline RangeAlong sqrt(const RangeAlong& a) {
     const Interval root = sqrt(a.value), first = Interval(0.5) / root;
     return composed(root, first, -(Interval(0.5) * first) / a.value, a);

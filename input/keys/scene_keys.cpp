@@ -163,8 +163,8 @@ Rows spline() {
 std::vector<const CostTerm*> listed_terms() {
     std::vector<const CostTerm*> terms;
     for (const CostTerm& term : cost_terms()) terms.push_back(&term);
-    std::ranges::stable_partition(
-        terms, [](const CostTerm* term) { return term->kind != CostTerm::Kind::torque; });
+    std::stable_partition(terms.begin(), terms.end(),
+                          [](const CostTerm* term) { return term->kind != CostTerm::Kind::torque; });
     return terms;
 }
 

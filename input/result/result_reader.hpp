@@ -30,16 +30,18 @@ struct PartRecord {
     double x0 = 0.0, x_scale = 1.0, y0 = 0.0, y_scale = 1.0;
 };
 
+/// Of a cam that drives both ways.
+struct PlayRecord {
+    double least = 0.0, largest = 0.0;  ///< in deg or mm
+    double least_at_deg = 0.0, largest_at_deg = 0.0;
+    std::optional<double> least_groove_width_mm;
+};
+
 struct ForwardCheckRecord {
     double deviation = 0.0;  ///< in deg or mm
     double relative = 0.0, at_deg = 0.0, seconds = 0.0;
     int points = 0;
-    struct Play {
-        double least = 0.0, largest = 0.0;  ///< in deg or mm
-        double least_at_deg = 0.0, largest_at_deg = 0.0;
-        std::optional<double> least_groove_width_mm;
-    };
-    std::optional<Play> play = {};
+    std::optional<PlayRecord> play = {};
 };
 
 struct CamRecord {

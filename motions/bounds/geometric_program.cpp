@@ -64,22 +64,32 @@ class LogSumExp {
         return top + std::log((power.array() - top).exp().sum());
     }
 
-    [[nodiscard]] VectorXd gradient(const VectorXd& u) const { return exponents_.transpose() * shares(u); }
+    /// At one u; the shares of the terms in the sum.
+    struct Slope {
+        double value = 0.0;
+        VectorXd share, gradient;
+    };
+    [[nodiscard]] Slope slope(const VectorXd& u) const {
+        const VectorXd power = offset_ + exponents_ * u;
+        const double top = power.maxCoeff();
+        Slope result;
+        result.share = (power.array() - top).exp();
+        const double sum = result.share.sum();
+        result.share /= sum;
+        result.value = top + std::log(sum);
+        result.gradient = exponents_.transpose() * result.share;
+        return result;
+    }
 
-    [[nodiscard]] MatrixXd hessian(const VectorXd& u) const {
-        const VectorXd share = shares(u);
-        const VectorXd mean = exponents_.transpose() * share;
-        const MatrixXd apart = exponents_.rowwise() - mean.transpose();
-        return apart.transpose() * share.asDiagonal() * apart;
+    /// Adds factor · Hessian.
+    void add_hessian(const Slope& at, double factor, MatrixXd& sum) const {
+        for (Eigen::Index k = 0; k < exponents_.rows(); ++k) {
+            const VectorXd apart = exponents_.row(k).transpose() - at.gradient;
+            sum.noalias() += (factor * at.share[k]) * apart * apart.transpose();
+        }
     }
 
  private:
-    [[nodiscard]] VectorXd shares(const VectorXd& u) const {
-        const VectorXd power = offset_ + exponents_ * u;
-        const VectorXd weight = (power.array() - power.maxCoeff()).exp();
-        return weight / weight.sum();
-    }
-
     MatrixXd exponents_;
     VectorXd offset_;
 };
@@ -100,13 +110,16 @@ struct Convex {
         return g;
     }
 
-    /// Row i is the gradient of constraint i.
-    [[nodiscard]] MatrixXd jacobian(const VectorXd& u) const {
-        MatrixXd rows(static_cast<Eigen::Index>(constraints.size()), u.size());
-        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-            rows.row(i) = constraints[static_cast<std::size_t>(i)].gradient(u).transpose();
-        }
-        return rows;
+    /// Of the objective and of every constraint.
+    struct Slopes {
+        LogSumExp::Slope objective;
+        std::vector<LogSumExp::Slope> constraints;
+    };
+    [[nodiscard]] Slopes slopes(const VectorXd& u) const {
+        Slopes result{objective.slope(u), {}};
+        result.constraints.reserve(constraints.size());
+        for (const LogSumExp& constraint : constraints) result.constraints.push_back(constraint.slope(u));
+        return result;
     }
 };
 
@@ -131,21 +144,31 @@ struct Residual {
     }
 };
 
-Residual residual_at(const Convex& problem, const Iterate& at, double target) {
+Residual residual_at(const Convex::Slopes& slopes, const Iterate& at, double target) {
     Residual residual;
-    residual.dual = problem.objective.gradient(at.u) + problem.jacobian(at.u).transpose() * at.multiplier;
-    residual.primal = problem.values(at.u) + at.slack;
+    residual.dual = slopes.objective.gradient;
+    residual.primal = at.slack;
+    for (Eigen::Index i = 0; i < at.slack.size(); ++i) {
+        const LogSumExp::Slope& constraint = slopes.constraints[static_cast<std::size_t>(i)];
+        residual.dual += at.multiplier[i] * constraint.gradient;
+        residual.primal[i] += constraint.value;
+    }
     residual.product = (at.slack.array() * at.multiplier.array() - target).matrix();
     residual.scale = std::max(1.0, at.multiplier.lpNorm<Eigen::Infinity>());
     return residual;
 }
 
-Iterate newton_step(const Convex& problem, const Iterate& at, const Residual& residual) {
-    const MatrixXd rows = problem.jacobian(at.u);
-    const VectorXd ratio = at.multiplier.cwiseQuotient(at.slack);
-    MatrixXd matrix = problem.objective.hessian(at.u) + rows.transpose() * ratio.asDiagonal() * rows;
-    for (Eigen::Index i = 0; i < ratio.size(); ++i) {
-        matrix += at.multiplier[i] * problem.constraints[static_cast<std::size_t>(i)].hessian(at.u);
+Iterate newton_step(const Convex& problem, const Convex::Slopes& slopes, const Iterate& at,
+                    const Residual& residual) {
+    MatrixXd rows(at.slack.size(), at.u.size());  // row i is the gradient of constraint i
+    MatrixXd matrix = MatrixXd::Zero(at.u.size(), at.u.size());
+    problem.objective.add_hessian(slopes.objective, 1.0, matrix);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        const VectorXd& gradient = slopes.constraints[index].gradient;
+        rows.row(i) = gradient.transpose();
+        matrix.noalias() += (at.multiplier[i] / at.slack[i]) * gradient * gradient.transpose();
+        problem.constraints[index].add_hessian(slopes.constraints[index], at.multiplier[i], matrix);
     }
     matrix.diagonal().array() += kRegularisation;
     const VectorXd shift =
@@ -191,8 +214,9 @@ int follow_barrier(const Convex& problem, VectorXd& u, double weight) {
         const VectorXd slack = -problem.values(u);
         // A Newton step on the barrier is a primal-dual step whose multipliers are weight / slack.
         const Iterate at{u, slack, weight * slack.cwiseInverse()};
-        const Residual residual = residual_at(problem, at, weight);
-        const VectorXd move = newton_step(problem, at, residual).u;
+        const Convex::Slopes slopes = problem.slopes(u);
+        const Residual residual = residual_at(slopes, at, weight);
+        const VectorXd move = newton_step(problem, slopes, at, residual).u;
         const double decrease = -residual.dual.dot(move);
         if (!(decrease > kCentred * weight) || !move.allFinite()) break;
         double length = std::min(1.0, kLongestMove / std::max(kLongestMove, move.lpNorm<Eigen::Infinity>()));
@@ -222,29 +246,35 @@ Minimum minimise(const Convex& problem, VectorXd start, double weight, const Eno
     at.u = std::move(start);
     at.slack = -problem.values(at.u);
     at.multiplier = (weight * at.slack.cwiseInverse()).cwiseMin(1e3);
+    Convex::Slopes slopes = problem.slopes(at.u);
     double centering = 0.1;
     for (int i = 0; i < kMostIterations; ++i, ++result.iterations) {
         const double complementarity = at.complementarity();
-        const Residual now = residual_at(problem, at, 0.0);
+        const Residual now = residual_at(slopes, at, 0.0);
         result.found = now.conditions() <= kAcceptedResidual && complementarity <= kAcceptedResidual;
         if (enough(at.u) || (now.conditions() <= kResidual && complementarity <= kLastComplementarity)) break;
         const double target = centering * complementarity;
-        const Residual aimed = residual_at(problem, at, target);
-        const Iterate step = newton_step(problem, at, aimed);
+        const Residual aimed = residual_at(slopes, at, target);
+        const Iterate step = newton_step(problem, slopes, at, aimed);
         if (!step.u.allFinite() || !step.multiplier.allFinite()) break;
         double length = longest_step(at, step);
-        const auto accepted = [&](const Iterate& trial) {
-            const Residual there = residual_at(problem, trial, target);
+        Iterate trial;
+        Convex::Slopes its_slopes;
+        const auto accepted = [&] {
+            trial = moved(at, step, length);
+            its_slopes = problem.slopes(trial.u);
+            const Residual there = residual_at(its_slopes, trial, target);
             return there.conditions() <= kResidual ||
                    there.norm() <= (1.0 - kLeastDecrease * length) * aimed.norm();
         };
-        while (length > kSmallestStep && !accepted(moved(at, step, length))) length *= 0.5;
+        while (length > kSmallestStep && !accepted()) length *= 0.5;
         if (length <= kSmallestStep) {
             if (centering >= 1.0) break;
             centering = 1.0;
             continue;
         }
-        at = moved(at, step, length);
+        at = std::move(trial);
+        slopes = std::move(its_slopes);
         centering = length > 0.9 ? 0.01 : length > 0.3 ? 0.1 : 0.5;
     }
     return result;

@@ -61,10 +61,11 @@ void require_suitable(const std::unique_ptr<Law>& law, double split) {
 }
 
 /// y, y', … of a part whose x and y are `stretch` times those of f, but for the constant of y.
-LawDerivatives stretched(LawDerivatives y, double stretch) {
+template <class T>
+std::array<T, 5> stretched(std::array<T, 5> y, double stretch) {
     double factor = stretch;
-    for (double& value : y) {
-        value *= factor;
+    for (T& value : y) {
+        value = value * T(factor);
         factor /= stretch;
     }
     return y;
@@ -123,16 +124,33 @@ LawDerivatives AsymmetricLaw::evaluate(double x, Side side) const {
     };
     const auto found = std::find_if(pieces_.begin(), pieces_.end(), holds);
     const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
-    const bool accelerates = piece.base_end <= 0.5;
-    const double stretch = 2.0 * (accelerates ? split_ : 1.0 - split_);
-    const double u =
-        std::clamp(accelerates ? x / stretch : 1.0 - (1.0 - x) / stretch, piece.base_begin, piece.base_end);
+    const double u = base_place(piece, x);
     // Rounding of u must not lead into the neighbouring piece of the base law.
-    LawDerivatives y = base_->derivatives(u, u == piece.base_end ? Side::left : Side::right);
-    if (accelerates) return stretched(y, stretch);
-    y[0] -= 1.0;
-    y = stretched(y, stretch);
-    y[0] += 1.0;
+    return of_base(piece, base_->derivatives(u, u == piece.base_end ? Side::left : Side::right));
+}
+
+std::optional<std::array<Interval, 5>> AsymmetricLaw::ranges(const Interval& x) const {
+    const double middle = 0.5 * (x.lower + x.upper);
+    const auto found =
+        std::ranges::find_if(pieces_, [middle](const Piece& piece) { return middle < piece.end; });
+    const Piece& piece = found == pieces_.end() ? pieces_.back() : *found;
+    const auto base = base_->ranges({base_place(piece, x.lower), base_place(piece, x.upper)});
+    if (!base) return {};
+    return of_base(piece, *base);
+}
+
+double AsymmetricLaw::base_place(const Piece& piece, double x) const {
+    const double stretch = stretch_of(piece);
+    return std::clamp(accelerates(piece) ? x / stretch : 1.0 - (1.0 - x) / stretch, piece.base_begin,
+                      piece.base_end);
+}
+
+template <class T>
+std::array<T, 5> AsymmetricLaw::of_base(const Piece& piece, std::array<T, 5> y) const {
+    if (accelerates(piece)) return stretched(y, stretch_of(piece));
+    y[0] = y[0] - T(1.0);
+    y = stretched(y, stretch_of(piece));
+    y[0] = y[0] + T(1.0);
     return y;
 }
 

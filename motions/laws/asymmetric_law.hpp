@@ -31,6 +31,7 @@ class AsymmetricLaw : public Law {
     AsymmetricLaw(std::unique_ptr<Law> base, double split);
 
     [[nodiscard]] std::vector<double> breakpoints() const override;
+    [[nodiscard]] std::optional<std::array<Interval, 5>> ranges(const Interval& x) const override;
 
  private:
     /// A piece of y with the piece [base_begin, base_end] of f that it is made of.
@@ -39,6 +40,15 @@ class AsymmetricLaw : public Law {
     };
 
     [[nodiscard]] LawDerivatives evaluate(double x, Side side) const override;
+    [[nodiscard]] static bool accelerates(const Piece& piece) { return piece.base_end <= 0.5; }
+    [[nodiscard]] double stretch_of(const Piece& piece) const {
+        return 2.0 * (accelerates(piece) ? split_ : 1.0 - split_);
+    }
+    /// The x of f that x is made of.
+    [[nodiscard]] double base_place(const Piece& piece, double x) const;
+    /// y, y', … of those of f.
+    template <class T>
+    [[nodiscard]] std::array<T, 5> of_base(const Piece& piece, std::array<T, 5> y) const;
 
     std::unique_ptr<Law> base_;
     double split_;

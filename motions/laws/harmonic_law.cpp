@@ -101,21 +101,30 @@ LawDerivatives HarmonicLaw::evaluate(double x, Side side) const {
     return evaluate(found == pieces_.end() ? pieces_.back() : *found, x);
 }
 
-LawDerivatives HarmonicLaw::evaluate(const Piece& piece, double x) {
-    const double t = x - piece.acceleration.begin;
-    const double constant = piece.acceleration.constant;
-    LawDerivatives y{piece.displacement + t * (piece.velocity + 0.5 * constant * t),
-                     piece.velocity + constant * t, constant, 0.0, 0.0};
+std::optional<std::array<Interval, 5>> HarmonicLaw::ranges(const Interval& x) const {
+    const double middle = 0.5 * (x.lower + x.upper);
+    const auto found = std::ranges::find_if(
+        pieces_, [middle](const Piece& piece) { return middle < piece.acceleration.end; });
+    return evaluate(found == pieces_.end() ? pieces_.back() : *found, x);
+}
+
+template <class T>
+std::array<T, 5> HarmonicLaw::evaluate(const Piece& piece, const T& x) {
+    using std::cos, std::sin;
+    const T t = x - T(piece.acceleration.begin);
+    const T constant = piece.acceleration.constant;
+    std::array<T, 5> y{T(piece.displacement) + t * (T(piece.velocity) + T(0.5) * constant * t),
+                       T(piece.velocity) + constant * t, constant, T(0.0), T(0.0)};
     for (const HarmonicTerm& term : piece.acceleration.terms) {
-        const double w = term.frequency;
-        const double sine = std::sin(w * t), cosine = std::cos(w * t);
-        const double wave = term.sine * sine + term.cosine * cosine;
-        const double shifted = term.sine * cosine - term.cosine * sine;
-        y[0] -= wave / (w * w);
-        y[1] -= shifted / w;
-        y[2] += wave;
-        y[3] += w * shifted;
-        y[4] -= w * w * wave;
+        const T w = term.frequency, along = term.sine, across = term.cosine;
+        const T sine = sin(w * t), cosine = cos(w * t);
+        const T wave = along * sine + across * cosine;
+        const T shifted = along * cosine - across * sine;
+        y[0] = y[0] - wave / (w * w);
+        y[1] = y[1] - shifted / w;
+        y[2] = y[2] + wave;
+        y[3] = y[3] + w * shifted;
+        y[4] = y[4] - w * w * wave;
     }
     return y;
 }

@@ -46,6 +46,7 @@ class HarmonicLaw : public Law {
     HarmonicLaw(LawInfo info, std::vector<AccelerationPiece> shape);
 
     [[nodiscard]] std::vector<double> breakpoints() const override;
+    [[nodiscard]] std::optional<std::array<Interval, 5>> ranges(const Interval& x) const override;
 
  private:
     struct Piece {
@@ -55,7 +56,8 @@ class HarmonicLaw : public Law {
     };
 
     [[nodiscard]] LawDerivatives evaluate(double x, Side side) const override;
-    [[nodiscard]] static LawDerivatives evaluate(const Piece& piece, double x);
+    template <class T>
+    [[nodiscard]] static std::array<T, 5> evaluate(const Piece& piece, const T& x);
 
     std::vector<Piece> pieces_;
 };

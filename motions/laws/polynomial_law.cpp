@@ -23,20 +23,21 @@ std::vector<double> mirrored(std::vector<double> coefficients) {
 }
 
 /// Horner's rule for a polynomial and its derivatives over r!, all at once.
-LawDerivatives horner(const std::vector<double>& coefficients, double t) {
-    LawDerivatives y{};
+template <class T>
+std::array<T, 5> horner(const std::vector<double>& coefficients, const T& t) {
+    std::array<T, 5> y{};
     for (std::size_t m = coefficients.size(); m-- > 0;) {
         for (std::size_t r = y.size() - 1; r > 0; --r) y[r] = y[r] * t + y[r - 1];
-        y[0] = y[0] * t + coefficients[m];
+        y[0] = y[0] * t + T(coefficients[m]);
     }
-    y[2] *= 2.0;
-    y[3] *= 6.0;
-    y[4] *= 24.0;
+    double factorial = 1.0;
+    for (std::size_t r = 2; r < y.size(); ++r) y[r] = T(factorial *= static_cast<double>(r)) * y[r];
     return y;
 }
 
-LawDerivatives horner_from_top(const std::vector<double>& coefficients, double x) {
-    LawDerivatives y = horner(coefficients, 1.0 - x);
+template <class T>
+std::array<T, 5> horner_from_top(const std::vector<double>& coefficients, const T& x) {
+    std::array<T, 5> y = horner(coefficients, T(1.0) - x);
     y[1] = -y[1];
     y[3] = -y[3];
     return y;
@@ -63,6 +64,10 @@ PolynomialLaw::PolynomialLaw(LawInfo info, std::vector<double> from_below, std::
 
 LawDerivatives PolynomialLaw::evaluate(double x, Side /*side*/) const {
     return x > 0.5 ? horner_from_top(from_top_, x) : horner(from_below_, x);
+}
+
+std::optional<std::array<Interval, 5>> PolynomialLaw::ranges(const Interval& x) const {
+    return 0.5 * (x.lower + x.upper) > 0.5 ? horner_from_top(from_top_, x) : horner(from_below_, x);
 }
 
 }  // namespace camopt

@@ -21,6 +21,7 @@ class PolynomialLaw : public Law {
     PolynomialLaw(LawInfo info, std::vector<double> from_below, std::vector<double> from_top);
 
     [[nodiscard]] std::vector<double> breakpoints() const override { return {0.0, 1.0}; }
+    [[nodiscard]] std::optional<std::array<Interval, 5>> ranges(const Interval& x) const override;
 
  private:
     [[nodiscard]] LawDerivatives evaluate(double x, Side side) const override;

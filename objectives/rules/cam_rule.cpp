@@ -31,7 +31,7 @@ DiskCam CamRule::cam_at(const Eigen::VectorXd& q) const {
     return cam;
 }
 
-std::optional<RangeAlong> CamRule::range_along(const std::array<Interval, 5>& derivatives,
+std::optional<RangeAlong> CamRule::range_along(const Interval&, const std::array<Interval, 5>& derivatives,
                                                const Eigen::VectorXd& q) const {
     if (!formula_.range) return {};
     ++*cam_->profile_points;

@@ -46,7 +46,8 @@ class CamRule final : public LimitRule {
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;
     [[nodiscard]] SlopeRange slope_range() const override;
-    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
+    [[nodiscard]] std::optional<RangeAlong> range_along(const Interval& x,
+                                                        const std::array<Interval, 5>& derivatives,
                                                         const Eigen::VectorXd& q) const override;
     [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
                                                       double at) const override;

@@ -39,11 +39,19 @@ void add_pressure(MechanismRules& rules, const Scene& scene, const SharedMechani
         };
         MechanismFormula formula{{limit->key, {}, sign, 1, limit->value},
                                  station,
+                                 MechanismQuantity::pressure_numerator,
                                  value,
                                  mechanism->cam.formulas->pressure_shape(active)};
         formula.over = [sign, station, angle = limit->value](const CamMechanism& formulas,
                                                              const MechanismStateOver& state) {
             return formulas.pressure_over(angle, sign, state, station);
+        };
+        formula.along = [sign, station, length, angle = limit->value](
+                            const CamMechanism& formulas,
+                            const MechanismStateAlong& state) -> std::optional<RangeAlong> {
+            const auto excess = formulas.pressure_along(angle, sign, state, station);
+            if (!excess) return {};
+            return (1.0 / length) * *excess;
         };
         rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
     }
@@ -62,6 +70,14 @@ void add_radius(MechanismRules& rules, const SharedMechanism& mechanism, const M
                                                     const MechanismStateOver& state) {
         return formulas.radius_over(shift, state, station);
     };
+    formula.along = [shift, station = frame.station](
+                        const CamMechanism& formulas,
+                        const MechanismStateAlong& state) -> std::optional<RangeAlong> {
+        const auto curvature = formulas.quantity_along(MechanismQuantity::pitch_curvature, state, station);
+        if (!curvature) return {};
+        const double radius = state.dimensions[static_cast<std::size_t>(formulas.roller_radius())];
+        return (radius + shift) * *curvature - 1.0;
+    };
     rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
 }
 
@@ -73,7 +89,8 @@ void add_radii(MechanismRules& rules, const Scene& scene, const SharedMechanism&
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (roller + least)) : 1.0;
-        add_radius(rules, mechanism, {{limit->key, {}, 0, 2, scale}, station}, least);
+        add_radius(rules, mechanism,
+                   {{limit->key, {}, 0, 2, scale}, station, MechanismQuantity::pitch_curvature}, least);
     }
     // The roller itself fits into any hollow larger than it.
     const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
@@ -90,10 +107,17 @@ void add_margin(MechanismRules& rules, const Scene& scene, const SharedMechanism
         const MechanismValue regularity = call(MechanismQuantity::regularity);
         return shifted(combined(-1.0, regularity, 0.0, regularity), margin);
     };
-    MechanismFormula formula{{limit->key}, station, value};
+    MechanismFormula formula{{limit->key}, station, MechanismQuantity::regularity, value};
     formula.over = [station, margin = limit->value](const CamMechanism& formulas,
                                                     const MechanismStateOver& state) {
         return formulas.regularity_over(margin, state, station);
+    };
+    formula.along = [station, margin = limit->value](
+                        const CamMechanism& formulas,
+                        const MechanismStateAlong& state) -> std::optional<RangeAlong> {
+        const auto regularity = formulas.quantity_along(MechanismQuantity::regularity, state, station);
+        if (!regularity) return {};
+        return RangeAlong(margin) - *regularity;
     };
     rules.push_back(std::make_shared<MechanismRule>(mechanism, std::move(formula)));
 }

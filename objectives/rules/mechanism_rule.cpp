@@ -37,12 +37,38 @@ std::optional<RangeOver> MechanismRule::range_over(std::span<const Interval> box
     return formula_.over(*mechanism_->cam.formulas, state);
 }
 
-RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
-    ++*mechanism_->profile_points;
+bool MechanismRule::at_every_station() const {
+    return mechanism_->cam.formulas->has_all_stations(formula_.figure);
+}
+
+std::vector<double> MechanismRule::dimensions_at(const Eigen::VectorXd& q) const {
     std::vector<double> dimensions = mechanism_->cam.dimensions;
     for (std::size_t k = 0; k < active_.size(); ++k)
         dimensions[static_cast<std::size_t>(active_[k])] =
             mechanism_->variables[k].reference * q[static_cast<Eigen::Index>(k)];
+    return dimensions;
+}
+
+std::optional<RangeAlong> MechanismRule::range_along(const Interval& x,
+                                                     const std::array<Interval, 5>& derivatives,
+                                                     const Eigen::VectorXd& q) const {
+    if (!formula_.along) return {};
+    ++*mechanism_->profile_points;
+    // By x, as the rule's slope along the motion is.
+    const auto along = [&](double unit, std::size_t order) {
+        const Interval by(unit);
+        return RangeAlong(by * derivatives[order], by * derivatives[order + 1], by * derivatives[order + 2]);
+    };
+    const std::vector<double> dimensions = dimensions_at(q);
+    const double lift = mechanism_->scale.lift, angle = mechanism_->scale.unit_angle, slope = lift / angle;
+    const RangeAlong theta(Interval(angle) * x, Interval(angle), Interval(0.0));
+    return formula_.along(*mechanism_->cam.formulas,
+                          {dimensions, along(lift, 0), along(slope, 1), along(slope / angle, 2), theta});
+}
+
+RuleValue MechanismRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
+    ++*mechanism_->profile_points;
+    const std::vector<double> dimensions = dimensions_at(q);
     const double theta = mechanism_->scale.unit_angle * point.x;
     const MechanismCall call{*mechanism_->cam.formulas,
                              {dimensions, state_of(point, mechanism_->scale), theta},

@@ -35,24 +35,34 @@ struct MechanismCall {
 
 struct MechanismFormula : LimitFrame {
     int station = 0;
+    MechanismQuantity figure = MechanismQuantity::regularity;  ///< what the limit is on
     /// <= 0 is kept; dimensionless, of order one.
     std::function<MechanismValue(const MechanismCall&)> value = {};
     Curvature shape = Curvature::general;
     /// The same over a box, or that times something positive.
     std::function<std::optional<RangeOver>(const CamMechanism&, const MechanismStateOver&)> over = {};
+    /// The same along a stretch of a motion.
+    std::function<std::optional<RangeAlong>(const CamMechanism&, const MechanismStateAlong&)> along = {};
 };
 
 class MechanismRule final : public LimitRule {
  public:
     MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula);
 
+    /// Whether its stations are all places of the cam that the limit speaks of; else it holds at them alone.
+    [[nodiscard]] bool at_every_station() const;
     [[nodiscard]] bool linear() const override { return formula_.shape == Curvature::linear; }
     [[nodiscard]] Curvature curvature(double, double) const override { return formula_.shape; }
     [[nodiscard]] std::optional<RangeOver> range_over(std::span<const Interval> box,
                                                       double at) const override;
+    [[nodiscard]] std::optional<RangeAlong> range_along(const Interval& x,
+                                                        const std::array<Interval, 5>& derivatives,
+                                                        const Eigen::VectorXd& q) const override;
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
+    [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& q) const;
+
     std::shared_ptr<const CamVariables> mechanism_;
     MechanismFormula formula_;
     std::vector<int> active_;

@@ -84,11 +84,13 @@ class PointRule {
         static_cast<void>(q);
         return {};
     }
-    /// Along a stretch of x on which y to its fourth derivative lie in `derivatives`: what encloses the rule,
-    /// its slope and its second derivative by x. Empty: nobody has written that down, and its maxima are
-    /// looked for by samples.
-    [[nodiscard]] virtual std::optional<RangeAlong> range_along(const std::array<Interval, 5>& derivatives,
+    /// Along a stretch `x` on which y to its fourth derivative lie in `derivatives`: what encloses the rule,
+    /// its slope and its second derivative by x. Empty, whatever the stretch: nobody has written that down,
+    /// and its maxima are looked for by samples.
+    [[nodiscard]] virtual std::optional<RangeAlong> range_along(const Interval& x,
+                                                                const std::array<Interval, 5>& derivatives,
                                                                 const Eigen::VectorXd& q) const {
+        static_cast<void>(x);
         static_cast<void>(derivatives);
         static_cast<void>(q);
         return {};

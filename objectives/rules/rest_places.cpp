@@ -50,8 +50,7 @@ std::vector<double> rest_places(const Scene& scene) {
     for (const PlacedPoint& point : placed_points(motion))
         if (point.wanted[1] && *point.wanted[1] == 0.0) places.insert(places.end(), {point.begin, point.end});
     std::ranges::sort(places);
-    const auto repeated = std::ranges::unique(places);
-    places.erase(repeated.begin(), repeated.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     return places;
 }
 

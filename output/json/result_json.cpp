@@ -104,6 +104,7 @@ Json constraints_json(const Solution& solution) {
                         {"unit", row.unit},
                         {"at_deg", number_json(row.at * degrees_per_x)},
                         {"active", row.active},
+                        {"verified", row.verified},
                         {"no_contact", row.no_contact},
                         {"key", row.key}});
         if (!row.side.empty()) list.back()["side"] = row.side;

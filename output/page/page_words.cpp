@@ -233,11 +233,13 @@ TextTable limit_rows_of(const Solution& solution) {
     TextTable table;
     table.columns = {{"limit", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}};
     for (const ConstraintReport& row : solution.constraints)
-        table.rows.push_back({key_words(row.key).words, fmt::format("{} {}", short_text(row.limit), row.unit),
-                              row.no_contact ? std::string(no_contact_words)
-                                             : fmt::format("{} {}{}", short_text(row.worst, value_digits),
-                                                           row.unit, on_side(row)),
-                              degrees_at(solution, row.at), row.active ? "shapes the motion" : "kept"});
+        table.rows.push_back(
+            {key_words(row.key).words, fmt::format("{} {}", short_text(row.limit), row.unit),
+             row.no_contact
+                 ? std::string(no_contact_words)
+                 : fmt::format("{} {}{}", short_text(row.worst, value_digits), row.unit, on_side(row)),
+             degrees_at(solution, row.at),
+             std::string(row.active ? "shapes the motion" : "kept") + (row.verified ? ", verified" : "")});
     return table;
 }
 

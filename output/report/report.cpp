@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace camopt {
 
 namespace {
@@ -101,6 +103,19 @@ std::string own_terms_section(const Solution& solution) {
     return text;
 }
 
+/// What "verified" says, and what is not.
+std::string verification_words(const std::vector<ConstraintReport>& limits) {
+    const auto verified = [](const ConstraintReport& row) { return row.verified; };
+    std::string text;
+    if (std::ranges::any_of(limits, verified))
+        text +=
+            "\nVerified: along all of the motion, enclosed by interval arithmetic where no exact formula "
+            "gives the largest value; nothing is passed between places either.\n";
+    if (!std::ranges::all_of(limits, verified))
+        text += "\nLimits that are not verified were looked at in closely spaced places.\n";
+    return text;
+}
+
 std::string limits_section(const Solution& solution) {
     if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
@@ -111,8 +126,9 @@ std::string limits_section(const Solution& solution) {
                             row.no_contact ? std::string(no_contact_words)
                                            : short_text(row.worst, 9) + " " + row.unit + on_side(row),
                             short_text(row.at * degrees_per_x),
-                            row.active ? "active: it shapes the motion" : "not active");
-    return text;
+                            std::string(row.active ? "active: it shapes the motion" : "not active") +
+                                (row.verified ? "; verified" : ""));
+    return text + verification_words(solution.constraints);
 }
 
 std::string set_point_section(const Solution& solution) {

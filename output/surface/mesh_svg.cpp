@@ -17,6 +17,10 @@ namespace {
 
 constexpr double margin = 12.0;   // px
 constexpr double ambient = 0.38;  // share of the light that comes from everywhere
+// Of the depth of the whole: facets less apart are equally far, and drawn in the order of their mesh. Which
+// of them is nearer by rounding, or by the tolerance of the solve that made the surface, shall not decide how
+// the picture is written.
+constexpr double same_depth = 1e-6;
 
 struct Facet {
     std::array<Eigen::Vector2d, 3> corner;
@@ -60,6 +64,13 @@ void add_facets(std::vector<Facet>& facets, const PaintedMesh& part, const Camer
     }
 }
 
+void round_depths(std::vector<Facet>& facets) {
+    double largest = 0.0;
+    for (const Facet& facet : facets) largest = std::max(largest, std::abs(facet.depth));
+    if (!(largest > 0.0)) return;
+    for (Facet& facet : facets) facet.depth = std::round(facet.depth / (same_depth * largest));
+}
+
 std::vector<Facet> sorted_facets(std::span<const PaintedMesh> parts, const MeshView& view) {
     std::vector<Facet> facets;
     const Camera camera(view);
@@ -67,6 +78,7 @@ std::vector<Facet> sorted_facets(std::span<const PaintedMesh> parts, const MeshV
         std::ranges::any_of(parts, [](const PaintedMesh& part) { return part.place == MeshPlace::revolved; });
     for (const PaintedMesh& part : parts) add_facets(facets, part, camera, has_revolved);
     if (facets.empty()) throw InputError("picture of a mesh: there is no facet to draw");
+    round_depths(facets);
     std::ranges::stable_sort(facets, [](const Facet& a, const Facet& b) {
         return a.group != b.group ? a.group < b.group : a.depth < b.depth;
     });

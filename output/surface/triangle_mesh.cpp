@@ -13,13 +13,18 @@ namespace camopt {
 
 namespace {
 
-/// a b over c d as seen with the normal towards the viewer; the shorter diagonal splits it.
+// Diagonals closer than this, relative, are equally long: rounding shall not choose between the halves of a
+// symmetric cell.
+constexpr double same_length = 1e-6;
+
+/// a b over c d as seen with the normal towards the viewer; the shorter diagonal splits it, of equal ones the
+/// first.
 void add_cell(TriangleMesh& mesh, std::array<int, 4> c) {
     const auto& p = mesh.vertices;
     const auto length = [&](int i, int k) {
         return (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(k)]).squaredNorm();
     };
-    if (length(c[0], c[2]) <= length(c[1], c[3])) {
+    if (length(c[0], c[2]) <= (1.0 + 2.0 * same_length) * length(c[1], c[3])) {
         mesh.triangles.push_back({c[0], c[1], c[2]});
         mesh.triangles.push_back({c[0], c[2], c[3]});
     } else {

@@ -5,6 +5,7 @@
 // roller's and the feeder's motion are by: time, or the cam angle.
 #pragma once
 
+#include "core/numbers/range_along.hpp"
 #include "core/numbers/range_over.hpp"
 #include "core/numbers/squared.hpp"
 #include "profiles/inverse/feeder_linkage.hpp"
@@ -53,6 +54,9 @@ template <class T>
     return !(discriminant > 0.0);
 }
 [[nodiscard]] inline bool misses(const RangeOver&) {
+    return false;
+}
+[[nodiscard]] inline bool misses(const RangeAlong&) {
     return false;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -116,6 +117,9 @@ class InverseMechanism final : public CamMechanism {
                                                          int station) const override;
     [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
                                                            int station) const override;
+    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     /// The body turns as its guide tells it to.
     [[nodiscard]] double turned(const MechanismState& state) const override {
@@ -181,6 +185,16 @@ std::optional<RangeOver> InverseMechanism::regularity_over(double margin, const 
     const RangeOver room = side_of(station) * still.top + (margin - 1.0) * (cubed / radius);
     return room * squared(own.roller.velocity) / (turned * lever) -
            side_of(station) * (turned * state.acceleration);
+}
+
+std::optional<RangeAlong> InverseMechanism::quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const {
+    std::array<RangeAlong, inverse_number_count> numbers;
+    std::copy_n(state.dimensions.begin(), inverse_number_count, numbers.begin());
+    const Wall wall{inverse::branch_of(linkage_of(state.dimensions)), side_of(station)};
+    return value_of<RangeAlong>(which, numbers, {state.s, state.velocity, state.acceleration}, state.theta,
+                                wall);
 }
 
 template <int n>

@@ -52,6 +52,9 @@ class RemoteCam final : public CamMechanism {
                                                            int station) const override;
     [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
                                                        int station) const override;
+    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace camopt {
 namespace {
 
@@ -76,6 +78,14 @@ MechanismValue RemoteCam::quantity(MechanismQuantity which, const MechanismState
             put<5>(expanded<5>(request, {active[i], active[j]}),
                    {0, 1, 2, output_variables + i, output_variables + j}, result);
     return result;
+}
+
+std::optional<RangeAlong> RemoteCam::quantity_along(MechanismQuantity which, const MechanismStateAlong& state,
+                                                    int) const {
+    std::array<RangeAlong, remote_dimension_count> dimensions;
+    std::copy_n(state.dimensions.begin(), remote_dimension_count, dimensions.begin());
+    return formula(RemoteEvaluation<RangeAlong>(*this, dimensions),
+                   {state.s, state.velocity, state.acceleration}, which);
 }
 
 }  // namespace camopt

@@ -65,6 +65,10 @@ class SpatialMechanism final : public CamMechanism {
         if (which == MechanismQuantity::regularity) return true;
         return station == 0 || station == station_count - 2;
     }
+    /// The pressure angle is largest at an end of the roller; where it undercuts first depends.
+    [[nodiscard]] bool has_all_stations(MechanismQuantity which) const override {
+        return which != MechanismQuantity::regularity;
+    }
     [[nodiscard]] int roller_radius() const override {
         return static_cast<int>(SpatialNumber::roller_radius);
     }
@@ -114,6 +118,17 @@ class SpatialMechanism final : public CamMechanism {
                                                            int station) const override {
         return spatial_formulas::undercut_over(sort(), state, place_on_roller(station), margin);
     }
+
+    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override {
+        if (which == MechanismQuantity::pitch_curvature) return {};
+        const SpatialCam own = cam(state.dimensions);
+        return spatial_formulas::quantity_along(own, state, station_of(own, station), quantity_of(which));
+    }
+    [[nodiscard]] std::optional<RangeAlong> pressure_along(double limit, int sign,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override;
 
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
@@ -197,6 +212,21 @@ MechanismValue SpatialMechanism::pressure_excess(double limit, int sign, const M
     excess.gradient(0) += rho * side * (std::cos(u) + slope);
     excess.hessian(0, 0) -= rho * std::sin(u);
     return excess;
+}
+
+/// Everything where a barrel cam's is continued.
+std::optional<RangeAlong> SpatialMechanism::pressure_along(double limit, int sign,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const {
+    const double side = rotation_ == Rotation::clockwise ? -sign : sign;
+    const Interval u =
+        Interval(limit) + Interval(side) * (Interval(cam(state.dimensions).start) + state.s.value);
+    const bool continued = u.lower < 0.0 || u.upper > std::numbers::pi;
+    if (follower_ == SpatialFollower::barrel && continued) {
+        const Interval all = Interval::everything();
+        return RangeAlong(all, all, all);
+    }
+    return CamMechanism::pressure_along(limit, sign, state, station);
 }
 
 }  // namespace

@@ -80,4 +80,16 @@ RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state, 
     return room / (still.lever * size) - side * (sign * state.acceleration);
 }
 
+RangeAlong quantity_along(const SpatialCam& cam, const MechanismStateAlong& state,
+                          const RollerStation& station, SpatialQuantity which) {
+    using enum SpatialDimension;
+    const Variables<RangeAlong> variables{cam.start + state.s, state.velocity,  state.acceleration,
+                                          cam[roller_radius],  cam[arm_length], cam[center_distance],
+                                          cam[lateral_offset]};
+    const AxisMotion<RangeAlong> motion = axis_motion(cam, variables, station.height);
+    if (which == SpatialQuantity::pressure_numerator) return motion.across_travel;
+    if (which == SpatialQuantity::pressure_denominator) return sign_of_b(cam) * motion.along_b;
+    return undercut(motion, variables.roller_radius, station.flank);
+}
+
 }  // namespace camopt::spatial_formulas

@@ -29,4 +29,8 @@ struct PressureLimit {
 [[nodiscard]] RangeOver undercut_over(const SpatialCam& cam, const MechanismStateOver& state,
                                       const PlaceOnRoller& place, double margin);
 
+/// Of a cam with its numbers, along a stretch of a motion.
+[[nodiscard]] RangeAlong quantity_along(const SpatialCam& cam, const MechanismStateAlong& state,
+                                        const RollerStation& station, SpatialQuantity which);
+
 }  // namespace camopt::spatial_formulas

@@ -166,9 +166,8 @@ std::vector<double> with_regions(std::vector<double> breakpoints, std::vector<st
             if (std::abs(end - first) > same_place && std::abs(end - last) > same_place)
                 breakpoints.push_back(end);
     std::ranges::sort(breakpoints);
-    const auto repeated = std::ranges::unique(
-        breakpoints, [](double one, double other) { return std::abs(one - other) <= same_place; });
-    breakpoints.erase(repeated.begin(), repeated.end());
+    const auto is_same = [](double one, double other) { return std::abs(one - other) <= same_place; };
+    breakpoints.erase(std::unique(breakpoints.begin(), breakpoints.end(), is_same), breakpoints.end());
     return breakpoints;
 }
 

@@ -21,6 +21,14 @@ namespace camopt {
 
 namespace {
 
+// Of equal jumps, to rounding, the first is named.
+constexpr double same_jump = 1e-9;
+
+/// NaN is worse than any number.
+bool is_worse(double jump, double than) {
+    return !std::isnan(than) && !(jump <= than + same_jump * than);
+}
+
 struct Fault {
     Reason reason;
     std::string note;
@@ -38,7 +46,7 @@ std::optional<Fault> joint_fault(const Solution& solution) {
     JointJump worst;
     for (const SplineCurve* curve : curves_of(solution)) {
         const JointJump jump = worst_joint_jump(*curve, solution.motion_peaks);
-        if (!(jump.relative <= worst.relative)) worst = jump;
+        if (is_worse(jump.relative, worst.relative)) worst = jump;
     }
     if (worst.relative <= largest_joint_jump) return {};
     return Fault{
@@ -159,6 +167,18 @@ std::optional<Fault> limit_fault(const Solution& solution) {
     return {};
 }
 
+/// Of the cam's limits between the points that figures come from.
+std::optional<Fault> limit_between_fault(const Solution& solution) {
+    if (!solution.cam) return {};
+    const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
+    for (const EnclosedLimit& limit : solution.cam->limits_along)
+        if (!(limit.worst <= tolerance))
+            return Fault{Reason::limit_not_kept,
+                         fmt::format("{} is not kept: passed by {:.2g} of its size at x = {:.6g}", limit.key,
+                                     limit.worst, limit.at)};
+    return {};
+}
+
 std::optional<Fault> objective_fault(double believed, double found) {
     if (std::abs(believed - found) <= objective_rounding * std::max(1.0, std::abs(found))) return {};
     return Fault{
@@ -216,6 +236,15 @@ void fail(Certificate& certificate, Reason reason) {
     certificate.stationarity.reset();
 }
 
+/// What the certificate says of limits between places.
+void tell_of_enclosures(Solution& solution) {
+    Certificate& certificate = solution.certificate;
+    certificate.verified.clear();
+    certificate.unverified.clear();
+    for (const ConstraintReport& limit : solution.constraints)
+        (limit.verified ? certificate.verified : certificate.unverified).push_back(limit.key);
+}
+
 void withdraw_motion(Solution& solution) {
     solution.motion.reset();
     solution.curve.reset();
@@ -253,15 +282,15 @@ JointJump worst_joint_jump(const SplineCurve& curve, const Peaks& motion) {
             const double left = curve.derivative(joint, order, Side::left);
             const double right = curve.derivative(joint, order, Side::right);
             largest = std::max({largest, std::abs(left), std::abs(right)});
-            // NaN counts as the worst.
-            if (!(std::abs(left - right) <= jump.relative)) jump = {std::abs(left - right), joint, order};
+            if (is_worse(std::abs(left - right), jump.relative))
+                jump = {std::abs(left - right), joint, order};
         }
         // Where the derivative vanishes at every joint (two segments that mirror each other) its size lies
         // between.
         if (jump.relative > largest_joint_jump * largest) largest = std::max(largest, size_of(curve, order));
         largest = std::max(largest, standstill * whole[static_cast<std::size_t>(order)]);
         jump.relative /= largest > 0.0 ? largest : 1.0;
-        if (!(jump.relative <= worst.relative)) worst = jump;
+        if (is_worse(jump.relative, worst.relative)) worst = jump;
     }
     return worst;
 }
@@ -289,8 +318,10 @@ void audit_delivered(Solution& solution) {
     if (!fault) fault = condition_fault(solution);
     if (!fault) fault = cam_fault(solution);
     if (!fault) fault = limit_fault(solution);
+    if (!fault) fault = limit_between_fault(solution);
     if (!fault) fault = objective_fault(believed, certificate.objective);
     if (!fault) {
+        tell_of_enclosures(solution);
         judge_gap(certificate, solution.scene.solver.wanted_gap(solution.solver.convex));
         drop_passed_bound(certificate, solution.scene.solver.tolerance);
         drop_idle_bound(certificate);

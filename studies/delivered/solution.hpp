@@ -10,6 +10,7 @@
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
 #include "studies/delivered/cam/cam_summary.hpp"
+#include "studies/delivered/cam/enclosed_limits.hpp"
 
 #include <Eigen/Core>
 
@@ -29,6 +30,8 @@ struct ConstraintReport {
     std::string unit;
     double at = 0.0;
     bool active = false;
+    /// Its worst value was enclosed along the whole motion: none hides between points.
+    bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
 };
@@ -149,6 +152,7 @@ struct ForwardCheckReport {
 struct CamReport {
     DrivenMechanism cam;  ///< a disk cam as disk_cam() of profiles/disk/disk_mechanism.hpp gives it back
     CamSummary summary;
+    std::vector<EnclosedLimit> limits_along;          ///< of every rule that keeps a limit of the scene
     std::optional<SmallestCamReport> smallest;        ///< of a disk cam, where it is known
     std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };

@@ -29,7 +29,7 @@ void report_peak_limit(Solution& solution, const char* name, const std::optional
     if (!limit) return;
     const double unit = limit->unit_per_normalised();
     solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
-                                    peak.value >= limit->normalised * (1.0 - active_limit)});
+                                    peak.value >= limit->normalised * (1.0 - active_limit), true});
 }
 
 /// The highest derivative that is continuous at x, to rounding.
@@ -120,8 +120,11 @@ void report_peak_limits(Solution& solution) {
 void report_cam(Solution& solution, std::vector<double> dimensions) {
     if (!has_cam(solution.scene)) return;
     solution.cam = cam_report(solution.scene, std::move(dimensions), *solution.motion);
-    const std::vector<ConstraintReport> limits = cam_constraints(solution.scene, *solution.cam);
-    solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
+    solution.cam->limits_along = enclosed_limits(solution.scene, solution.cam->cam, *solution.motion);
+    for (ConstraintReport& limit : cam_constraints(solution.scene, *solution.cam)) {
+        limit.verified = is_verified(solution.cam->limits_along, limit.key);
+        solution.constraints.push_back(std::move(limit));
+    }
 }
 
 }  // namespace

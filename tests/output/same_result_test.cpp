@@ -117,7 +117,7 @@ const std::vector<Case>& cases() {
          {"spline.segments=8", "solver.starts=2", "solver.name=structured"}},
         {"barrel", "barrel_paper_cup", {"spline.segments=6", "solver.starts=1"}},
         {"cylinder", "cylinder_slide", {"spline.segments=6", "solver.starts=1"}},
-        {"tappet", "tappet_90", {"spline.segments=6", "solver.starts=1"}},
+        {"tappet", "tappet_75", {"spline.segments=6", "solver.starts=1"}},
         {"guide", "inverse_feeder", {"spline.segments=6", "solver.starts=1"}},
         {"torque", "drd_torque", {"spline.segments=8", "solver.starts=2"}},
         {"ipopt", "drd_cubic_12", {"solver.name=ipopt"}},

@@ -60,8 +60,7 @@ std::array<Interval, 5> derivative_ranges(const Eigen::VectorXd& y, double left,
 
 class Search {
  public:
-    Search(const Subject& subject, const PolynomialPiece& piece, double floor, double accuracy,
-           Effort& effort)
+    Search(const Subject& subject, const SmoothPiece& piece, double floor, double accuracy, Effort& effort)
         : subject_(subject), piece_(piece), floor_(floor), accuracy_(accuracy), effort_(effort) {}
 
     /// False where it gave up.
@@ -101,7 +100,10 @@ class Search {
 
  private:
     [[nodiscard]] RangeAlong over(double left, double right) const {
-        return *subject_.rule.range_along(derivative_ranges(piece_.y, left, right), subject_.q);
+        const Interval x = Interval(piece_.piece.begin) + Interval(left, right);
+        const std::array<Interval, 5> y =
+            piece_.part ? *ranges_of(*piece_.part, x) : derivative_ranges(piece_.y, left, right);
+        return *subject_.rule.range_along(x, y, subject_.q);
     }
     /// From the middle by its slope and the bend around it. A rule that hugs its limit has hardly any slope
     /// and bend, and a stretch a thousand times as long is known to the same accuracy.
@@ -140,7 +142,7 @@ class Search {
     }
 
     const Subject& subject_;
-    const PolynomialPiece& piece_;
+    const SmoothPiece& piece_;
     double floor_ = 0.0, accuracy_ = 0.0;
     Effort& effort_;
     std::vector<Extremum> found_;
@@ -148,10 +150,13 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const PolynomialPiece& piece,
-                                              double floor, double accuracy, Effort& effort) {
+std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const SmoothPiece& piece, double floor,
+                                              double accuracy, Effort& effort) {
     if (effort.enclosures <= 0 || piece.y.size() > most_degree + 1) return {};
-    if (!subject.rule.range_along(derivative_ranges(piece.y, 0.0, 0.0), subject.q)) return {};
+    const Interval begin = piece.piece.begin;
+    std::optional<std::array<Interval, 5>> y;
+    y = piece.part ? ranges_of(*piece.part, begin) : derivative_ranges(piece.y, 0.0, 0.0);
+    if (!y || !subject.rule.range_along(begin, *y, subject.q)) return {};
     Search search(subject, piece, floor, accuracy, effort);
     if (!search.run()) return {};
     return search.take();

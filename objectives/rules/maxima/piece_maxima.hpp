@@ -4,6 +4,7 @@
 
 #include "core/extremum.hpp"
 #include "objectives/rules/point_rule.hpp"
+#include "splines/motion_chain.hpp"
 
 #include <Eigen/Core>
 
@@ -49,16 +50,17 @@ struct Effort {
 [[nodiscard]] std::vector<Extremum> sampled(const Subject& subject, const Stretch& piece, int least_samples,
                                             Effort& effort);
 
-/// A piece on which y is the polynomial `y` of x − begin.
-struct PolynomialPiece {
+/// A piece on which y is the polynomial `y` of x − begin, or that of a part of a chain whose shape says where
+/// it ranges.
+struct SmoothPiece {
     Stretch piece;
     Eigen::VectorXd y;
+    const ChainPart* part = nullptr;  ///< then `y` is empty
 };
 /// Every maximum inside the piece that lies above `floor`, ascending, by enclosures of the rule, its slope
 /// and its second derivative: none is missed, each value is right to `accuracy`. Empty option: the rule
 /// cannot be enclosed, or not within a sensible number of steps.
-[[nodiscard]] std::optional<std::vector<Extremum>> enclosed(const Subject& subject,
-                                                            const PolynomialPiece& piece, double floor,
-                                                            double accuracy, Effort& effort);
+[[nodiscard]] std::optional<std::vector<Extremum>> enclosed(const Subject& subject, const SmoothPiece& piece,
+                                                            double floor, double accuracy, Effort& effort);
 
 }  // namespace camopt::piece_maxima

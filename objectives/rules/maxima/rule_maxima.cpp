@@ -27,7 +27,7 @@ constexpr double far_below = 0.1;
 constexpr double enclosed_accuracy = 1e-10;
 
 using piece_maxima::Effort;
-using piece_maxima::PolynomialPiece;
+using piece_maxima::SmoothPiece;
 using piece_maxima::Stretch;
 using piece_maxima::Subject;
 
@@ -121,25 +121,29 @@ class CurvedPieces {
     explicit CurvedPieces(const Subject& subject) : subject_(subject) {}
 
     /// The candidates of the piece come in place of `all`'s next entries.
-    void add(PolynomialPiece piece, std::vector<Extremum>& all) {
+    void add(SmoothPiece piece, std::vector<Extremum>& all) {
         const Stretch& ends = piece.piece;
         all.push_back({subject_.value(ends.begin, Side::right), ends.begin, Side::right});
         all.push_back({subject_.value(ends.end, Side::left), ends.end, Side::left});
         pieces_.push_back(std::move(piece));
     }
-    void finish(std::vector<Extremum>& all) const {
-        if (pieces_.empty()) return;
+    /// False: some piece could not be enclosed, and was sampled.
+    bool finish(std::vector<Extremum>& all) const {
+        if (pieces_.empty()) return true;
+        bool complete = true;
         const double scale = subject_.rule.scale();
         double largest = -infinity;
         for (const Extremum& end : all) largest = std::max(largest, end.value);
         const double floor = std::min(0.0, largest) - far_below * scale;
         Effort effort = Effort::of(pieces_.size());
-        for (const PolynomialPiece& piece : pieces_) {
+        for (const SmoothPiece& piece : pieces_) {
             if (auto inside =
                     piece_maxima::enclosed(subject_, piece, floor, enclosed_accuracy * scale, effort)) {
                 append(all, std::move(*inside));
             } else {
-                append(all, piece_maxima::sampled(subject_, piece.piece, samples_on_spline, effort));
+                const int samples = piece.part ? samples_on_shape : samples_on_spline;
+                append(all, piece_maxima::sampled(subject_, piece.piece, samples, effort));
+                complete = false;
             }
         }
         // Where two pieces meet, the left one's end comes first.
@@ -147,24 +151,35 @@ class CurvedPieces {
             return one.at != other.at ? one.at < other.at
                                       : one.side == Side::left && other.side == Side::right;
         });
+        return complete;
     }
 
  private:
     const Subject& subject_;
-    std::vector<PolynomialPiece> pieces_;
+    std::vector<SmoothPiece> pieces_;
 };
 
-/// y along the pieces of a part of a chain as polynomials of x − begin; empty where it is no spline.
-std::vector<PolynomialPiece> pieces_of(const ChainPart& part) {
+/// A part of a chain between its breakpoints: a spline as polynomials of x − begin.
+std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
+    if (!part.shape) return {{{part.begin, part.end}, Eigen::VectorXd::Constant(1, part.y0)}};
+    std::vector<SmoothPiece> pieces;
     const auto* curve = dynamic_cast<const SplineCurve*>(part.shape.get());
-    if (!curve || part.x_scale < 0.0) return {};
-    std::vector<PolynomialPiece> pieces;
+    if (!curve || part.x_scale < 0.0) {
+        std::vector<double> points = {part.begin, part.end};
+        for (const double own : part.shape->breakpoints())
+            points.push_back(std::clamp(part.x0 + part.x_scale * own, part.begin, part.end));
+        std::ranges::sort(points);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            if (points[i + 1] - points[i] > same_value)
+                pieces.push_back({{points[i], points[i + 1]}, {}, &part});
+        return pieces;
+    }
     const std::vector<double>& breakpoints = curve->space().breakpoints();
     for (int segment = 0; segment + 1 < static_cast<int>(breakpoints.size()); ++segment) {
         const auto at = static_cast<std::size_t>(segment);
         const double begin = part.x0 + part.x_scale * breakpoints[at];
         const double end = part.x0 + part.x_scale * breakpoints[at + 1];
-        if (begin < part.begin || end > part.end) return {};
+        if (end <= part.begin + same_value || begin >= part.end - same_value) continue;  // of the part beside
         Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
         for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
         y[0] += part.y0;
@@ -187,7 +202,13 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
         if (stretch.kind == StretchRequest::Kind::dwell) {
-            candidates.push_back({rule->evaluate(motion.at(piece.begin), q).value, piece.begin, Side::right});
+            const MotionPoint resting = motion.at(piece.begin);
+            const RuleValue value = rule->evaluate(resting, q);
+            if (value.by_place != 0.0)  // the follower rests, the cam's other parts do not
+                curved.add({{piece.begin, piece.end}, Eigen::VectorXd::Constant(1, resting.derivative[0])},
+                           candidates);
+            else
+                candidates.push_back({value.value, piece.begin, Side::right});
         } else if (stretch.kind == StretchRequest::Kind::spline) {
             const auto& curve = dynamic_cast<const SplineCurve&>(
                 *motion.parts()[static_cast<std::size_t>(piece.stretch)].shape);
@@ -199,9 +220,8 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
                            candidates);
             }
         } else {
-            Effort effort = Effort::of(1);
-            append(candidates,
-                   piece_maxima::sampled(subject, {piece.begin, piece.end}, samples_on_shape, effort));
+            const ChainPart& part = motion.parts()[static_cast<std::size_t>(piece.stretch)];
+            curved.add({{piece.begin, piece.end}, {}, &part}, candidates);
         }
     }
     curved.finish(candidates);
@@ -209,34 +229,27 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
 }
 
 std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {
+    return maxima_along(rule, motion, q).maxima;
+}
+
+MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {
     std::vector<Extremum> candidates;
     const Subject subject{rule, motion, q};
-    if (!rule.places().empty()) return at_places(subject);
+    if (!rule.places().empty()) return {at_places(subject)};
     CurvedPieces curved(subject);
-    const auto by_samples = [&](const std::vector<double>& points) {
+    const auto* chain = dynamic_cast<const MotionChain*>(&motion);
+    if (!chain) {
+        const std::vector<double> points = motion.breakpoints();
         Effort effort = Effort::of(points.size());
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             append(candidates,
                    piece_maxima::sampled(subject, {points[i], points[i + 1]}, samples_on_shape, effort));
-    };
-    const auto* chain = dynamic_cast<const MotionChain*>(&motion);
-    if (!chain) {
-        by_samples(motion.breakpoints());
-        return maxima_among(candidates);
+        return {maxima_among(candidates), false};
     }
-    const std::vector<double> all_points = motion.breakpoints();
-    for (const ChainPart& part : chain->parts()) {
-        std::vector<PolynomialPiece> pieces = pieces_of(part);
-        if (pieces.empty()) {
-            std::vector<double> points;
-            std::ranges::copy_if(all_points, std::back_inserter(points),
-                                 [&](double x) { return x >= part.begin && x <= part.end; });
-            by_samples(points);
-        }
-        for (PolynomialPiece& piece : pieces) curved.add(std::move(piece), candidates);
-    }
-    curved.finish(candidates);
-    return maxima_among(candidates);
+    for (const ChainPart& part : chain->parts())
+        for (SmoothPiece& piece : pieces_of(part)) curved.add(std::move(piece), candidates);
+    const bool complete = curved.finish(candidates);
+    return {maxima_among(candidates), complete};
 }
 
 Extremum largest_of(const std::vector<Extremum>& maxima) {

@@ -21,7 +21,16 @@ namespace camopt {
 [[nodiscard]] std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
                                                 const MotionChain& motion, const Eigen::VectorXd& q);
 
-/// The same along any motion, between its breakpoints.
+struct MaximaAlong {
+    std::vector<Extremum> maxima;
+    /// None is missed that lies near the largest or above 0, each is as large as said: everything was
+    /// enclosed.
+    bool complete = true;
+};
+
+/// The same along any motion, between its breakpoints; complete where the rule and
+/// the shapes say how they range.
+[[nodiscard]] MaximaAlong maxima_along(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q);
 [[nodiscard]] std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion,
                                                 const Eigen::VectorXd& q);
 

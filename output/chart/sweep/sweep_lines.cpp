@@ -123,8 +123,7 @@ std::vector<double> values_of(const SweepTable& table, int key) {
     std::vector<double> values;
     for (const SweepRow& row : table.rows) values.push_back(key_value(row, key));
     std::ranges::sort(values);
-    const auto rest = std::ranges::unique(values);
-    values.erase(rest.begin(), rest.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 

@@ -46,7 +46,7 @@ class Outline {
             before = now;
         }
         std::ranges::sort(all);
-        all.erase(std::ranges::unique(all).begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
     [[nodiscard]] std::vector<double> breakpoints() const { return motion_.breakpoints(); }

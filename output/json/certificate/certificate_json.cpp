@@ -175,6 +175,8 @@ std::string certificate_json(const Certificate& certificate) {
     json["gap"] = number_json(certificate.gap);
     json["worst_violation"] = number_json(certificate.worst_violation);
     json["stationarity"] = number_json(certificate.stationarity);
+    json["verified"] = certificate.verified;
+    json["unverified"] = certificate.unverified;
     json["proof_kind"] = name_of(certificate.proof_kind);
     json["how_to_check"] = how_to_check();
     json["proof"] = certificate.proof ? proof_json(*certificate.proof) : Json(nullptr);

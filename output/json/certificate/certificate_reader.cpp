@@ -194,6 +194,8 @@ Certificate certificate_of(const Json& json) {
     certificate.gap = optional_number(json.at("gap"));
     certificate.worst_violation = number_or(json.at("worst_violation"), infinity);
     certificate.stationarity = optional_number(json.at("stationarity"));
+    certificate.verified = json.at("verified").get<std::vector<std::string>>();
+    certificate.unverified = json.at("unverified").get<std::vector<std::string>>();
     certificate.proof_kind = choice_of(json.at("proof_kind"), {ProofKind::none, ProofKind::duality,
                                                                ProofKind::any_curve_limit, ProofKind::boxes});
     if (!json.at("proof").is_null()) certificate.proof = read_proof(json.at("proof"));

@@ -71,6 +71,34 @@ void expect_digits(double found, double printed, double half_unit) {
 
 class LawTest : public ::testing::TestWithParam<Golden> {};
 
+/// Over stretches between breakpoints, long and short.
+TEST_P(LawTest, RangesHoldTheDerivatives) {
+    const auto law = make_law(GetParam().key);
+    const std::vector<double> joints = law->breakpoints();
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        for (const int parts : {1, 7, 1000}) {
+            const double width = (joints[i + 1] - joints[i]) / parts;
+            const double begin = joints[i] + width * (parts / 2);
+            const auto ranges = law->ranges({begin, begin + width});
+            ASSERT_TRUE(ranges);
+            for (int k = 0; k <= 10; ++k) {
+                const double x = std::min(begin + width * k / 10.0, joints[i + 1]);
+                const LawDerivatives y = law->derivatives(x, k == 10 ? Side::left : Side::right);
+                for (std::size_t r = 0; r < y.size(); ++r) {
+                    const double rough = 1e-12 * (1.0 + std::abs(y[r]));
+                    EXPECT_LE((*ranges)[r].lower - rough, y[r]) << r << " at " << x;
+                    EXPECT_GE((*ranges)[r].upper + rough, y[r]) << r << " at " << x;
+                    // No wider than the derivative after it lets it be, but for a formula's own dependence.
+                }
+            }
+            // A tenth of the stretch, a tenth of the width.
+            const auto tenth = law->ranges({begin, begin + 0.1 * width});
+            for (std::size_t r = 0; parts == 1000 && r < ranges->size(); ++r)
+                EXPECT_LE((*tenth)[r].width(), 0.15 * (*ranges)[r].width() + 1e-11) << r;
+        }
+    }
+}
+
 TEST_P(LawTest, HasTheGoldenPeaks) {
     const auto law = make_law(GetParam().key);
     const Peaks peaks = law->peaks();

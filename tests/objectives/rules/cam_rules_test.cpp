@@ -188,7 +188,7 @@ TEST_P(CamRules, EnclosuresHoldTheirValues) {
                 stretch[r] = Interval(value - width, value + width);
             }
             stretch[4] = Interval(-100.0, 100.0);
-            const auto range = rule->range_along(stretch, middle.tail(middle.size() - 4));
+            const auto range = rule->range_along(0.0, stretch, middle.tail(middle.size() - 4));
             ASSERT_TRUE(range.has_value()) << rule->name();
             for (int place = 0; place < 10; ++place) {
                 Eigen::VectorXd inside = middle;

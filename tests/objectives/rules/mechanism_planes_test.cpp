@@ -12,6 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 #include <string>
 #include <utility>
@@ -222,13 +225,85 @@ TEST_P(MechanismPlanes, AreNeverAboveTheRule) {
     EXPECT_GE(rules, 3);
 }
 
+/// A polynomial about x0: values of y to its fourth derivative.
+std::array<double, 5> derivatives_at(const std::array<double, 5>& taylor, double t) {
+    const double a = taylor[1], b = taylor[2], c = taylor[3], d = taylor[4];
+    return {taylor[0] + t * (a + t * (b + t * (c + t * d))), a + t * (2 * b + t * (3 * c + t * 4 * d)),
+            2 * b + t * (6 * c + t * 12 * d), 6 * c + 24 * t * d, 24 * d};
+}
+
+/// Along random stretches of random motions: every value, slope and second derivative lies in what encloses
+/// it; and of a stretch without length the enclosure is the value itself.
+TEST_P(MechanismPlanes, StretchesAreEnclosed) {
+    const Scene scene = scene_of(GetParam());
+    const CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
+    std::mt19937 random(17);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+    };
+    constexpr double half = 1e-3, step = 1e-4;
+    int looked = 0;
+    for (const PlacedRule& rule : model.rules) {
+        if (!rule->limit()) continue;
+        Eigen::VectorXd q(static_cast<Eigen::Index>(rule->parameters().size()));
+        for (int trial = 0; trial < 30; ++trial) {
+            for (Eigen::Index k = 0; k < q.size(); ++k) {
+                const Parameter& own = model.parameters[static_cast<std::size_t>(
+                    rule->parameters()[static_cast<std::size_t>(k)])];
+                q[k] = between(own.lower, own.upper);
+            }
+            const double x0 = between(0.1, 0.9);
+            const std::array<double, 5> taylor = {between(0.05, 0.95), between(-2.0, 2.0), between(-3.0, 3.0),
+                                                  between(-3.0, 3.0), between(-3.0, 3.0)};
+            const auto value = [&](double t) {
+                const auto y = derivatives_at(taylor, t);
+                return rule->evaluate({x0 + t, {y[0], y[1], y[2], y[3]}}, q).value;
+            };
+            const auto over = [&](double width) {
+                std::array<Interval, 5> ranges;
+                for (std::size_t r = 0; r < ranges.size(); ++r) {
+                    ranges[r] = derivatives_at(taylor, -width)[r];
+                    for (int k = 0; k <= 100; ++k) {
+                        const double y = derivatives_at(taylor, width * (k / 50.0 - 1.0))[r];
+                        ranges[r] = {std::min(ranges[r].lower, y), std::max(ranges[r].upper, y)};
+                    }
+                }
+                return rule->range_along({x0 - width, x0 + width}, ranges, q);
+            };
+            if (!std::isfinite(value(0.0))) continue;
+            const auto range = over(half), place = over(0.0);
+            ASSERT_TRUE(range && place) << rule->origin().text();
+            if (!std::isfinite(range->bend.lower) || !std::isfinite(range->bend.upper)) continue;
+            ++looked;
+            const double size = 1.0 + std::abs(value(0.0));
+            EXPECT_LT(place->value.width(), 1e-9 * size) << rule->origin().text();
+            EXPECT_TRUE(place->value.holds(value(0.0)) ||
+                        std::abs(value(0.0) - place->value.lower) < 1e-11 * size)
+                << rule->origin().text();
+            for (const double t : {-half + step, 0.0, half - step}) {
+                const double slope = (value(t + step) - value(t - step)) / (2.0 * step);
+                const double bend = (value(t + step) - 2.0 * value(t) + value(t - step)) / (step * step);
+                const double rough = 1e-4 * (1.0 + std::abs(slope) + std::abs(bend));
+                EXPECT_LE(range->value.lower - 1e-11 * size, value(t)) << rule->origin().text();
+                EXPECT_GE(range->value.upper + 1e-11 * size, value(t)) << rule->origin().text();
+                EXPECT_LE(range->slope.lower - rough, slope) << rule->origin().text();
+                EXPECT_GE(range->slope.upper + rough, slope) << rule->origin().text();
+                EXPECT_LE(range->bend.lower - rough, bend) << rule->origin().text();
+                EXPECT_GE(range->bend.upper + rough, bend) << rule->origin().text();
+            }
+        }
+    }
+    EXPECT_GE(looked, 50);
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryKind, MechanismPlanes, testing::ValuesIn(cases()));
 
 /// What looks at the whole motion, and a formula of the program that embeds, have no enclosure and say so.
 TEST(RulesWithoutPlanes, SaySo) {
-    const OwnLimit own{"own", 1.0, motion_formula([](const auto&, const auto& v, const auto&, const auto&) {
-                           return v * v;
-                       })};
+    OwnLimit own{};
+    own.name = "own";
+    own.limit = 1.0;
+    own.formula = motion_formula([](const auto&, const auto& v, const auto&, const auto&) { return v * v; });
     const OwnPointRule rule(own);
     EXPECT_FALSE(rule.range_over(std::vector<Interval>(4, Interval(0.5)), 0.0));
     EXPECT_FALSE(RuleOverBox::make(rule, std::vector<Interval>(4, Interval(0.4, 0.5)), 0.0));

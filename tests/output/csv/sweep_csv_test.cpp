@@ -84,6 +84,7 @@ SweepTable random_table() {
     std::mt19937_64 generator(7);
     SweepTable table{{{"objective.velocity", "motion.segments[1].to"},
                       {DimensionIndex::base_radius, DimensionIndex::offset},
+                      false,
                       {}},
                      {}};
     for (int i = 0; i < 500; ++i) table.rows.push_back(random_row(i, generator));

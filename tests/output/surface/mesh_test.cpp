@@ -111,6 +111,26 @@ TEST(MeshFiles, Obj) {
               "1.000000 0.000000 0.000000\nv 0.000000 2.500000 0.000000\nf 4 5 6\n");
 }
 
+TEST(MeshSvg, RoundingDoesNotDecideHowAPictureIsWritten) {
+    std::vector<Section> sections;
+    for (int k = 0; k < 24; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / 24, c = std::cos(angle), s = std::sin(angle);
+        sections.push_back({{2 * c, 2 * s, 0}, {3 * c, 3 * s, 0}, {3 * c, 3 * s, 1}, {2 * c, 2 * s, 1}});
+    }
+    const auto picture = [&](double noise) {
+        unsigned state = 1;
+        for (Section& section : sections)
+            for (Eigen::Vector3d& corner : section)
+                for (double& x : corner)
+                    x += noise * ((state = state * 1664525u + 1013904223u) / 4294967296.0 - 0.5);
+        const PaintedMesh ring{swept_solid(sections, true), {200, 150, 100}};
+        return mesh_svg(std::span(&ring, 1), {}, "ring");
+    };
+    const std::string exact = picture(0.0);
+    EXPECT_EQ(picture(1e-12), exact);
+    EXPECT_NE(picture(1e-1), exact);
+}
+
 TEST(MeshSvg, DrawsWhatFacesTheEyeFromFarToNear) {
     TriangleMesh two = swept_solid(std::vector{square(1, 0), square(1, 1)}, false);
     const PaintedMesh box{two, {200, 100, 50}};

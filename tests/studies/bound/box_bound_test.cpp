@@ -72,6 +72,21 @@ TEST(BoxBound, PassesNoMotionWhateverItIsTold) {
     }
 }
 
+TEST(BoxBound, CountsTheWeightOfADimensionThatIsGiven) {
+    const RollerCase& which = roller_cases[0];
+    constexpr double weight = 0.5;
+    Scene scene = roller_scene(which);
+    scene.objective.dimensions[static_cast<std::size_t>(base_radius)] = weight;
+    const double given = weight * which.base / which.lift;
+    BoxBoundOptions options;  // of the first relaxation alone: a box that is empty says nothing of the weight
+    options.most_passes = options.most_parts = 0;
+    const auto bound = bound_over_boxes(model_of(scene), which.optimum + given, options, {});
+    const auto without = bound_over_boxes(model_of(roller_scene(which)), which.optimum, options, {});
+    ASSERT_TRUE(bound && without);
+    EXPECT_LT(without->bound, which.optimum - 1e-3);
+    EXPECT_NEAR(bound->bound, without->bound + given, 1e-6);
+}
+
 TEST(BoxBound, OfASmallGapTakesMorePasses) {
     Scene scene = roller_scene(roller_cases[1]);
     scene.solver.gap = 1e-6;

@@ -179,6 +179,8 @@ TEST(Comparison, AsymmetricLawsAreNotSymmetricAndOnlySomeEndWithoutJerk) {
     const Comparison comparison = compare(scene);
     EXPECT_TRUE(row_of(comparison, "polynomial_4567").feasible);
     EXPECT_FALSE(row_of(comparison, "polynomial_345").feasible);
+    for (const LimitOutcome& outcome : row_of(comparison, "polynomial_4567").limits)
+        EXPECT_TRUE(outcome.reached.active) << outcome.reached.name << ": what must be exact always bites";
     EXPECT_NEAR(row_of(comparison, "polynomial_345").limits[1].reached.worst, 60.0, 1e-9);
     for (const ComparisonRow& row : comparison.rows) {
         if (!row.key.starts_with("asymmetric")) continue;

@@ -200,5 +200,27 @@ TEST(LawLosses, StoppedTheyAreIncomplete) {
     EXPECT_FALSE(law_losses(paper_objective(MotionType::drd, 3, 12), control).complete);
 }
 
+/// A search that is stopped delivers the best that it saw and does not call it proved.
+TEST(LawLosses, WhatIsStoppedIsUnsettled) {
+    const Scene scene = paper_objective(MotionType::drd, 3, 8);
+    int unsettled = 0;
+    bool complete = false;
+    for (double most = 50.0; !complete; most *= 1.3) {
+        int polls = 0;
+        SolveControl control;
+        control.stop_requested = [&] { return ++polls > most; };
+        const LawLosses losses = law_losses(scene, control);
+        complete = losses.complete;
+        for (const LawLoss& loss : losses.laws) {
+            if (!loss.closest || loss.closest->settled) continue;
+            ++unsettled;
+            const PeakTriple& weights = loss.closest->weights;
+            EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-12);
+            EXPECT_GT(loss.closest->loss_percent, 0.0) << loss.key;
+        }
+    }
+    EXPECT_GT(unsettled, 0);
+}
+
 }  // namespace
 }  // namespace camopt

@@ -207,6 +207,21 @@ TEST(JointRelaxation, LowerLimitsGiveWayByTheSameFactor) {
     EXPECT_GT(factor, 1.0);
 }
 
+TEST(Adjustment, ARiseMayTakeWhatTheReturnLeavesOfTheTurn) {
+    const auto most_of_rise = [](const Scene& scene) {
+        const std::vector<Adjustment> all = adjustments(scene);
+        return std::ranges::find(all, "motion.rise_deg", &Adjustment::key)->most;
+    };
+    Scene scene = pressure_angle_scene(8);
+    scene.motion.type = MotionType::drd;
+    EXPECT_NEAR(most_of_rise(scene), 360.0, 1e-9);
+    scene.motion.type = MotionType::rr;
+    scene.motion.return_angle.reset();
+    EXPECT_NEAR(most_of_rise(scene), 180.0, 1e-9) << "the return is the rise mirrored";
+    scene.motion.return_angle = 100.0 * units::degree;
+    EXPECT_NEAR(most_of_rise(scene), 260.0, 1e-9);
+}
+
 TEST(Explanation, TimeThatRunsOutLeavesKeysUnsettledAndTellsProgress) {
     Solution solution;
     solution.scene = pressure_angle_scene(24);

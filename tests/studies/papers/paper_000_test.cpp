@@ -123,6 +123,24 @@ TEST(Paper000, ReportIsWhole) {
     }
 }
 
+TEST(Paper000, FiguresOfTheGuidesRunOverTheForwardStroke) {
+    for (const char* key : {"guides_acceleration", "guides_curvature", "guides_pressure_angle"}) {
+        const PaperFigure& figure = *std::ranges::find(report().figures, key, &PaperFigure::key);
+        for (const PaperSeries& series : figure.series) {
+            SCOPED_TRACE(std::string(key) + ", " + series.title);
+            ASSERT_GT(series.x.size(), 200U);
+            const double length = series.x.back() - series.x.front();
+            EXPECT_NEAR(series.x.front(), 1.5, 1e-12);  // inches, where the stroke begins
+            EXPECT_NEAR(series.x.back(), figure.series.front().x.back(), 1e-12);
+            for (std::size_t i = 1; i < series.x.size(); ++i) {
+                const double step = series.x[i] - series.x[i - 1];
+                EXPECT_GE(step, 0.0);
+                EXPECT_LE(step, length / 150.0) << series.x[i];
+            }
+        }
+    }
+}
+
 TEST(Paper000, ForwardSimulations) {
     const PaperTable& forward = table("forward_simulation");
     ASSERT_EQ(forward.rows.size(), 5U);

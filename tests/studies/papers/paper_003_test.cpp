@@ -3,6 +3,7 @@
 // definitions, verdicts, forward checks.
 #include "studies/papers/paper_003.hpp"
 
+#include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 
@@ -47,6 +48,8 @@ TEST(Paper003, ReportsTheReferenceNumbersAndBothVerdicts) {
     }
     EXPECT_EQ(seen, expected.size());
     for (const auto& row : table_of(report, "optimized").rows) EXPECT_LE(number(row[2]), 30.0 + 1e-7);
+    EXPECT_TRUE(std::ranges::find(report.figures, "figure_7", &PaperFigure::key)->equal_scales)
+        << "a profile";
     EXPECT_FALSE(report.assumptions.empty());
     EXPECT_NE(report.notes.front().find("EVIDENCE VALUE LOW"), std::string::npos);
 }
@@ -62,6 +65,21 @@ TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
             forward_check(forward_check_input(mechanism, motion, tappet_scale(), points));
         EXPECT_LE(result.deviation, most) << points;
     }
+}
+
+TEST(Paper003, ForwardCheckDoesNotMindWhereTheFrameHasItsOrigin) {
+    MechanismSpec spec = tappet_spec(true);
+    using enum RemoteDimension;
+    const std::initializer_list<std::pair<RemoteDimension, double>> moved = {
+        {lever_pivot_x, 40}, {center_x, 40}, {rocker_pivot_x, 40}, {slider_x, 40},
+        {lever_pivot_y, 25}, {center_y, 25}, {rocker_pivot_y, 25}, {slider_y, 25}};
+    for (const auto& [which, by] : moved) {
+        Dimension& dimension = spec.dimensions[static_cast<std::size_t>(which)].value;
+        dimension.low = dimension.high = dimension.low + by * units::millimetre;
+    }
+    const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
+    const MotionChain motion = tappet_motion("modified_trapezoid", 60);
+    EXPECT_LE(forward_check(forward_check_input(mechanism, motion, tappet_scale(), 1440)).deviation, 1e-11);
 }
 
 TEST(Paper003, ForwardCheckSeesACamThatIsNotTheDesignedOne) {

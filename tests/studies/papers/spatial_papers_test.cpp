@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace camopt {
@@ -45,6 +46,12 @@ TEST(Paper002, PrintedLawEndsAtTheWrongPlace) {
     const PaperTable& law = table_of(barrel(), "modified_sine");
     const std::size_t last = law.rows.size() - 1;
     EXPECT_NEAR(number(law, last, "printed"), 0.3699, 5e-5);
+    // Equation (5) as printed, by hand: T_1 V T − S_1 sin(π/4) at T = T_1 / 2 = 1/16.
+    constexpr double pi = std::numbers::pi;
+    const double peak = 1.0 / (0.25 / pi + 1.0 / (pi * pi));
+    ASSERT_EQ(number(law, 1, "t"), 0.0625);
+    EXPECT_NEAR(number(law, 1, "printed"),
+                0.125 * (0.25 * peak / pi) * 0.0625 - 0.0625 * peak / (pi * pi) * std::sqrt(0.5), 1e-15);
     for (std::size_t i = 0; i <= last; ++i)
         EXPECT_NEAR(number(law, i, "corrected"), number(law, i, "catalogue"), 1e-15);
 }
@@ -70,6 +77,32 @@ TEST(Paper002, TheOptimisedMotionNeedsLessThanTheModifiedSine) {
     for (const std::size_t row : {2U, 3U}) EXPECT_LT(number(rows, row, "pressure_angle_deg"), 40.0 + 1e-6);
     EXPECT_LT(number(rows, 3, "center_distance_mm"), 0.8 * number(rows, 2, "center_distance_mm"));
     EXPECT_GT(number(rows, 3, "least_g"), 0.5 - 1e-6);
+}
+
+const PaperSeries& series_of(const PaperReport& report, const std::string& figure, const std::string& name) {
+    return *std::ranges::find(std::ranges::find(report.figures, figure, &PaperFigure::key)->series, name,
+                              &PaperSeries::title);
+}
+
+TEST(SpatialPapers, FiguresOfTheDisplacementAreInDegrees) {
+    const PaperSeries& index = series_of(barrel(), "figure_2", "displacement");
+    EXPECT_NEAR(std::ranges::max(index.y) - std::ranges::min(index.y), 360.0 / 7.0, 1e-9);
+    EXPECT_NEAR(std::ranges::max(index.x), 360.0, 1e-9);
+    // Its slope is the velocity beside it, 50 times as large.
+    for (const PaperReport* report : {&barrel(), &rotating()}) {
+        const char* const figure = report == &barrel() ? "figure_2" : "figure_5";
+        const PaperSeries& s = series_of(*report, figure, "displacement");
+        const PaperSeries& velocity = series_of(*report, figure, "50 x velocity");
+        const double fastest = std::ranges::max(velocity.y);
+        int compared = 0;
+        for (std::size_t i = 1; i < s.x.size(); ++i) {
+            if (s.x[i] - s.x[i - 1] < 1e-6 || s.x[i] - s.x[i - 1] > 2.0) continue;
+            const double slope = (s.y[i] - s.y[i - 1]) / (s.x[i] - s.x[i - 1]);
+            EXPECT_NEAR(50.0 * slope, 0.5 * (velocity.y[i] + velocity.y[i - 1]), 0.02 * fastest) << s.x[i];
+            ++compared;
+        }
+        EXPECT_GT(compared, 100);
+    }
 }
 
 TEST(SpatialPapers, ForwardChecksAreWithinTheirClaim) {

@@ -76,6 +76,16 @@ TEST(TrainScenes, TenAreProved) {
     }
 }
 
+TEST(TrainScenes, ASmallWeightIsReportedToo) {
+    const Solution solution =
+        solve(scene_of_toml(slide(soft, "[objective]\nacceleration = 1\nresidual = 5e-4\n")));
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
+    ASSERT_TRUE(solution.train);
+    ASSERT_EQ(solution.train->terms.size(), 1u);
+    EXPECT_EQ(solution.train->terms[0].weight, 5e-4);
+    EXPECT_NEAR(defined_objective(solution), solution.certificate.objective, 1e-9);
+}
+
 TEST(TrainScenes, DerivativesAreRight) {
     for (const std::string& text : ten_scenes()) {
         const Scene scene = scene_of_toml(text);
@@ -242,8 +252,10 @@ TEST(TrainScenes, LawsAreJudgedByTheTrain) {
         ASSERT_EQ(row.limits.size(), 2U) << row.title;
         const double residual = worst_response(scene, ResponseKind::residual, *row.motion).value * 24e3;
         EXPECT_NEAR(row.limits[0].reached.worst, residual, 1e-9 * residual) << row.title;
-        if (row.is_optimum()) EXPECT_TRUE(row.feasible);
-        if (row.is_optimum()) continue;
+        if (row.is_optimum()) {
+            EXPECT_TRUE(row.feasible);
+            continue;
+        }
         EXPECT_EQ(row.limits[0].kept, residual <= 100.0 * (1.0 + 1e-7)) << row.title;
         const double least = worst_response(scene, ResponseKind::contact_force, *row.motion).value;
         EXPECT_EQ(row.limits[1].kept, least >= 20.0 * (1.0 - 1e-6)) << row.title;

@@ -176,7 +176,9 @@ TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
     std::mt19937 generator(11);  // NOLINT(cert-msc51-cpp): the same every time
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (const bool has_gaps : {false, true}) {
-        SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "acceleration", "jerk"}}, {}};
+        SweepTable table{
+            {.keys = {"objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "acceleration", "jerk"}},
+            {}};
         for (int number = 0; number < 1500; ++number) {
             // Near the surface V·A·J = 1, some of them equal to the millionth, some off the front.
             SweepRow row = peaks(number, {0}, 1.0, 1.0);
@@ -201,7 +203,7 @@ TEST(SweepFront, OfManyRowsIsTheOneOfTheDefinition) {
 }
 
 TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
-    SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
+    SweepTable table{{.keys = {"objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 1.0, 5.0), peaks(1, {1}, 2.0, 3.0), peaks(2, {2}, 2.0, 4.0),
                   peaks(3, {3}, 3.0, 3.5), peaks(4, {4}, 4.0, 1.0), peaks(5, {5}, 0.1, 0.1)};
     table.rows[5].verdict = Verdict::failed;  // its figures count for nothing
@@ -209,7 +211,7 @@ TEST(SweepFront, AreTheRowsThatNoOtherDominates) {
 }
 
 TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
-    SweepTable table{{.keys = {"objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
+    SweepTable table{{.keys = {"objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "jerk"}}, {}};
     table.rows = {peaks(0, {0}, 2.0, 3.0), peaks(1, {1}, 2.0 * (1 + 5e-7), 3.0),
                   peaks(2, {2}, 2.0, 3.0 * (1 + 3e-6)), peaks(3, {3}, 2.0 * (1 + 5e-7), 2.9)};
     // Row 3 costs nothing that counts and is better: rows 0 to 2 are not on the front.
@@ -219,7 +221,9 @@ TEST(SweepFront, EqualWithinTheToleranceIsNotWorse) {
 }
 
 TEST(SweepFront, OtherSettingsAreOtherFronts) {
-    SweepTable table{{.keys = {"spline.segments", "objective.jerk"}, .criteria = {"velocity", "jerk"}}, {}};
+    SweepTable table{
+        {.keys = {"spline.segments", "objective.jerk"}, .dimensions = {}, .criteria = {"velocity", "jerk"}},
+        {}};
     table.rows = {peaks(0, {8, 0}, 2.0, 3.0), peaks(1, {8, 1}, 2.5, 3.5), peaks(2, {16, 0}, 1.0, 1.0)};
     EXPECT_EQ(front(table), (std::vector{true, false, true}));
 }

@@ -112,7 +112,7 @@ TEST(RuleMaxima, EncloseTheFormulasOfEveryFollower) {
             over[r] = {std::min(a, b), std::max(a, b)};
         }
         for (const auto& rule : cam_limits(scene, *variables)) {
-            const auto range = rule->range_along(over, {});
+            const auto range = rule->range_along({0.2 - half, 0.2 + half}, over, {});
             ASSERT_TRUE(range);
             const auto value = [&](double x) {
                 const auto y = derivatives(x);
@@ -201,7 +201,7 @@ class Hugging final : public PointRule {
     [[nodiscard]] bool linear() const override { return false; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return 1.0; }
-    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>& y,
+    [[nodiscard]] std::optional<RangeAlong> range_along(const Interval&, const std::array<Interval, 5>& y,
                                                         const Eigen::VectorXd&) const override {
         ++looks_;
         const RangeAlong displacement(y[0], y[1], y[2]), velocity(y[1], y[2], y[3]);
@@ -245,7 +245,7 @@ class Shaking final : public PointRule {
     [[nodiscard]] bool linear() const override { return false; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return 1.0; }
-    [[nodiscard]] std::optional<RangeAlong> range_along(const std::array<Interval, 5>&,
+    [[nodiscard]] std::optional<RangeAlong> range_along(const Interval&, const std::array<Interval, 5>&,
                                                         const Eigen::VectorXd&) const override {
         ++looks_;
         return RangeAlong({-1.0, 1.0}, {-1e6, 1e6}, {-1e12, 1e12});
