@@ -13,7 +13,7 @@ namespace camopt::benchmarks {
 
 namespace {
 
-constexpr double most_seconds = 120.0;
+constexpr double most_solve_seconds = 120.0;
 
 }  // namespace
 
@@ -22,14 +22,14 @@ Scene drd_scene(int degree, int segments) {
     combination.backend = "structured";
     combination.degree = degree;
     combination.segments = segments;
-    return scene_of(combination, most_seconds);
+    return scene_of(combination, most_solve_seconds);
 }
 
 FinalGrid final_grid(const Scene& scene, double tolerance) {
     FinalGrid grid{CamProblem(scene_model(scene, DesignKind::states, reference_peaks(scene)))};
     ExchangeOptions options;
     options.tolerance = options.backend.tolerance = tolerance;
-    options.backend.max_seconds = most_seconds;
+    options.backend.max_seconds = most_solve_seconds;
     const ExchangeResult result =
         minimize_by_exchange(grid.problem, *make_solver("structured"), grid.problem.start(), options, {});
     if (!result.converged)

@@ -149,7 +149,7 @@ StabilityRow solved_row(const Scene& scene, const Expectation& expected) {
     }
     const auto begin = std::chrono::steady_clock::now();
     try {
-        const Solution solution = solve_without_explaining(scene, {});
+        const Solution& solution = row.solution.emplace(solve_without_explaining(scene, {}));
         row.seconds = seconds_since(begin);
         judge_verdict(row, solution.certificate);
         // `failed` claims nothing about the motion beside it.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "solvers/certificate/certificate.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <functional>
 #include <optional>
@@ -49,7 +49,8 @@ struct StabilityRow {
     std::optional<double> condition_acceleration, condition_jerk;
     double seconds = 0.0;
     Judgement judgement = Judgement::ok;
-    std::string why;  ///< where it is wrong or absent
+    std::string why;                        ///< where it is wrong or absent
+    std::optional<Solution> solution = {};  ///< what was judged, where that was the solve of a scene
 };
 
 struct StabilityCase {
