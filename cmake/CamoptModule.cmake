@@ -69,6 +69,13 @@ function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# camopt_compile_together(<target>): its sources CAMOPT_UNITY_BATCH at a time, where CAMOPT_UNITY_BUILD is on.
+function(camopt_compile_together target)
+  if(CAMOPT_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CAMOPT_UNITY_BATCH})
+  endif()
+endfunction()
+
 function(camopt_add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "" "SOURCES;HEADERS;PUBLIC;PRIVATE")
   set(target camopt_${name})
@@ -110,13 +117,11 @@ function(camopt_add_module name)
   if("fmt::fmt" IN_LIST arg_PRIVATE)
     camopt_use_precompiled(${target} ${precompiled})
   endif()
-  if(CAMOPT_UNITY_BUILD)
-    # A picture's layout goes by the same short names in every file: page_width, margin, top.
-    set(pictures ${arg_SOURCES})
-    list(FILTER pictures INCLUDE REGEX "_svg\\.cpp$")
-    camopt_compile_alone(${target} ${pictures})
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CAMOPT_UNITY_BATCH})
-  endif()
+  # A picture's layout goes by the same short names in every file: page_width, margin, top.
+  set(pictures ${arg_SOURCES})
+  list(FILTER pictures INCLUDE REGEX "_svg\\.cpp$")
+  camopt_compile_alone(${target} ${pictures})
+  camopt_compile_together(${target})
   set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
 endfunction()
 

@@ -316,7 +316,7 @@ def explained():
     if not EXPLAINED.exists():
         return set()
     lines = [line for line in EXPLAINED.read_text().splitlines() if line and not line.startswith("#")]
-    return {tuple(part.strip() for part in line.split("|")[:4]) for line in lines}
+    return {tuple(part.strip() for part in line.split(" | ")[:4]) for line in lines}  # "||" is part of a text
 
 
 def main():

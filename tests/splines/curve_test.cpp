@@ -130,6 +130,40 @@ TEST_P(CurveTest, PeaksAreReachedAndNotPassed) {
     }
 }
 
+// y'' is piecewise linear with two tops: 1 at 0.25 and 1 + excess at 0.75.
+SplineCurve curve_of_two_tops(double excess) {
+    Eigen::MatrixXd pieces = Eigen::MatrixXd::Zero(4, 4);
+    const std::array<double, 5> bend{0.0, 1.0, 0.0, 1.0 + excess, 0.0};
+    for (int i = 0; i < 4; ++i) {
+        const double slope = (bend[i + 1] - bend[i]) / 0.25;
+        pieces(2, i) = bend[i] / 2.0;
+        pieces(3, i) = slope / 6.0;
+        if (i == 3) break;
+        pieces(0, i + 1) = pieces(0, i) + 0.25 * (pieces(1, i) + 0.25 * (pieces(2, i) + 0.25 * pieces(3, i)));
+        pieces(1, i + 1) = pieces(1, i) + 0.25 * (2.0 * pieces(2, i) + 0.75 * pieces(3, i));
+    }
+    return {SplineSpace(3, 2, {0.0, 0.25, 0.5, 0.75, 1.0}), pieces};
+}
+
+TEST(Curve, APeakReachedAgainByRoundingIsNamedWhereItIsReachedFirst) {
+    for (const double excess : {-1e-9, 0.0, 1e-9}) {
+        const Extremum peak = peak_of(curve_of_two_tops(excess), 2);
+        EXPECT_EQ(peak.at, 0.25) << excess;
+        EXPECT_EQ(peak.value, std::max(1.0, 1.0 + excess));
+    }
+    EXPECT_EQ(peak_of(curve_of_two_tops(1e-6), 2).at, 0.75);
+}
+
+TEST(Curve, ThePlaceOfAPeakIsItsSummitNotABreakpointJustBefore) {
+    // A breakpoint lies 1e-6 before the summit, where y' is lower by 1e-12.
+    const SplineSpace space(3, 2, {0.0, 0.5 - 1e-6, 1.0});
+    Eigen::MatrixXd pieces(4, 2);
+    const double x = 0.5 - 1e-6;
+    pieces.col(0) << 0.0, 0.0, 0.5, -1.0 / 3.0;  // y' = x − x², greatest at 1/2
+    pieces.col(1) << x * x / 2.0 - x * x * x / 3.0, x - x * x, 0.5 - x, -1.0 / 3.0;
+    EXPECT_NEAR(peak_of(SplineCurve(space, pieces), 1).at, 0.5, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, CurveTest,
                          testing::Values(Shape{3, 2, 1}, Shape{3, 2, 2}, Shape{3, 2, 12}, Shape{5, 4, 1},
                                          Shape{5, 4, 8}, Shape{5, 3, 6}, Shape{5, 2, 5}, Shape{3, 2, 64}),
