@@ -69,11 +69,25 @@ function(camopt_compile_alone target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# camopt_compile_together(<target>): its sources CAMOPT_UNITY_BATCH at a time, where CAMOPT_UNITY_BUILD is on.
+# camopt_compile_together(<target> [<most>]): its sources in equal units of at most CAMOPT_UNITY_BATCH (<most>), where
+# CAMOPT_UNITY_BUILD is on: unequal ones are waited for at the end of a build.
 function(camopt_compile_together target)
-  if(CAMOPT_UNITY_BUILD)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CAMOPT_UNITY_BATCH})
+  set(most ${CAMOPT_UNITY_BATCH})
+  if(ARGC GREATER 1)
+    set(most ${ARGV1})
   endif()
+  if(NOT CAMOPT_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(LENGTH sources count)
+  set(size 0)
+  if(count GREATER 0 AND most GREATER 0)
+    math(EXPR units "(${count} + ${most} - 1) / ${most}")
+    math(EXPR size "(${count} + ${units} - 1) / ${units}")
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
 function(camopt_add_module name)
@@ -123,42 +137,4 @@ function(camopt_add_module name)
   camopt_compile_alone(${target} ${pictures})
   camopt_compile_together(${target})
   set_property(GLOBAL APPEND PROPERTY CAMOPT_MODULES ${name})
-endfunction()
-
-# camopt_label(<fast|long> TESTS … TARGETS …): the label of tests, and what has to be built before `ctest -L <label>`
-# (target <label>_tests). `fast`: whole programs of a few seconds at most, also run under the sanitizers.
-function(camopt_label label)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;TARGETS")
-  if(NOT TARGET ${label}_tests)
-    add_custom_target(${label}_tests)
-  endif()
-  if(arg_TARGETS)
-    add_dependencies(${label}_tests ${arg_TARGETS})
-  endif()
-  if(arg_TESTS)
-    set_tests_properties(${arg_TESTS} PROPERTIES LABELS ${label})
-  endif()
-endfunction()
-
-# camopt_add_test(<name> [LONG] SOURCES … [LIBRARIES …] [TIMEOUT …] [ENVIRONMENT NAME=VALUE]): one GoogleTest program, its
-# cases known to ctest, with the label `long` where it is said so, else `fast`.
-function(camopt_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "LONG" "TIMEOUT;ENVIRONMENT" "SOURCES;LIBRARIES")
-  add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main camopt_warnings
-    camopt_instrumentation)
-  target_compile_definitions(${name} PRIVATE CAMOPT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # What is tested is optimised; the tests themselves are compiled more often than they run.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
-  camopt_use_precompiled(${name} camopt_precompiled_tests)
-  if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 600)
-  endif()
-  set(label fast)
-  if(arg_LONG)
-    set(label long)
-  endif()
-  camopt_label(${label} TARGETS ${name})
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${label}
-    ENVIRONMENT "${arg_ENVIRONMENT}")
 endfunction()

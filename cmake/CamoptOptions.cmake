@@ -13,7 +13,8 @@ if(PROJECT_IS_TOP_LEVEL)
   option(BUILD_SHARED_LIBS "camopt::camopt, and what is installed, is one shared library" OFF)
 endif()
 option(CAMOPT_UNITY_BUILD "Compile sources of a folder together: half the time of a clean build" OFF)
-set(CAMOPT_UNITY_BATCH 32 CACHE STRING "How many; 0: all, where two that do not go together are seen whatever their order")
+set(CAMOPT_UNITY_BATCH 24 CACHE STRING "How many at most; 0: all, where two that do not go together are seen whatever their order")
+set(CAMOPT_TEST_UNITY_BATCH 8 CACHE STRING "The same of the tests of a folder")
 # A source includes its own header first, which the test lint.include_rules demands: compiled by itself it has shown that the
 # header needs nothing before it.
 option(CAMOPT_LONE_HEADERS "CMAKE_VERIFY_INTERFACE_HEADER_SETS for headers without a source only; with CAMOPT_INSTALL=OFF" OFF)

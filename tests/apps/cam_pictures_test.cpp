@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace cam_pictures_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -115,5 +115,5 @@ TEST(ProfileDiagrams, MarkTheAnglesOfTheReport) {
     }
 }
 
-}  // namespace
+}  // namespace cam_pictures_test
 }  // namespace camopt

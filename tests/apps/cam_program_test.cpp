@@ -12,7 +12,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace cam_program_test {
 
 using nlohmann::json;
 using test::ProgramRun;
@@ -191,5 +191,5 @@ TEST_F(CamProgram, OptionsOfFilesNeedAFolder) {
     }
 }
 
-}  // namespace
+}  // namespace cam_program_test
 }  // namespace camopt

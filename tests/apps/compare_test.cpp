@@ -12,7 +12,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace compare_test {
 
 using nlohmann::json;
 using test::ProgramRun;
@@ -91,5 +91,5 @@ TEST(CompareCommand, RefusesAnUnknownSolver) {
     EXPECT_NE(run.errors.find("nonsense"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace export_folder_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -104,5 +104,5 @@ TEST(ExportOfAFolder, RefusesWhatItCannotUse) {
     refused(result + out + " --obj", "of a disk cam export writes --csv, --dxf, --drawing");
 }
 
-}  // namespace
+}  // namespace export_folder_test
 }  // namespace camopt

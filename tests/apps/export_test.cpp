@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace export_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -149,5 +149,5 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
     refused(barrel + out + " --blank-diameter-mm 400", "--nc");
 }
 
-}  // namespace
+}  // namespace export_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string_view>
 
 namespace camopt {
-namespace {
+namespace foreign_text_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -100,5 +100,5 @@ TEST(ForeignText, OfKeysValuesAndFiles) {
     expect_tame("'\x1b[31mcommand'", 2);
 }
 
-}  // namespace
+}  // namespace foreign_text_test
 }  // namespace camopt

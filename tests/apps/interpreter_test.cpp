@@ -22,7 +22,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace interpreter_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -282,5 +282,5 @@ INSTANTIATE_TEST_SUITE_P(
                 quick_drum + " --cutter-mm 10 --z-offset-mm 120 --rough-step-down-mm 15",
                 "table_tilting_inch.toml", 10.0}));
 
-}  // namespace
+}  // namespace interpreter_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace nc_rapids_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -101,5 +101,5 @@ TEST(NcRapids, StayAboveTheBlankHoweverTheTableStands) {
     EXPECT_GT(cam.rapids.front(), cam.body.farthest + 1.0);
 }
 
-}  // namespace
+}  // namespace nc_rapids_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace pareto_test {
 
 using test::ProgramRun;
 using test::run_camopt;
@@ -97,5 +97,5 @@ TEST(ParetoOfSweep, AnInfeasibleSceneHasNoFront) {
     EXPECT_NE(run.output.find("There is no front"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace pareto_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace program_test {
 
 using nlohmann::json;
 using test::ProgramRun;
@@ -316,5 +316,5 @@ TEST(Program, InterruptedBeforeAnythingWasFoundItSaysSo) {
     }
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace camopt

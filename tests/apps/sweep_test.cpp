@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace sweep_test {
 
 using test::chunk_count;
 using test::ProgramRun;
@@ -390,5 +390,5 @@ TEST_F(SweepCommand, ScenesThatAreNotConvexAreAsRepeatable) {
     EXPECT_EQ(timeless_rows(path("killed")), expected);
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace camopt

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Certificates spoiled at random, all of which must be refuted: spoiled_test.py CAMOPT [SEED].
+"""Certificates spoiled at random, all of which must be refuted: spoiled_test.py CAMOPT [--seed 20] [--count 200] [--boxes 120] [--keep].
 
 A spoiled file must claim something false or leave it unproved. Any multipliers prove some bound, and a weaker one can
 still be enough: so a multiplier is spoiled only as far as it takes to break the proof (it is one of the heaviest, and
 it changes by a tenth of itself or more), and what is false is checked against the unspoiled files, which must be
 confirmed first.
 """
+import argparse
 import copy
 import json
 import random
@@ -19,10 +20,8 @@ import checker
 SCENES = ("drd_cubic_8", "drd_cubic_12", "drd_via_points", "drd_quintic_12", "drd_capped_velocity",
           "drd_physical_limits", "drd_symmetric", "drd_rms_jerk", "rr_unequal_return", "infeasible_velocity_cap",
           "pusher_set_points", "cam_knife", "drd_free_knots")
-COUNT = 200
 # Bounds over boxes; the torque peak's has two parts.
 BOX_SCENES = ("cam_undercut", "cam_arm_flat", "torque", "margin")
-BOX_COUNT = 120
 TEXTS = {
     "torque": """
 [motion]
@@ -312,8 +311,8 @@ BOX_WAYS = ("multiplier", "derived_side", "plane_constant", "plane_slope", "box_
 class Spoiling:
     """Scenes as they were written, then spoiled one after another."""
 
-    def __init__(self, camopt, seed, place):
-        self.camopt, self.place, self.numbers = camopt, Path(place), random.Random(seed)
+    def __init__(self, camopt, seed, place, keep):
+        self.camopt, self.place, self.numbers, self.keep = camopt, Path(place), random.Random(seed), keep
         self.module, self.faults = checker.load(), []
 
     def written(self, scene):
@@ -342,17 +341,24 @@ class Spoiling:
             found, why = checker.outcome(self.module, spoiled)
             if found != "refuted":
                 self.faults.append(f"{done}: {scene}, {way}: {why}")
-                if len(sys.argv) > 3:
+                if self.keep:
                     shutil.copytree(spoiled, Path("spoiled") / str(done), dirs_exist_ok=True)
         print(f"{done} spoiled, {done - len(self.faults) + faults} refuted: " +
               ", ".join(f"{way} {n}" for way, n in tried.items()), flush=True)
 
 
 def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("camopt")
+    parser.add_argument("--seed", type=int, default=20)
+    parser.add_argument("--count", type=int, default=200, help="spoiled files whose bound is a duality proof")
+    parser.add_argument("--boxes", type=int, default=120, help="spoiled files whose bound is over boxes")
+    parser.add_argument("--keep", action="store_true", help="those not refuted, in the folder spoiled")
+    arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as place:
-        spoiling = Spoiling(sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20, place)
-        spoiling.run(SCENES, Spoiled, WAYS, COUNT)
-        spoiling.run(BOX_SCENES, SpoiledBoxes, BOX_WAYS, BOX_COUNT)
+        spoiling = Spoiling(arguments.camopt, arguments.seed, place, arguments.keep)
+        spoiling.run(SCENES, Spoiled, WAYS, arguments.count)
+        spoiling.run(BOX_SCENES, SpoiledBoxes, BOX_WAYS, arguments.boxes)
     for fault in spoiling.faults:
         print("FAULT:", fault)
     return 1 if spoiling.faults else 0

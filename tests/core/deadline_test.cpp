@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace deadline_test {
 
 struct Hand {
     double now = 100.0;
@@ -73,5 +73,5 @@ TEST(Deadline, APartOfNoneHasTheSteadyClock) {
     EXPECT_GE(Stopwatch().seconds(), 0.0);
 }
 
-}  // namespace
+}  // namespace deadline_test
 }  // namespace camopt

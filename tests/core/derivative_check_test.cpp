@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt::test {
-namespace {
+namespace derivative_check_test {
 
 using testing::HasSubstr;
 
@@ -158,5 +158,5 @@ TEST(CountingNlp, CountsEachKindAndChangesNoValue) {
     EXPECT_EQ(counting.row_name(1), "squares");
 }
 
-}  // namespace
+}  // namespace derivative_check_test
 }  // namespace camopt::test

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace licenses_test {
 
 bool has(const std::string& name) {
     const std::vector<LicensedPart> parts = licensed_parts();
@@ -46,5 +46,5 @@ TEST(Licenses, TheTermsNameTheGplExactlyWhereAPartIsUnderIt) {
     EXPECT_EQ(terms.find("use it yourself") != std::string::npos, gpl && has("Ipopt")) << terms;
 }
 
-}  // namespace
+}  // namespace licenses_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace camopt {
-namespace {
+namespace scalar_search_test {
 
 TEST(GoldenSections, FindTheTopWhereverItLies) {
     for (const double top : {0.0, 0.01, 0.3, 0.5, 0.77, 1.0}) {
@@ -56,5 +56,5 @@ TEST(GaussLegendre, IsExactToDegreeNine) {
     }
 }
 
-}  // namespace
+}  // namespace scalar_search_test
 }  // namespace camopt

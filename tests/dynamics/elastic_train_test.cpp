@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace elastic_train_test {
 
 struct PublishedRow {
     const char* law;
@@ -142,5 +142,5 @@ TEST(ElasticTrain, RefusesWhatIsNoTrain) {
     EXPECT_THROW(static_cast<void>(train_formulas(spec)), InputError);
 }
 
-}  // namespace
+}  // namespace elastic_train_test
 }  // namespace camopt

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace camopt {
-namespace {
+namespace integrated_train_test {
 
 double integrated_output(const DynamicsSpec& spec, const Motion& law) {
     stiff::Chain chain;
@@ -55,5 +55,5 @@ TEST(IntegratedTrain, FourMassesAndAReturnSpringAgree) {
     EXPECT_NEAR(exact_output(spec, *law), integrated_output(spec, *law), 1e-8 * amplitude);
 }
 
-}  // namespace
+}  // namespace integrated_train_test
 }  // namespace camopt

@@ -8,7 +8,7 @@
 #include <array>
 
 namespace camopt {
-namespace {
+namespace stiff_train_test {
 
 using Long = long double;
 
@@ -74,5 +74,5 @@ TEST(StiffTrain, PassesCriticalDampingSmoothly) {
     }
 }
 
-}  // namespace
+}  // namespace stiff_train_test
 }  // namespace camopt

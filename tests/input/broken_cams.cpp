@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_cams_parts {
 
 /// Four lines: a cam without a follower.
 const std::string start =
@@ -65,9 +65,10 @@ const std::string face =
     "follower = \"oscillating_flat\"\n"
     "center_distance_mm = 80\n";
 
-}  // namespace
+}  // namespace broken_cams_parts
 
 std::vector<BrokenScene> broken_cams() {
+    using namespace broken_cams_parts;
     return {
         {"cam_no_table",
          "objective.jerk = 1\n"

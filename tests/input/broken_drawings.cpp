@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_drawings_parts {
 
 /// Eight lines: [drawing] of a cam whose base circle has a radius of 40 mm.
 const std::string disk_drawing =
@@ -28,9 +28,10 @@ const std::string grooved_drawing =
     "base_radius_mm = 40\n"
     "[drawing]\n";
 
-}  // namespace
+}  // namespace broken_drawings_parts
 
 std::vector<BrokenScene> broken_drawings() {
+    using namespace broken_drawings_parts;
     return {
         {"drawing_without_cam", "objective.jerk = 1\nmotion.type = \"DRD\"\n[drawing]\n",
          "s.toml:3:1: drawing: found a drawing without a disk cam; allowed: only with cam.type = \"disk\""},

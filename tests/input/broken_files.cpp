@@ -4,7 +4,7 @@
 
 namespace camopt::input {
 
-namespace {
+namespace broken_files_parts {
 
 /// As the key table lists them.
 const std::string set_point_keys =
@@ -18,9 +18,10 @@ const std::string set_point_keys =
     "acceleration_in_rad2, "
     "acceleration_m_rad2, acceleration_deg_deg2, acceleration_rad_rad2";
 
-}  // namespace
+}  // namespace broken_files_parts
 
 std::vector<BrokenScene> broken_files() {
+    using namespace broken_files_parts;
     return {
         {"syntax_no_value",
          "[motion]\n"

@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_forces_parts {
 
 /// Nine lines: [limits] of a cam without forces.
 const std::string no_forces =
@@ -45,9 +45,10 @@ const std::string moments =
     "arm_length_mm = 70\n"
     "[forces]\n";
 
-}  // namespace
+}  // namespace broken_forces_parts
 
 std::vector<BrokenScene> broken_forces() {
+    using namespace broken_forces_parts;
     return {
         {"forces_without_cam",
          "objective.jerk = 1\n"

@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_inverse_parts {
 
 const std::string objective = "objective.jerk = 1\n";
 /// Five lines.
@@ -13,9 +13,10 @@ const std::string start = objective +
                           "[cam]\n"
                           "type = \"inverse\"\n";
 
-}  // namespace
+}  // namespace broken_inverse_parts
 
 std::vector<BrokenScene> broken_inverse() {
+    using namespace broken_inverse_parts;
     return {
         {"WithoutItsRoller", start,
          "s.toml:4:1: cam.roller_radius_mm: missing for an inverse cam; allowed: a number > 0, or a range { "

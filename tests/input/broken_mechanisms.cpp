@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_mechanisms_parts {
 
 /// Three lines.
 const std::string start =
@@ -20,9 +20,10 @@ const std::string remote = start +
                            "lever_pivot_x_mm = -160\n"
                            "lever_pivot_y_mm = 85\n";
 
-}  // namespace
+}  // namespace broken_mechanisms_parts
 
 std::vector<BrokenScene> broken_mechanisms() {
+    using namespace broken_mechanisms_parts;
     return {
         {"RemoteWithoutLinkage", remote,
          "s.toml:4:1: linkage: missing; allowed: a [linkage] table for a cam of type \"remote\""},

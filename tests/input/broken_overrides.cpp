@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_overrides_parts {
 
 constexpr const char* plain_scene = "title = \"x\"\n[motion]\ntype = \"DRD\"\n[objective]\njerk = 1\n";
 
@@ -15,9 +15,10 @@ constexpr const char* cam_scene =
     "[motion]\ntype = \"DRD\"\n[objective]\njerk = 1\n"
     "[cam]\ntype = \"disk\"\nfollower = \"translating_knife\"\nbase_radius_mm = 40\n";
 
-}  // namespace
+}  // namespace broken_overrides_parts
 
 std::vector<BrokenScene> broken_overrides() {
+    using namespace broken_overrides_parts;
     return {
         {"set_no_equals",
          plain_scene,

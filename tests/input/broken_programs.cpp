@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_programs_parts {
 
 /// Four lines; the segments follow.
 const std::string program =
@@ -26,9 +26,10 @@ const std::string rise =
     "angle_deg = 120\n"
     "to = 1\n";
 
-}  // namespace
+}  // namespace broken_programs_parts
 
 std::vector<BrokenScene> broken_programs() {
+    using namespace broken_programs_parts;
     return {
         {"program_rise", program + "rise_deg = 90\n",
          "s.toml:5:1: motion.rise_deg: found this key in a motion of type \"program\"; allowed: only in type "

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 namespace camopt::input {
-namespace {
+namespace broken_scenes_test {
 
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
                           .solvers = {"ipopt", "nlopt.slsqp", "structured"}};
@@ -59,5 +59,5 @@ TEST(SceneFile, MissingFileAndDirectoryAreSaidSo) {
     EXPECT_EQ(message_of_file("."), ".: found a directory; allowed: a scene file in TOML");
 }
 
-}  // namespace
+}  // namespace broken_scenes_test
 }  // namespace camopt::input

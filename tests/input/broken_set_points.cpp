@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_set_points_parts {
 
 /// Five lines; via follows.
 const std::string rise =
@@ -24,9 +24,10 @@ const std::string turn =
     "{ kind = \"spline\", angle_deg = 50, to = 1 },\n"
     "{ kind = \"spline\", angle_deg = 50, to = 0 },\n";
 
-}  // namespace
+}  // namespace broken_set_points_parts
 
 std::vector<BrokenScene> broken_set_points() {
+    using namespace broken_set_points_parts;
     return {
         {"point_beyond_the_rise", rise + "via = [{ at_deg = 130, displacement = 1 }]\n",
          "s.toml:6:19: motion.via[0].at_deg: found 130 deg; allowed: a place from 0 to 120 deg"},

@@ -3,7 +3,7 @@
 #include "tests/input/broken_scenes.hpp"
 
 namespace camopt::input {
-namespace {
+namespace broken_spatial_parts {
 
 /// Three lines.
 const std::string swinging =
@@ -24,9 +24,10 @@ const std::string without_place = swinging +
                                   "arm_length_mm = 70\n";
 const std::string barrel = without_place + "center_distance_mm = 150\n";
 
-}  // namespace
+}  // namespace broken_spatial_parts
 
 std::vector<BrokenScene> broken_spatial() {
+    using namespace broken_spatial_parts;
     return {
         {"BarrelWithoutItsPlace", without_place,
          "s.toml:4:1: cam.center_distance_mm: missing for this cam (\"barrel\"); allowed: a number > 0, or a "

@@ -5,7 +5,7 @@
 #include <utility>
 
 namespace camopt::input {
-namespace {
+namespace cam_key_cases {
 
 using enum DimensionIndex;
 
@@ -52,9 +52,10 @@ constexpr auto flat = FollowerType::translating_flat;
 constexpr auto arm = FollowerType::oscillating_roller;
 constexpr auto face = FollowerType::oscillating_flat;
 
-}  // namespace
+}  // namespace cam_key_cases
 
 std::vector<KeyCase> segment_cases() {
+    using namespace cam_key_cases;
     const std::string program = "motion.type = \"program\"\nmotion.closed = false\n";
     const std::string length = program + "motion.lift_mm = 20\n";
     const std::string angle = program + "motion.lift_rad = 0.5\n";
@@ -89,7 +90,7 @@ std::vector<KeyCase> segment_cases() {
     };
 }
 
-namespace {
+namespace cam_key_cases {
 
 std::function<double(const Scene&)> of_form(double FormSpec::*member) {
     return [member](const Scene& s) { return s.cam.value().form.*member; };
@@ -129,9 +130,10 @@ void add_form_cases(std::vector<KeyCase>& all) {
                 arms + "cam.arm_angle_deg = 90\n");
 }
 
-}  // namespace
+}  // namespace cam_key_cases
 
 std::vector<KeyCase> cam_cases() {
+    using namespace cam_key_cases;
     const auto width = [](const Scene& s) { return s.cam.value().face_half_width.value(); };
     std::vector<KeyCase> all = {
         {"cam.type", "\"disk\"", 1, [](const Scene& s) { return s.cam ? 1.0 : 0.0; }, cam(roller, "type")},
@@ -175,6 +177,7 @@ std::vector<KeyCase> cam_cases() {
 }
 
 std::vector<KeyCase> force_cases() {
+    using namespace cam_key_cases;
     const auto width = [](const Scene& s) { return s.forces.value().contact_width.value(); };
     return {
         {"forces.mass_kg", "1.5", 1.5, of_forces(&ForceSpec::mass), forces(roller)},
@@ -201,6 +204,7 @@ std::vector<KeyCase> force_cases() {
 }
 
 std::vector<KeyCase> dimension_weight_cases() {
+    using namespace cam_key_cases;
     const auto weight = [](DimensionIndex index) {
         return [index](const Scene& s) { return s.objective.dimensions.at(static_cast<std::size_t>(index)); };
     };
@@ -215,6 +219,7 @@ std::vector<KeyCase> dimension_weight_cases() {
 }
 
 std::vector<KeyCase> cam_limit_cases() {
+    using namespace cam_key_cases;
     const std::string width = forces(roller) + "forces.contact_width_mm = 10\n";
     const std::string mass = forces(roller) + "forces.mass_kg = 1\n";
     const std::string inertia = forces(arm) + "forces.inertia_kg_m2 = 1\n";

@@ -4,7 +4,7 @@
 #include <numbers>
 
 namespace camopt::input {
-namespace {
+namespace drawing_key_cases {
 
 constexpr double pi = std::numbers::pi;
 
@@ -36,9 +36,10 @@ double is_x(const std::string& text) {
     return text == "x" ? 1.0 : 0.0;
 }
 
-}  // namespace
+}  // namespace drawing_key_cases
 
 std::vector<KeyCase> drawing_cases() {
+    using namespace drawing_key_cases;
     const auto bore = [](const Scene& s) { return s.drawing.value().bore.value(); };
     const auto thickness = [](const Scene& s) { return s.drawing.value().thickness.value(); };
     const auto groove = [](const Scene& s) { return s.drawing.value().groove_depth.value(); };

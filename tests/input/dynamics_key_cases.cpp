@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace camopt::input {
-namespace {
+namespace dynamics_key_cases {
 
 constexpr double rpm = std::numbers::pi / 30.0;
 
@@ -26,9 +26,10 @@ const DynamicsSpec& spec_of(const Scene& scene) {
     return scene.dynamics.value();
 }
 
-}  // namespace
+}  // namespace dynamics_key_cases
 
 std::vector<KeyCase> dynamics_cases() {
+    using namespace dynamics_key_cases;
     const auto mass = [](const Scene& s) { return spec_of(s).mass; };
     const auto frequency = [](const Scene& s) { return spec_of(s).natural_frequency.value(); };
     const auto stiffness = [](const Scene& s) { return spec_of(s).stiffness.value(); };

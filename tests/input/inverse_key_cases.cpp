@@ -6,7 +6,7 @@
 #include <iterator>
 
 namespace camopt::input {
-namespace {
+namespace inverse_key_cases {
 
 bool is_angle(const std::string& name) {
     return name.ends_with("angle");
@@ -23,9 +23,10 @@ std::string inverse(const std::string& except) {
     return toml;
 }
 
-}  // namespace
+}  // namespace inverse_key_cases
 
 std::vector<KeyCase> inverse_cases() {
+    using namespace inverse_key_cases;
     std::vector<KeyCase> all = {
         {"cam.type", "\"inverse\"", 1,
          [](const Scene& s) { return s.mechanism.value().type == "inverse" ? 1.0 : 0.0; },

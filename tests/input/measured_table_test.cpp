@@ -11,7 +11,7 @@
 #include <fstream>
 
 namespace camopt::input {
-namespace {
+namespace measured_table_test {
 
 const KnownNames known = {.laws = {"modified_sine"}, .solvers = {}};
 
@@ -151,5 +151,5 @@ TEST_F(MeasuredScene, ItsTextStandsAlone) {
               "motion.type = \"DRD\" # as given\nobjective.jerk = 1\n");
 }
 
-}  // namespace
+}  // namespace measured_table_test
 }  // namespace camopt::input

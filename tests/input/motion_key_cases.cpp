@@ -5,7 +5,7 @@
 #include <numbers>
 
 namespace camopt::input {
-namespace {
+namespace motion_key_cases {
 
 constexpr double pi = std::numbers::pi;
 
@@ -68,9 +68,10 @@ std::vector<KeyCase> point_cases(const std::string& table, const std::string& re
     return all;
 }
 
-}  // namespace
+}  // namespace motion_key_cases
 
 std::vector<KeyCase> set_point_cases() {
+    using namespace motion_key_cases;
     std::vector<KeyCase> all =
         point_cases("motion.via", "motion.rise_rad = 2\n",
                     [](const Scene& scene) -> const SetPoint& { return scene.motion.via.at(0); });
@@ -85,6 +86,7 @@ std::vector<KeyCase> set_point_cases() {
 }
 
 std::vector<KeyCase> measured_cases() {
+    using namespace motion_key_cases;
     const std::string motion = "motion.rise_rad = 2\nmotion.lift_mm = 20\n";
     const std::string swing = "motion.rise_rad = 2\nmotion.lift_rad = 0.5\n";
     const std::string theta = "measured.theta_rad = [0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.7, 2]\n";

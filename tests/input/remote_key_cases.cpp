@@ -6,7 +6,7 @@
 #include <iterator>
 
 namespace camopt::input {
-namespace {
+namespace remote_key_cases {
 
 using enum RemoteDimension;
 using enum RemoteLinkage;
@@ -41,9 +41,10 @@ RemoteLinkage linkage_with(RemoteDimension which) {
     return lever;
 }
 
-}  // namespace
+}  // namespace remote_key_cases
 
 std::vector<KeyCase> remote_cases() {
+    using namespace remote_key_cases;
     const auto two_dyads = lever_coupler_lever_coupler_slider;
     std::vector<KeyCase> all = {
         {"cam.type", "\"remote\"", 1, [](const Scene& s) { return s.mechanism && !s.cam ? 1.0 : 0.0; },

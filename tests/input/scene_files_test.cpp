@@ -12,7 +12,7 @@
 #include <iterator>
 
 namespace camopt::input {
-namespace {
+namespace scene_files_test {
 
 const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
 const KnownNames known = {
@@ -72,5 +72,5 @@ TEST(SceneDocumentation, ShowsWholeScenesThatRead) {
     EXPECT_GE(count, 4);
 }
 
-}  // namespace
+}  // namespace scene_files_test
 }  // namespace camopt::input

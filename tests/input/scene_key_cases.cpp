@@ -4,7 +4,7 @@
 #include <numbers>
 
 namespace camopt::input {
-namespace {
+namespace scene_key_cases {
 
 constexpr double pi = std::numbers::pi;
 const std::string rr = "motion.type = \"RR\"\n";
@@ -34,11 +34,12 @@ double jerk_cap(const Scene& s) {
     return s.limits.jerk.value().normalised;
 }
 
-}  // namespace
+}  // namespace scene_key_cases
 
 std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
                                      const std::function<double(const Scene&)>& got,
                                      const std::string& rest) {
+    using namespace scene_key_cases;
     if (is_angle) return {{key + "_deg", "45", pi / 4, got, rest}, {key + "_rad", "0.5", 0.5, got, rest}};
     return {{key + "_mm", "120", 0.12, got, rest},
             {key + "_in", "2", 0.0508, got, rest},
@@ -46,6 +47,7 @@ std::vector<KeyCase> dimension_cases(const std::string& key, bool is_angle,
 }
 
 std::vector<KeyCase> motion_cases() {
+    using namespace scene_key_cases;
     return {
         {"title", "\"x\"", 1, [](const Scene& s) { return s.title == "x" ? 1.0 : 0.0; }},
         {"motion.type", "\"RR\"", 1,
@@ -71,6 +73,7 @@ std::vector<KeyCase> motion_cases() {
 }
 
 std::vector<KeyCase> spline_cases() {
+    using namespace scene_key_cases;
     return {
         {"spline.degree", "5", 5, [](const Scene& s) { return double(s.spline.degree); }},
         {"spline.segments", "65536", 65536, [](const Scene& s) { return double(s.spline.segments); }},
@@ -88,6 +91,7 @@ std::vector<KeyCase> spline_cases() {
 }
 
 std::vector<KeyCase> objective_cases() {
+    using namespace scene_key_cases;
     const std::string table = "objective.reference.";
     return {
         {"objective.velocity", "0.25", 0.25, [](const Scene& s) { return s.objective.velocity; }},
@@ -116,6 +120,7 @@ std::vector<KeyCase> objective_cases() {
 // Lift 20 mm (or 0.5 rad), rise 2 rad, speed 10 rad/s: lift·ω/β = 0.1 m/s, lift (ω/β)² = 0.5, lift (ω/β)³
 // = 2.5.
 std::vector<KeyCase> limit_cases() {
+    using namespace scene_key_cases;
     const std::string length = "motion.lift_mm = 20\nmotion.rise_rad = 2\nmotion.speed_rad_s = 10\n";
     const std::string angle = "motion.lift_rad = 0.5\nmotion.rise_rad = 2\nmotion.speed_rad_s = 10\n";
     return {
@@ -141,6 +146,7 @@ std::vector<KeyCase> limit_cases() {
 }
 
 std::vector<KeyCase> solver_cases() {
+    using namespace scene_key_cases;
     return {
         {"solver.name", "\"ipopt\"", 1, [](const Scene& s) { return s.solver.name == "ipopt" ? 1.0 : 0.0; }},
         {"solver.tolerance", "1e-8", 1e-8, [](const Scene& s) { return s.solver.tolerance; }},

@@ -16,7 +16,7 @@
 #include <set>
 
 namespace camopt::input {
-namespace {
+namespace scene_reader_test {
 
 constexpr double pi = std::numbers::pi;
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
@@ -417,5 +417,5 @@ TEST(FollowerKinds, AreAllThatTheKeyTableKnows) {
     }
 }
 
-}  // namespace
+}  // namespace scene_reader_test
 }  // namespace camopt::input

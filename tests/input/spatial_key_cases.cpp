@@ -5,7 +5,7 @@
 #include <numbers>
 
 namespace camopt::input {
-namespace {
+namespace spatial_key_cases {
 
 using enum SpatialFollower;
 
@@ -47,9 +47,10 @@ std::function<double(const Scene&)> kind(SpatialFollower follower) {
     };
 }
 
-}  // namespace
+}  // namespace spatial_key_cases
 
 std::vector<KeyCase> spatial_cases() {
+    using namespace spatial_key_cases;
     using enum SpatialNumber;
     return {
         {"cam.type", "\"barrel\"", 1, kind(barrel), spatial(barrel, "type")},

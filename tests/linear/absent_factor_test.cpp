@@ -9,7 +9,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace absent_factor_test {
 
 std::string refusal(FactorKind kind) {
     Eigen::SparseMatrix<double> lower(1, 1);
@@ -36,5 +36,5 @@ TEST(AbsentFactor, TakesNothingFromTheOthers) {
     EXPECT_TRUE(refusal(FactorKind::automatic).starts_with("made "));
 }
 
-}  // namespace
+}  // namespace absent_factor_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace chain_factor_test {
 
 using testing_support::refusal;
 
@@ -163,5 +163,5 @@ TEST(SymmetricFactors, AllKindsAgree) {
     }
 }
 
-}  // namespace
+}  // namespace chain_factor_test
 }  // namespace camopt

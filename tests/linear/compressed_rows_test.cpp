@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace compressed_rows_test {
 
 TEST(CompressedRows, ProductsAreThoseOfTheMatrix) {
     std::mt19937 random(3);
@@ -28,5 +28,5 @@ TEST(CompressedRows, ProductsAreThoseOfTheMatrix) {
     EXPECT_LE((sum - (Eigen::VectorXd::Ones(rows) - 2.0 * (matrix * x))).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
-}  // namespace
+}  // namespace compressed_rows_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace rank_revealing_qr_test {
 
 using testing_support::refusal;
 
@@ -206,5 +206,5 @@ TEST(RankRevealingQr, RejectsBadInput) {
               "analyse_rows: an entry is not finite");
 }
 
-}  // namespace
+}  // namespace rank_revealing_qr_test
 }  // namespace camopt

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace sparse_symmetric_test {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -102,5 +102,5 @@ TEST(SparseSymmetric, TakesNothingAndRejectsNonsense) {
     EXPECT_THROW(factor->analyse(Sparse(2, 2), {1}), ModelError);
 }
 
-}  // namespace
+}  // namespace sparse_symmetric_test
 }  // namespace camopt

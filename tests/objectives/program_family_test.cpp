@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace program_family_test {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -59,5 +59,5 @@ TEST(ProgramFamily, UniformBreakpointsDivideEachSegment) {
     EXPECT_NEAR(family.end() * unit / degree, 360.0, 1e-10);
 }
 
-}  // namespace
+}  // namespace program_family_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace comparison_test {
 
 using Json = nlohmann::json;
 
@@ -157,5 +157,5 @@ TEST(ComparisonSvg, OfNothingIsStillAPicture) {
     EXPECT_FALSE(holds(svg, "nan"));
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace camopt

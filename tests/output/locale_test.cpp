@@ -32,7 +32,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace locale_test {
 
 class CommaPunctuation final : public std::numpunct<char> {
     [[nodiscard]] char do_decimal_point() const override { return ','; }
@@ -172,5 +172,5 @@ TEST(CommaLocale, OfTheProcessChangesNothing) {
     expect_the_same(everything());
 }
 
-}  // namespace
+}  // namespace locale_test
 }  // namespace camopt

@@ -15,7 +15,7 @@
 
 namespace camopt {
 
-namespace {
+namespace paper_report_test {
 
 PaperReport small_report() {
     PaperReport report;
@@ -96,6 +96,6 @@ TEST(PaperFigureSvg, IsWellFormedAndLeavesOutWhatCannotBeDrawn) {
     EXPECT_EQ(testing_support::xml_fault(paper_figure_svg({"empty", "Empty", "x", "y", {}})), "");
 }
 
-}  // namespace
+}  // namespace paper_report_test
 
 }  // namespace camopt

@@ -14,7 +14,7 @@
 
 namespace camopt {
 
-namespace {
+namespace reference_table_test {
 
 using Json = nlohmann::json;
 
@@ -78,8 +78,6 @@ bool holds(const std::string& text, const std::string& words) {
 std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
-
-}  // namespace
 
 TEST(ReferenceTableJson, InfiniteAndAbsentValuesAreNull) {
     const Json json = Json::parse(reference_table_json(small_table()));
@@ -167,4 +165,5 @@ TEST(ReferenceTableSvg, DrawsWhatIsThereAndNoNumberThatIsNone) {
     EXPECT_FALSE(reference_table_svg({}).empty());
 }
 
+}  // namespace reference_table_test
 }  // namespace camopt

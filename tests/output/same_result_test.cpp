@@ -20,7 +20,7 @@
 #endif
 
 namespace camopt {
-namespace {
+namespace same_result_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -133,5 +133,5 @@ const std::vector<Case>& cases() {
 INSTANTIATE_TEST_SUITE_P(Scenes, SameResult, testing::ValuesIn(cases()),
                          [](const auto& one) { return one.param.name; });
 
-}  // namespace
+}  // namespace same_result_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace camopt {
-namespace {
+namespace sampling_test {
 
 using testing_support::refusal;
 
@@ -137,5 +137,5 @@ TEST(Sampling, RefusesWhatMakesNoPoints) {
               "chord_tolerance: found nan; allowed: above 0");
 }
 
-}  // namespace
+}  // namespace sampling_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace scene_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
@@ -266,5 +266,5 @@ TEST(Scene, TheEdgesOfTheRangesAreAllowed) {
               "accepted");
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace camopt

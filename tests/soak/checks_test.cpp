@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 namespace camopt::soak {
-namespace {
+namespace checks_test {
 
 constexpr const char* motion_scene = R"([motion]
 type = "DRD"
@@ -369,5 +369,5 @@ TEST(SoakWorkers, CrashesAndHangsAreOneFailureEach) {
     EXPECT_EQ(faults, (std::multiset<std::string>{"", "", "died of signal 9", "hung and was killed"}));
 }
 
-}  // namespace
+}  // namespace checks_test
 }  // namespace camopt::soak

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace backend_absent_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -38,5 +38,5 @@ TEST(AbsentBackend, NloptSaysWhatToInstallForEveryMethod) {
         expect_unavailable(nlopt_entry(method), [method] { return make_nlopt_solver(method); });
 }
 
-}  // namespace
+}  // namespace backend_absent_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace backend_registry_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -143,5 +143,5 @@ TEST(NativeOptions, RightOnesPass) {
     EXPECT_NO_THROW(check_native_options("nlopt.cobyla", {{"initial_step", 0.5}, {"restarts", 0LL}}));
 }
 
-}  // namespace
+}  // namespace backend_registry_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace camshape_test {
 
 using benchmarks::Camshape;
 using benchmarks::camshape_optima;
@@ -52,7 +52,9 @@ TEST_P(CamshapeBackend, ClaimsNothingThatIsNotSo) {
             GTEST_SKIP() << entry.name << " is not in this build: " << entry.remedy;
     const CamshapeOptimum& optimum = camshape_optima().front();
     const Camshape problem(optimum.radii);
-    const BackendResult result = solved(GetParam(), problem, 5.0);
+    // MMA and COBYLA go on to the limit; the two that must converge have time to.
+    const bool must_converge = GetParam() == "ipopt" || GetParam() == "nlopt.slsqp";
+    const BackendResult result = solved(GetParam(), problem, must_converge ? 20.0 : 0.4);
     const bool is_feasible = result.x.size() == optimum.radii && violation_of(problem, result.x) <= 1e-6;
     if (is_feasible) {
         EXPECT_GE(problem.cost(result.x), optimum.cost - 1e-7) << "below what is proved";
@@ -60,7 +62,7 @@ TEST_P(CamshapeBackend, ClaimsNothingThatIsNotSo) {
     if (converges(result)) {
         EXPECT_TRUE(is_feasible) << result.native_status;
     }
-    if (GetParam() == "ipopt" || GetParam() == "nlopt.slsqp") {
+    if (must_converge) {
         ASSERT_TRUE(converges(result)) << result.native_status;
         EXPECT_NEAR(problem.cost(result.x), optimum.cost, 1e-8);
     }
@@ -92,5 +94,5 @@ TEST(Camshape, IpoptFindsTheProvedOptimaOfEverySize) {
     }
 }
 
-}  // namespace
+}  // namespace camshape_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <set>
 
 namespace camopt::test {
-namespace {
+namespace chained_columns_test {
 
 using testing_support::refusal;
 
@@ -229,5 +229,5 @@ TEST(ChainedColumns, AreAnOptionOfIpopt) {
     }
 }
 
-}  // namespace
+}  // namespace chained_columns_test
 }  // namespace camopt::test

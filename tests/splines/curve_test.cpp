@@ -12,7 +12,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace curve_test {
 
 using testing_support::refusal;
 
@@ -193,5 +193,5 @@ TEST(Curve, DerivativesAboveTheDegreeAreZero) {
     EXPECT_EQ(curve.derivative(0.3, 7), 0.0);
 }
 
-}  // namespace
+}  // namespace curve_test
 }  // namespace camopt

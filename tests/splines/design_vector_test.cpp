@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace design_vector_test {
 
 using testing_support::refusal;
 
@@ -345,5 +345,5 @@ TEST(Gram, IsTheIntegralOfTheSquare) {
     }
 }
 
-}  // namespace
+}  // namespace design_vector_test
 }  // namespace camopt

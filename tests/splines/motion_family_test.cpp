@@ -12,7 +12,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace motion_family_test {
 
 using testing_support::refusal;
 
@@ -175,5 +175,5 @@ TEST(MotionFamily, EveryPieceLiesInItsOwnStretch) {
     }
 }
 
-}  // namespace
+}  // namespace motion_family_test
 }  // namespace camopt

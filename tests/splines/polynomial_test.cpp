@@ -6,7 +6,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace polynomial_test {
 
 Eigen::VectorXd with_roots(const std::vector<double>& roots) {
     Eigen::VectorXd polynomial = Eigen::VectorXd::Ones(1);
@@ -59,5 +59,5 @@ TEST(Polynomial, RootsOutsideTheIntervalDoNotCount) {
     EXPECT_TRUE(sign_changes(Eigen::VectorXd::Constant(1, 3.0), 0.0, 1.0).empty());
 }
 
-}  // namespace
+}  // namespace polynomial_test
 }  // namespace camopt

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace camopt::apps {
-namespace {
+namespace request_rules_test {
 
 const StudioPlace place{.port = 4000, .token = "0123456789abcdef", .body_bytes = 100};
 
@@ -83,5 +83,5 @@ TEST(RequestRules, RefuseUnfitBodies) {
     EXPECT_EQ(refusal_of(endless, place), 411);
 }
 
-}  // namespace
+}  // namespace request_rules_test
 }  // namespace camopt::apps

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt::apps {
-namespace {
+namespace slider_range_test {
 
 void expect_range(const SliderRange& slider, double from, double to, double step) {
     EXPECT_DOUBLE_EQ(slider.from, from);
@@ -46,5 +46,5 @@ TEST(SliderRange, HoldsItsValue) {
         }
 }
 
-}  // namespace
+}  // namespace slider_range_test
 }  // namespace camopt::apps

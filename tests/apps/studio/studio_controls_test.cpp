@@ -12,7 +12,7 @@
 #include <string>
 
 namespace camopt::apps {
-namespace {
+namespace studio_controls_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -92,5 +92,5 @@ TEST(StudioScene, RefusesInTheReadersWords) {
     EXPECT_THROW((void)studio_scene("[motion", Json::object(), "scene"), InputError);
 }
 
-}  // namespace
+}  // namespace studio_controls_test
 }  // namespace camopt::apps

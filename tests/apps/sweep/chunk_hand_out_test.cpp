@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt::apps {
-namespace {
+namespace chunk_hand_out_test {
 
 TEST(ChunkHandOut, FirstAskedFirstServed) {
     ChunkHandOut chunks({4, 7}, 2);
@@ -80,5 +80,5 @@ TEST(RankMessage, IsReadBackAndNonsenseIsNot) {
     EXPECT_FALSE(read_rank_message(std::string(12, '\x7f')));
 }
 
-}  // namespace
+}  // namespace chunk_hand_out_test
 }  // namespace camopt::apps

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt::apps {
-namespace {
+namespace sweep_progress_test {
 
 TEST(SweepProgress, CountsRowsOnceAndGuessesTheRest) {
     const Chunking chunking{100, 10};
@@ -30,5 +30,5 @@ TEST(SweepProgress, LongTimesAreToldInMinutesAndHours) {
     EXPECT_EQ(duration_text(3.0 * 3600.0), "3.0 h");
 }
 
-}  // namespace
+}  // namespace sweep_progress_test
 }  // namespace camopt::apps

@@ -23,7 +23,7 @@
 #include <unistd.h>
 
 namespace camopt::apps {
-namespace {
+namespace worker_pool_test {
 
 using test::TemporaryFolder;
 
@@ -335,5 +335,5 @@ TEST(WorkerPool, WorkersDieWithTheParent) {
     ::close(line[0]);
 }
 
-}  // namespace
+}  // namespace worker_pool_test
 }  // namespace camopt::apps

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace c_callbacks_test {
 
 using namespace testing_support;
 
@@ -158,5 +158,5 @@ TEST(CThreads, SolveAtOnceAsOneAfterAnother) {
         EXPECT_EQ(found[i], i / 2 % 2 == 0 ? plain_alone : cam_alone) << i;
 }
 
-}  // namespace
+}  // namespace c_callbacks_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <new>
 
 namespace camopt::c {
-namespace {
+namespace c_failure_test {
 
 template <class Thrown>
 void expect_code(const Thrown& thrown, camopt_error code, const char* text) {
@@ -36,5 +36,5 @@ TEST(CFailure, LeavesTheTextWhereNothingFails) {
     EXPECT_STREQ(camopt_error_text(), "scene: found NULL; allowed: a pointer to it");
 }
 
-}  // namespace
+}  // namespace c_failure_test
 }  // namespace camopt::c

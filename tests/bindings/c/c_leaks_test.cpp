@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 namespace camopt {
-namespace {
+namespace c_leaks_test {
 
 using namespace testing_support;
 
@@ -63,5 +63,5 @@ TEST(CLeaks, AThousandSolvesLeaveNothing) {
     EXPECT_LT(resident, 4 << 20);  // fragments of the heap
 }
 
-}  // namespace
+}  // namespace c_leaks_test
 }  // namespace camopt

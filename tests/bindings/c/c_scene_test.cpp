@@ -7,7 +7,7 @@
 #include <thread>
 
 namespace camopt {
-namespace {
+namespace c_scene_test {
 
 using namespace testing_support;
 
@@ -181,5 +181,5 @@ TEST(CError, NamesAndVersions) {
     EXPECT_STREQ(camopt_verdict_name(static_cast<camopt_verdict>(7)), "unknown");
 }
 
-}  // namespace
+}  // namespace c_scene_test
 }  // namespace camopt

@@ -17,7 +17,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace c_solve_test {
 
 using namespace testing_support;
 
@@ -472,5 +472,5 @@ TEST(CSolve, TellsWrongScenesAndAbsentSolvers) {
     EXPECT_EQ(solution, nullptr);
 }
 
-}  // namespace
+}  // namespace c_solve_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace c_sweep_test {
 
 using namespace testing_support;
 
@@ -217,5 +217,5 @@ TEST(CSweep, RefusesNullsAndArgumentsOutOfRange) {
     EXPECT_TRUE(rows.all.empty());
 }
 
-}  // namespace
+}  // namespace c_sweep_test
 }  // namespace camopt

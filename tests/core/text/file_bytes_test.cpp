@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 namespace camopt {
-namespace {
+namespace file_bytes_test {
 
 TEST(FileBytes, AreThoseOfTheFile) {
     const std::filesystem::path path =
@@ -35,5 +35,5 @@ TEST(FileBytes, FaultsUnderWayAreFaults) {
     }
 }
 
-}  // namespace
+}  // namespace file_bytes_test
 }  // namespace camopt

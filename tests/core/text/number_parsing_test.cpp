@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace number_parsing_test {
 
 TEST(NumberParsing, TakesNumbersAsProgramsWriteThem) {
     EXPECT_EQ(number_in("1234.5"), 1234.5);
@@ -34,5 +34,5 @@ TEST(NumberParsing, TakesTheBeginningOfALongerText) {
     EXPECT_FALSE(number_at_start("(segment 3)"));
 }
 
-}  // namespace
+}  // namespace number_parsing_test
 }  // namespace camopt

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace printable_test {
 
 TEST(Printable, WritesOutWhatTerminalsObey) {
     EXPECT_EQ(printable("a\x1b[31mred"), "a\\u001b[31mred");
@@ -41,5 +41,5 @@ TEST(Printable, ForXml) {
     EXPECT_EQ(xml_text("<a b=\"c\">&\x1b"), "&lt;a b=&quot;c&quot;&gt;&amp;\\u001b");
 }
 
-}  // namespace
+}  // namespace printable_test
 }  // namespace camopt

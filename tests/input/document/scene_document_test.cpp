@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace camopt::input {
-namespace {
+namespace scene_document_test {
 
 const KnownNames document_names = {.laws = {"cycloidal", "modified_sine"}, .solvers = {"structured"}};
 const std::string document_scene =
@@ -140,5 +140,5 @@ TEST(SceneDocument, RefusesWhatIsNoToml) {
     EXPECT_THROW(document_of("[motion\n"), InputError);
 }
 
-}  // namespace
+}  // namespace scene_document_test
 }  // namespace camopt::input

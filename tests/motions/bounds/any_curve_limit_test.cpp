@@ -13,7 +13,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace any_curve_limit_test {
 
 using testing_support::refusal;
 
@@ -160,5 +160,5 @@ TEST(AnyCurveLimit, Refusals) {
               "any-curve limit: length = 1 found, allowed > 1 for RR");
 }
 
-}  // namespace
+}  // namespace any_curve_limit_test
 }  // namespace camopt

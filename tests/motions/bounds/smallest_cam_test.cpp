@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace smallest_cam_test {
 
 using testing_support::refusal;
 
@@ -171,5 +171,5 @@ TEST(SmallestCam, RefusalsNameFoundAndAllowed) {
     EXPECT_NE(refusal([] { (void)least_pressure_angle({1.0}, 1.0, std::nan("")); }), "no refusal");
 }
 
-}  // namespace
+}  // namespace smallest_cam_test
 }  // namespace camopt

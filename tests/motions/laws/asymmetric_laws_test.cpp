@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace asymmetric_laws_test {
 
 /// The laws of the catalogue that make_asymmetric takes, with the highest continuous derivative of the
 /// outcome: y''(1/2) != 0 leaves y', y'''(1/2) != 0 leaves y'', and a constant velocity in the middle
@@ -174,5 +174,5 @@ TEST(AsymmetricLaws, RefusalsNameFoundAndAllowed) {
     }
 }
 
-}  // namespace
+}  // namespace asymmetric_laws_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace harmonic_law_test {
 
 using std::numbers::pi;
 
@@ -86,5 +86,5 @@ TEST(HarmonicLaw, RefusesPiecesThatDoNotMakeARise) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace harmonic_law_test
 }  // namespace camopt

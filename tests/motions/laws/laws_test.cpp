@@ -14,7 +14,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace laws_test {
 
 using testing_support::refusal;
 
@@ -259,5 +259,5 @@ TEST(LawParameters, RefusalsNameFoundAndAllowed) {
               "cycloidal: x = 1.5 found, allowed 0 <= x <= 1");
 }
 
-}  // namespace
+}  // namespace laws_test
 }  // namespace camopt

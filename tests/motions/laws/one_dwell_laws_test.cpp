@@ -14,7 +14,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace one_dwell_laws_test {
 
 using testing_support::refusal;
 
@@ -142,5 +142,5 @@ TEST(OneDwellLaws, RefusalsNameFoundAndAllowed) {
     EXPECT_NE(refusal([] { (void)make_one_dwell_modified_trapezoid(std::nan("")); }), "no refusal");
 }
 
-}  // namespace
+}  // namespace one_dwell_laws_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace free_knot_test {
 
 struct Case {
     std::string name;
@@ -193,5 +193,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{.name = "cam", .segments = 5, .cam = true}),
     [](const auto& one) { return one.param.name; });
 
-}  // namespace
+}  // namespace free_knot_test
 }  // namespace camopt

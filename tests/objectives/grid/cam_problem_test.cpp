@@ -14,7 +14,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace cam_problem_test {
 
 Scene weighted_scene(int degree, int segments) {
     Scene scene;
@@ -307,5 +307,5 @@ TEST(CurveBounds, MarkovAndIntegrationHoldForRandomPolynomials) {
     }
 }
 
-}  // namespace
+}  // namespace cam_problem_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace grid_nlp_test {
 
 /// y' y'' − q² <= 0: a rule that is curved in the point and in its parameter, to exercise the chain rule.
 class CurvedRule final : public PointRule {
@@ -190,5 +190,5 @@ TEST(GridNlp, RowsAndVariablesHaveNames) {
     EXPECT_EQ(grid.row_name(grid.shape().constraints() - 1), "-jerk at x = 0.833333333");
 }
 
-}  // namespace
+}  // namespace grid_nlp_test
 }  // namespace camopt

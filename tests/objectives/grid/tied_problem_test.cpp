@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace tied_problem_test {
 
 constexpr double weight = 0.3;
 
@@ -80,5 +80,5 @@ TEST(TiedProblem, RefinesTheGridOfItsProblem) {
     EXPECT_EQ(tied.grid().shape().jacobian.rows, problem.grid().shape().jacobian.rows);
 }
 
-}  // namespace
+}  // namespace tied_problem_test
 }  // namespace camopt

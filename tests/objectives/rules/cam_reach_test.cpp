@@ -16,7 +16,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace cam_reach_test {
 
 using enum DimensionIndex;
 
@@ -155,5 +155,5 @@ TEST(CamReach, IsViolatedByACamThatCannotBeBuilt) {
     EXPECT_NEAR(amount(20e-3), -0.10, 1e-5);
 }
 
-}  // namespace
+}  // namespace cam_reach_test
 }  // namespace camopt

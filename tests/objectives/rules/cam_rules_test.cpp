@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace cam_rules_test {
 
 using enum DimensionIndex;
 
@@ -266,5 +266,5 @@ TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {
     }
 }
 
-}  // namespace
+}  // namespace cam_rules_test
 }  // namespace camopt

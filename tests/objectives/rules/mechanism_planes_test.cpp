@@ -21,7 +21,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace mechanism_planes_test {
 
 using units::degree, units::millimetre, units::inch;
 
@@ -309,5 +309,5 @@ TEST(RulesWithoutPlanes, SaySo) {
     EXPECT_FALSE(RuleOverBox::make(rule, std::vector<Interval>(4, Interval(0.4, 0.5)), 0.0));
 }
 
-}  // namespace
+}  // namespace mechanism_planes_test
 }  // namespace camopt

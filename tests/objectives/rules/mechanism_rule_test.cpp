@@ -16,7 +16,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace mechanism_rule_test {
 
 using units::degree, units::millimetre;
 
@@ -166,5 +166,5 @@ TEST(MechanismRule, PartialsAreTheDifferences) {
     EXPECT_EQ(rules, 4);
 }
 
-}  // namespace
+}  // namespace mechanism_rule_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace mechanism_shape_test {
 
 using units::degree, units::millimetre;
 using Numbers = std::vector<std::pair<SpatialNumber, Dimension>>;
@@ -168,5 +168,5 @@ TEST(MechanismShape, PartialsAreTheDifferencesOnTheContinuationToo) {
         }
 }
 
-}  // namespace
+}  // namespace mechanism_shape_test
 }  // namespace camopt

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace torque_rule_test {
 
 Scene torque_scene(MotionType type, int degree) {
     Scene scene;
@@ -149,5 +149,5 @@ TEST(TorqueRule, OfAProgramIsNormalisedBySegment) {
     EXPECT_NEAR(x[x.size() - 1] * torque.reference, largest, 1e-5 * largest);
 }
 
-}  // namespace
+}  // namespace torque_rule_test
 }  // namespace camopt

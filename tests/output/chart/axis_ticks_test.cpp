@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace axis_ticks_test {
 
 TEST(AxisTicks, NoTwoHaveOneText) {
     for (const double middle : {1.6096, 41.097, 1234567.8, -0.002, 0.0})
@@ -42,5 +42,5 @@ TEST(ValueRange, WhatIsLevelButForRoundingIsLevel) {
     EXPECT_LT(nothing.padded(0.06).lower, 0.0);
 }
 
-}  // namespace
+}  // namespace axis_ticks_test
 }  // namespace camopt

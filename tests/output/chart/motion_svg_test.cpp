@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace motion_svg_test {
 
 using testing_support::refusal;
 
@@ -175,5 +175,5 @@ TEST(SolutionText, HasASentenceForEveryVerdict) {
     EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
 }
 
-}  // namespace
+}  // namespace motion_svg_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace sweep_svg_test {
 
 using testing_support::count_of;
 using testing_support::xml_fault;
@@ -238,5 +238,5 @@ TEST_F(ParetoOutput, TheLimitLiesBelowTheFront) {
     EXPECT_EQ(seen, static_cast<int>(front.points.size()) - 2);
 }
 
-}  // namespace
+}  // namespace sweep_svg_test
 }  // namespace camopt

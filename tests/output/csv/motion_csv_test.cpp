@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace motion_csv_test {
 
 std::vector<std::vector<std::string>> table_of(const std::string& text) {
     std::vector<std::vector<std::string>> table;
@@ -85,5 +85,5 @@ TEST(MotionCsv, ABreakpointThatIsNotRepresentableIsNotMissed) {
     EXPECT_EQ(motion_rows(curve, peaks).size(), 361U + 2U);
 }
 
-}  // namespace
+}  // namespace motion_csv_test
 }  // namespace camopt

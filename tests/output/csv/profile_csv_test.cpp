@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace profile_csv_test {
 
 using testing_support::refusal;
 
@@ -95,5 +95,5 @@ TEST(ProfileCsv, NeedsADisplacementForEveryPoint) {
               "profile.csv: 97 points and 96 displacements");
 }
 
-}  // namespace
+}  // namespace profile_csv_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace sweep_csv_test {
 
 std::string error_of(const std::function<void()>& action) {
     try {
@@ -157,5 +157,5 @@ TEST(CsvReader, TakesQuotesAndBothLineEndings) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace sweep_csv_test
 }  // namespace camopt

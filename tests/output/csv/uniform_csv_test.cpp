@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace uniform_csv_test {
 
 double number(const std::string& cell) {
     double value = std::nan("");
@@ -137,5 +137,5 @@ TEST(UniformTable, RefusalsNameWhatIsAllowed) {
     EXPECT_EQ(column_names("theta_deg, s_mm"), (std::vector<std::string>{"theta_deg", "s_mm"}));
 }
 
-}  // namespace
+}  // namespace uniform_csv_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace disk_export_test {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double millimetre = 1e-3;
@@ -142,5 +142,5 @@ TEST(DiskExport, RefusesWhatCannotBeMade) {
     refused([](DiskNcOptions& wrong) { wrong.gouge_tolerance = 0.0; });
 }
 
-}  // namespace
+}  // namespace disk_export_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace disk_milling_test {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double millimetre = 1e-3;
@@ -311,5 +311,5 @@ TEST(DiskMilling, RefusesWhatIsOutsideItsRange) {
               "NC job: the compensation register (D) must be 1 ... 9999, found 10000");
 }
 
-}  // namespace
+}  // namespace disk_milling_test
 }  // namespace camopt

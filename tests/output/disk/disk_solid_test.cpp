@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace disk_solid_test {
 
 using testing_support::refusal;
 
@@ -151,5 +151,5 @@ TEST(PlaneRegion, TrianglesCoverOutlineLessHole) {
     EXPECT_THROW((void)plane_triangles(std::vector<Eigen::Vector2d>{{0, 0}, {1, 1}, {1, 0}}, {}), InputError);
 }
 
-}  // namespace
+}  // namespace disk_solid_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace arc_chain_test {
 
 using testing_support::refusal;
 
@@ -146,5 +146,5 @@ TEST(ArcChain, SaysWhatIsWrong) {
     EXPECT_EQ(refusal([&] { (void)arc_chain(broken, knots, false); }), "the curve is not finite at 0");
 }
 
-}  // namespace
+}  // namespace arc_chain_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace mechanism_dxf_test {
 
 using testing_support::refusal;
 
@@ -85,5 +85,5 @@ TEST(MechanismDxf, ADrumIsRefused) {
               "a drawing needs the cam of a plane mechanism, and this solution has none");
 }
 
-}  // namespace
+}  // namespace mechanism_dxf_test
 }  // namespace camopt

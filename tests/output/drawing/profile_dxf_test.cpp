@@ -15,7 +15,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace profile_dxf_test {
 
 using testing_support::refusal;
 
@@ -112,5 +112,5 @@ TEST(ProfileDxf, ASectorStaysOpenAndTheToleranceMustBePositive) {
               "the tolerance of an arc chain is 0, it must be > 0");
 }
 
-}  // namespace
+}  // namespace profile_dxf_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace profile_svg_test {
 
 int count_of(const std::string& text, const std::string& part) {
     int count = 0;
@@ -89,5 +89,5 @@ TEST(ProfileDiagramsSvg, ACurvatureWithoutBoundLeavesTheFrame) {
     expect_sound(profile_diagrams_svg(profile_shape(cam, motion, {10 * units::degree, 1.0}), {}, "Undercut"));
 }
 
-}  // namespace
+}  // namespace profile_svg_test
 }  // namespace camopt

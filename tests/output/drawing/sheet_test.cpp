@@ -17,7 +17,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace sheet_test {
 
 using Eigen::Vector2d;
 
@@ -120,5 +120,5 @@ TEST(Sheet, OneDescriptionBecomesSvgAndDxf) {
     EXPECT_EQ(dxf_text("ü\n€𝄞"), "\\U+00FC \\U+20AC?");
 }
 
-}  // namespace
+}  // namespace sheet_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace result_json_cam_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -162,5 +162,5 @@ TEST(ResultJsonInfeasible, NamesTheLimitsThatFight) {
     EXPECT_EQ(json["relaxation"][0]["key"], "cam.base_radius_mm");
 }
 
-}  // namespace
+}  // namespace result_json_cam_test
 }  // namespace camopt

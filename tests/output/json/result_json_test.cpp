@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace result_json_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -85,5 +85,5 @@ TEST(ResultJson, AWrongByteInATitleDoesNotBreakTheFile) {
     EXPECT_TRUE(Json::accept(result_json(solution)));
 }
 
-}  // namespace
+}  // namespace result_json_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace blank_test {
 
 const Blank drum{0.050, -0.020, 0.040};
 
@@ -90,5 +90,5 @@ TEST(Blank, RefusesWhatIsNone) {
     EXPECT_THROW(static_cast<void>(chosen_blank(drum, {{}, 0.05, {}, 0.0})), InputError);
 }
 
-}  // namespace
+}  // namespace blank_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace finished_cam_test {
 
 using test::degree;
 using test::millimetre;
@@ -82,5 +82,5 @@ TEST(FinishedGroovedCam, WhatReachesOutOfItIsDeep) {
     EXPECT_GT(cam->depth(along, 1.0 * millimetre), 0.01);  // down the middle of the cam
 }
 
-}  // namespace
+}  // namespace finished_cam_test
 }  // namespace camopt

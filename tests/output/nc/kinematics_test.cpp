@@ -10,7 +10,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace kinematics_test {
 
 using test::degree;
 using test::millimetre;
@@ -156,5 +156,5 @@ TEST(PrintedFormulas, ReverseTheToolAndMirrorTheCam) {
     EXPECT_NEAR(printed.determinant(), -1.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace kinematics_test
 }  // namespace camopt

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace nc_reader_test {
 
 struct Reading : ::testing::Test {
     std::unique_ptr<Machine> machine = rotary_table_machine();
@@ -88,5 +88,5 @@ TEST_F(Reading, NamesTheLine) {
     }
 }
 
-}  // namespace
+}  // namespace nc_reader_test
 }  // namespace camopt

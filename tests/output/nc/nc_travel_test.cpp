@@ -12,7 +12,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace nc_travel_test {
 
 using units::millimetre;
 
@@ -132,5 +132,5 @@ TEST(TurningRapids, CarryTheBlankWithThem) {
     EXPECT_NE(fault(*five, "G0 Z50\nG0 X0 Y0 C0 B0\n"), "");            // free at B0, not from any other B
 }
 
-}  // namespace
+}  // namespace nc_travel_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace plane_milling_test {
 
 using test::degree;
 using test::millimetre;
@@ -127,5 +127,5 @@ TEST(RotaryTable, CylindricalCamWithBothCutters) {
         }
 }
 
-}  // namespace
+}  // namespace plane_milling_test
 }  // namespace camopt

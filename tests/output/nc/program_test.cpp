@@ -9,7 +9,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace program_test {
 
 using test::degree;
 using test::millimetre;
@@ -198,5 +198,5 @@ TEST(NcProgram, AnotherNumberOfBlocksIsRefused) {
                  InputError);
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace camopt

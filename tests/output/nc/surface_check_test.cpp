@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace surface_check_test {
 
 using test::degree;
 using test::millimetre;
@@ -192,5 +192,5 @@ TEST(BlockAngles, CountsAreEvenAndErrorsOfSecondOrder) {
     EXPECT_THROW(static_cast<void>(block_angles(path, *machine, rise, options)), InputError);
 }
 
-}  // namespace
+}  // namespace surface_check_test
 }  // namespace camopt

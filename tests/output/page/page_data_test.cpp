@@ -17,7 +17,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace page_data_test {
 
 using nlohmann::json;
 
@@ -193,5 +193,5 @@ TEST(PageData, AnUndercutCamHasNoLoadsToSpeakOf) {
     }
 }
 
-}  // namespace
+}  // namespace page_data_test
 }  // namespace camopt

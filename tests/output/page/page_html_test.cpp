@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace page_html_test {
 
 using testing_support::count_of;
 using testing_support::data_of;
@@ -80,5 +80,5 @@ TEST(PageHtml, MoreScriptsRunAfterItsOwn) {
     EXPECT_NE(html.find("connect-src 'self';"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace page_html_test
 }  // namespace camopt

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace study_html_test {
 
 using nlohmann::json;
 using testing_support::count_of;
@@ -128,5 +128,5 @@ TEST(SweepHtml, EveryRowHasItsSettingsAndNothingEscapes) {
     EXPECT_EQ(data.at("items").at("tones")[3], "bad");
 }
 
-}  // namespace
+}  // namespace study_html_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace plc_test {
 
 MasterCurve curve_of(const Solution& solution) {
     return {solution.whole_turn(), solution.scene.motion};
@@ -182,5 +182,5 @@ TEST(PlcExport, RefusesByName) {
     EXPECT_THROW((void)plc_export(test::infeasible_solution(), {"csv"}, {}), InputError);
 }
 
-}  // namespace
+}  // namespace plc_test
 }  // namespace camopt

@@ -18,7 +18,7 @@
 #include <sys/resource.h>
 
 namespace camopt {
-namespace {
+namespace result_folder_test {
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
     std::set<std::string> names;
@@ -160,5 +160,5 @@ TEST(TextFile, ReplacesInOneStepAndLeavesNothingElse) {
     EXPECT_THROW(write_text_file(folder.path() + "/missing/file", "x"), InputError);
 }
 
-}  // namespace
+}  // namespace result_folder_test
 }  // namespace camopt

@@ -24,7 +24,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace result_round_trip_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -282,5 +282,5 @@ TEST(ResultFolderReader, ASceneWithoutAMotionHasNoneToRead) {
     }
 }
 
-}  // namespace
+}  // namespace result_round_trip_test
 }  // namespace camopt

@@ -15,7 +15,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace sweep_folder_test {
 
 using testing_support::refusal;
 
@@ -178,5 +178,5 @@ TEST(SweepText, FailedRowsAreToldWithTheirReasons) {
     EXPECT_EQ(text.find("Pareto"), std::string::npos) << text;  // nothing is marked
 }
 
-}  // namespace
+}  // namespace sweep_folder_test
 }  // namespace camopt

@@ -26,12 +26,12 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace two_sided_files_test {
 
 using testing_support::refusal;
 
 Solution solved(const std::string& name) {
-    const std::vector<std::string> settings = {"solver.starts=1", "spline.segments=12"};
+    const std::vector<std::string> settings = {"solver.starts=1", "spline.segments=6"};
     const std::string file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -42,13 +42,14 @@ Solution solved(const std::string& name) {
 
 class TwoSidedFiles : public testing::Test {
  protected:
-    static void SetUpTestSuite() {
-        groove_ = new Solution(solved("cam_grooved"));
-        pair_ = new Solution(solved("cam_conjugate"));
+    // Each is solved where a test first looks at it.
+    static const Solution& grooved() {
+        static const Solution solution = solved("cam_grooved");
+        return solution;
     }
-    static void TearDownTestSuite() {
-        delete groove_;
-        delete pair_;
+    static const Solution& conjugate() {
+        static const Solution solution = solved("cam_conjugate");
+        return solution;
     }
     static std::string file(const Solution& solution, const std::string& name) {
         for (const CamFile& one : cam_files(solution, {.points = 200, .drawing = true}))
@@ -60,7 +61,6 @@ class TwoSidedFiles : public testing::Test {
         for (const std::string& remark : cam_remarks(solution)) all += remark + "\n";
         return all;
     }
-    static inline Solution *groove_ = nullptr, *pair_ = nullptr;
 };
 
 std::vector<std::vector<double>> rows_of(const std::string& csv) {
@@ -78,8 +78,8 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
 }
 
 TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
-    const auto inner = rows_of(file(*groove_, "profile.csv")),
-               outer = rows_of(file(*groove_, "second_profile.csv"));
+    const auto inner = rows_of(file(grooved(), "profile.csv")),
+               outer = rows_of(file(grooved(), "second_profile.csv"));
     ASSERT_GT(inner.size(), 190U);
     ASSERT_EQ(inner.size(), outer.size());
     for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -97,7 +97,7 @@ TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
     options.columns = {"theta_deg",  "cam_x_mm", "cam_y_mm",      "pitch_x_mm",
                        "pitch_y_mm", "force_n",  "normal_force_n"};
     double least = 0.0;
-    for (const std::vector<double>& row : rows_of(uniform_table(*groove_, options).text)) {
+    for (const std::vector<double>& row : rows_of(uniform_table(grooved(), options).text)) {
         EXPECT_NEAR(std::hypot(row[1] - row[3], row[2] - row[4]), 10.025, 1e-6);
         EXPECT_LT(std::hypot(row[1], row[2]), std::hypot(row[3], row[4]));
         EXPECT_GE(row[6], std::abs(row[5]) * (1.0 - 1e-9));
@@ -108,54 +108,54 @@ TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
 
 TEST_F(TwoSidedFiles, PicturesAndDrawingHaveBothSides) {
     for (const char* layer : {"INNER_FLANK", "OUTER_FLANK", "RIM", "PITCH"})
-        EXPECT_NE(file(*groove_, "profile.dxf").find(layer), std::string::npos) << layer;
+        EXPECT_NE(file(grooved(), "profile.dxf").find(layer), std::string::npos) << layer;
     for (const char* layer : {"SECOND_CAM", "SECOND_PITCH", "SECOND_ROLLER"})
-        EXPECT_NE(file(*pair_, "profile.dxf").find(layer), std::string::npos) << layer;
-    EXPECT_EQ(file(*groove_, "profile.dxf").find("SECOND_"), std::string::npos);
+        EXPECT_NE(file(conjugate(), "profile.dxf").find(layer), std::string::npos) << layer;
+    EXPECT_EQ(file(grooved(), "profile.dxf").find("SECOND_"), std::string::npos);
     for (const char* words : {"groove clearance", "0.05 mm", "form: grooved"})
-        EXPECT_NE(file(*groove_, "profile.svg").find(words), std::string::npos) << words;
+        EXPECT_NE(file(grooved(), "profile.svg").find(words), std::string::npos) << words;
     for (const char* words : {"second disk", "arm angle", "90 deg"})
-        EXPECT_NE(file(*pair_, "profile.svg").find(words), std::string::npos) << words;
+        EXPECT_NE(file(conjugate(), "profile.svg").find(words), std::string::npos) << words;
     for (const char* words : {"Curvature, inner flank", "Curvature, outer flank"})
-        EXPECT_NE(file(*groove_, "profile_diagrams.svg").find(words), std::string::npos) << words;
+        EXPECT_NE(file(grooved(), "profile_diagrams.svg").find(words), std::string::npos) << words;
     for (const char* words : {"Pressure angle φ, first disk", "Pressure angle φ, second disk"})
-        EXPECT_NE(file(*pair_, "profile_diagrams.svg").find(words), std::string::npos) << words;
+        EXPECT_NE(file(conjugate(), "profile_diagrams.svg").find(words), std::string::npos) << words;
 }
 
 TEST_F(TwoSidedFiles, WordsNameTheSide) {
-    const std::string groove = summary_text(*groove_, {}), pair = summary_text(*pair_, {});
+    const std::string groove = summary_text(grooved(), {}), pair = summary_text(conjugate(), {});
     for (const char* words : {"translating roller in a groove", "inner flank: least convex radius",
                               "outer flank: largest Hertz pressure", "groove clearance 0.05 mm"})
         EXPECT_NE(groove.find(words), std::string::npos) << words;
     for (const char* words : {"oscillating roller on conjugate disks", "first disk: largest pressure angle",
                               "second disk: least convex radius"})
         EXPECT_NE(pair.find(words), std::string::npos) << words;
-    EXPECT_NE(remarks(*groove_).find("The load goes over between inner flank and outer flank"),
+    EXPECT_NE(remarks(grooved()).find("The load goes over between inner flank and outer flank"),
               std::string::npos);
     EXPECT_NE(
-        remarks(*groove_).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
+        remarks(grooved()).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
                                "fits all round."),
         std::string::npos)
-        << remarks(*groove_);
-    EXPECT_NE(remarks(*pair_).find("Both rollers at once: the sum of the gaps at both disks is"),
+        << remarks(grooved());
+    EXPECT_NE(remarks(conjugate()).find("Both rollers at once: the sum of the gaps at both disks is"),
               std::string::npos);
-    EXPECT_EQ(remarks(*groove_).find("LIFTS OFF"), std::string::npos);
+    EXPECT_EQ(remarks(grooved()).find("LIFTS OFF"), std::string::npos);
     // Worst on one side: the row says on which.
     bool named = false;
-    for (const ConstraintReport& row : groove_->constraints)
+    for (const ConstraintReport& row : grooved().constraints)
         if (row.name == "hertz_pressure_max") named = row.side == "inner flank" || row.side == "outer flank";
     EXPECT_TRUE(named);
 }
 
 TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
-    const MotionChain motion = drawn_motion(*pair_);
-    const ProfileShape shape = disk_shape(*pair_, motion).value();
+    const MotionChain motion = drawn_motion(conjugate());
+    const ProfileShape shape = disk_shape(conjugate(), motion).value();
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, {}); }).find("found two disks"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)disk_volume(shape, {}); }).find("found two disks"), std::string::npos);
-    EXPECT_NE(refusal([&] { (void)cam_sheet(*pair_); }).find("found two disks"), std::string::npos);
+    EXPECT_NE(refusal([&] { (void)cam_sheet(conjugate()); }).find("found two disks"), std::string::npos);
     const std::vector<ProfileShape> pieces = made_pieces(shape);
     ASSERT_EQ(pieces.size(), 2u);
-    EXPECT_EQ(cam_sheets(*pair_).size(), 2u);
+    EXPECT_EQ(cam_sheets(conjugate()).size(), 2u);
     for (const double theta : {0.3, 2.0, 5.0}) {
         EXPECT_EQ(pieces[0].at(theta).contact, shape.at(theta).contact);
         EXPECT_EQ(pieces[1].at(theta).contact, shape.other(theta).contact);
@@ -169,8 +169,8 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
 }
 
 TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
-    const MotionChain motion = drawn_motion(*groove_);
-    const ProfileShape shape = disk_shape(*groove_, motion).value();
+    const MotionChain motion = drawn_motion(grooved());
+    const ProfileShape shape = disk_shape(grooved(), motion).value();
     ASSERT_EQ(made_pieces(shape).size(), 1u);
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
@@ -202,5 +202,5 @@ TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("less deep"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace two_sided_files_test
 }  // namespace camopt

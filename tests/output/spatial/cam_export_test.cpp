@@ -15,7 +15,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace cam_export_test {
 
 using testing_support::refusal;
 
@@ -56,5 +56,5 @@ TEST(CamExport, WritesWhatIsAskedFor) {
               "cannot write the file " + (folder / "none/flanks.csv").string());
 }
 
-}  // namespace
+}  // namespace cam_export_test
 }  // namespace camopt

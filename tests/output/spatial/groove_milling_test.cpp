@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace groove_milling_test {
 
 using test::millimetre;
 
@@ -176,5 +176,5 @@ TEST(GrooveMilling, RefusesWhatIsOutsideItsRange) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace groove_milling_test
 }  // namespace camopt

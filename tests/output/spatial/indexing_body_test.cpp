@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace indexing_body_test {
 
 using testing_support::refusal;
 
@@ -83,5 +83,5 @@ TEST(IndexingBody, RefusesMotionsThatDoNotIndex) {
               "indexing body: angles must be >= 16, found 4");
 }
 
-}  // namespace
+}  // namespace indexing_body_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace nc_export_test {
 
 using testing_support::refusal;
 
@@ -62,5 +62,5 @@ TEST(NcExport, RefusesACutterLargerThanTheRoller) {
               "is cut away; m, found 0.032");
 }
 
-}  // namespace
+}  // namespace nc_export_test
 }  // namespace camopt

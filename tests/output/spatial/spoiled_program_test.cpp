@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace spoiled_program_test {
 
 using test::millimetre;
 
@@ -134,5 +134,5 @@ TEST(NcRapids, HeightsFollowTheBlankThatIsGiven) {
     EXPECT_THROW(static_cast<void>(nc_export(one.cam, one.motion, *machine, post, options)), InputError);
 }
 
-}  // namespace
+}  // namespace spoiled_program_test
 }  // namespace camopt

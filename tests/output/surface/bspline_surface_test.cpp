@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace bspline_surface_test {
 
 using testing_support::refusal;
 
@@ -110,5 +110,5 @@ TEST(BsplineSurface, FlanksBetweenTheirPoints) {
     }
 }
 
-}  // namespace
+}  // namespace bspline_surface_test
 }  // namespace camopt

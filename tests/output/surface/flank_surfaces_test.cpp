@@ -13,7 +13,7 @@
 #include <sstream>
 
 namespace camopt {
-namespace {
+namespace flank_surfaces_test {
 
 using testing_support::refusal;
 
@@ -89,5 +89,5 @@ TEST(GroovedCam, RefusesWhatIsNoSuchCam) {
               "grooved cam: the blank needs 0 < bore radius < outer radius and lower < upper end");
 }
 
-}  // namespace
+}  // namespace flank_surfaces_test
 }  // namespace camopt

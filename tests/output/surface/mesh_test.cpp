@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace mesh_test {
 
 using testing_support::refusal;
 
@@ -144,5 +144,5 @@ TEST(MeshSvg, DrawsWhatFacesTheEyeFromFarToNear) {
     EXPECT_EQ(refusal([&] { (void)mesh_svg({}, view, ""); }), "picture of a mesh: there is no facet to draw");
 }
 
-}  // namespace
+}  // namespace mesh_test
 }  // namespace camopt

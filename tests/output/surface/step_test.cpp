@@ -11,7 +11,7 @@
 #include <iterator>
 
 namespace camopt {
-namespace {
+namespace step_test {
 
 std::vector<BsplineSurface> surfaces() {
     return bspline_surfaces(flank_surfaces(test::barrel_grid(4, 40))[0]);
@@ -50,5 +50,5 @@ TEST(StepFile, RefusesWhatCannotBeWritten) {
     EXPECT_FALSE(std::filesystem::exists("cam.step"));
 }
 
-}  // namespace
+}  // namespace step_test
 }  // namespace camopt

@@ -15,7 +15,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace tool_path_svg_test {
 
 constexpr double millimetre = 1e-3;
 
@@ -156,5 +156,5 @@ TEST(ToolPathPicture, SaysThatAProgramIsRefused) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace tool_path_svg_test
 }  // namespace camopt

@@ -17,7 +17,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace cam_texts_test {
 
 bool says(const std::string& text, const std::string& words) {
     return text.find(words) != std::string::npos;
@@ -290,5 +290,5 @@ TEST(Report, TellsAProgramBySegments) {
         EXPECT_TRUE(says(text, part)) << part;
 }
 
-}  // namespace
+}  // namespace cam_texts_test
 }  // namespace camopt

@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace claims_test {
 
 using enum DimensionIndex;
 using units::degree, units::millimetre;
@@ -249,5 +249,5 @@ TEST(LimitOfAnyCurve, SaysThatItLeavesTheCamOut) {
     EXPECT_TRUE(says(report, "no bound of a single peak")) << report;
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace camopt

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace number_text_test {
 
 TEST(ShortText, HasNoPowerOfTenBelowTenMillion) {
     EXPECT_EQ(short_text(134147.4, 5), "134150");
@@ -17,5 +17,5 @@ TEST(ShortText, HasNoPowerOfTenBelowTenMillion) {
     EXPECT_EQ(short_text(2.5e-7), "2.5e-07");
 }
 
-}  // namespace
+}  // namespace number_text_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace shown_units_test {
 
 using units::degree, units::millimetre, units::revolution_per_minute;
 
@@ -98,5 +98,5 @@ TEST(ShownUnits, ForcesAreThoseOfTheFollower) {
     EXPECT_EQ(swing.spring_rate.text(12.0), "12 N m/rad");
 }
 
-}  // namespace
+}  // namespace shown_units_test
 }  // namespace camopt

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace disk_cam_test {
 
 using Eigen::Vector2d;
 using namespace test;
@@ -18,6 +18,10 @@ using namespace test;
 struct Reference {
     TestCam cam;
     double theta_deg, x_mm, y_mm, tangent, radius_mm;
+    friend void PrintTo(const Reference& one, std::ostream* out) {
+        PrintTo(one.cam, out);
+        *out << " at " << one.theta_deg << " deg";
+    }
 };
 
 const Reference references[] = {
@@ -208,5 +212,5 @@ TEST(MiddleCam, TakesTheMiddleOfEachRange) {
     EXPECT_DOUBLE_EQ(cam[DimensionIndex::offset], 0.0);
 }
 
-}  // namespace
+}  // namespace disk_cam_test
 }  // namespace camopt

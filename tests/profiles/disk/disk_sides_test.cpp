@@ -14,7 +14,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace disk_sides_test {
 
 using Eigen::Vector2d;
 using namespace test;
@@ -278,5 +278,5 @@ TEST(DiskSides, ACamThatCannotBeBuiltSaysWhy) {
     EXPECT_NE(geometry_fault(cam, 0.0, 18e-3).find("the groove's clearance"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace disk_sides_test
 }  // namespace camopt

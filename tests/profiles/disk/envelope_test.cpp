@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace camopt {
-namespace {
+namespace envelope_test {
 
 using Eigen::Vector2d;
 using namespace test;
@@ -181,5 +181,5 @@ INSTANTIATE_TEST_SUITE_P(All, PitchCurveOf, ::testing::ValuesIn(regular_cams([](
                          })),
                          [](const auto& item) { return item.param.name; });
 
-}  // namespace
+}  // namespace envelope_test
 }  // namespace camopt

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace camopt {
-namespace {
+namespace geometry_fault_test {
 
 using namespace test;
 using enum DimensionIndex;
@@ -76,5 +76,5 @@ TEST(GeometryFault, FaceReachesTheBaseCircleAndStaysBelowARightAngle) {
     expect_fault(cam.cam, 0.0, 0.0, "center distance of 100 mm");
 }
 
-}  // namespace
+}  // namespace geometry_fault_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace disk_quantity_test {
 
 using namespace test;
 using enum DimensionIndex;
@@ -236,5 +236,5 @@ INSTANTIATE_TEST_SUITE_P(All, QuantityOf, ::testing::ValuesIn(every_case()), [](
     return std::string(name_of(item.param.follower)) + "_" + name_of(item.param.rotation);
 });
 
-}  // namespace
+}  // namespace disk_quantity_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace camopt {
-namespace {
+namespace disk_undercut_test {
 
 using namespace test;
 
@@ -71,5 +71,5 @@ TEST(Undercut, OscillatingFlatByFaceOffset) {
                 1e-10);
 }
 
-}  // namespace
+}  // namespace disk_undercut_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 
 namespace camopt {
 
-namespace {
+namespace feeder_test {
 
 using testing_support::refusal;
 
@@ -189,6 +189,6 @@ TEST(RollerLaw, StrokesAndTheirTimes) {
     EXPECT_EQ(refusal([&] { RollerLaw({}); }), "the roller has no stroke; it needs at least one");
 }
 
-}  // namespace
+}  // namespace feeder_test
 
 }  // namespace camopt

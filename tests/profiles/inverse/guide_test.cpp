@@ -14,7 +14,7 @@
 
 namespace camopt {
 
-namespace {
+namespace guide_test {
 
 using testing_support::refusal;
 
@@ -202,6 +202,6 @@ TEST(GuidePoints, WallsLieARollerAside) {
     EXPECT_TRUE(holds(wall_fault(guide, 10.0 * inch), "less than the roller's"));
 }
 
-}  // namespace
+}  // namespace guide_test
 
 }  // namespace camopt

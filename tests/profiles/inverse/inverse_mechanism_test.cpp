@@ -16,7 +16,7 @@
 
 namespace camopt {
 
-namespace {
+namespace inverse_mechanism_test {
 
 using testing_support::refusal;
 
@@ -153,6 +153,6 @@ TEST(InverseMechanism, SaysWhatDoesNotReach) {
               "a mechanism of type \"barrel\"; allowed: \"inverse\"");
 }
 
-}  // namespace
+}  // namespace inverse_mechanism_test
 
 }  // namespace camopt

@@ -11,7 +11,7 @@
 
 namespace camopt {
 
-namespace {
+namespace inverse_quantity_test {
 
 using test::inch;
 
@@ -72,6 +72,6 @@ TEST(InverseQuantity, NamesItsFault) {
     EXPECT_EQ(value.value, 0.0);
 }
 
-}  // namespace
+}  // namespace inverse_quantity_test
 
 }  // namespace camopt

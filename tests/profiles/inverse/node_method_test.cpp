@@ -10,7 +10,7 @@
 
 namespace camopt {
 
-namespace {
+namespace node_method_test {
 
 using testing_support::refusal;
 
@@ -46,6 +46,6 @@ TEST(NodeMethod, RefusesTooFewNodes) {
     EXPECT_EQ(node_method(guide, test::forward_stroke(), 3).size(), 3U);
 }
 
-}  // namespace
+}  // namespace node_method_test
 
 }  // namespace camopt

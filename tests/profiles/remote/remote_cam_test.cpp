@@ -10,7 +10,7 @@
 #include <optional>
 
 namespace camopt {
-namespace {
+namespace remote_cam_test {
 
 using namespace test;
 
@@ -185,5 +185,5 @@ TEST(RemoteCam, LinkageRunForwardsFindsTheOutputAgain) {
     }
 }
 
-}  // namespace
+}  // namespace remote_cam_test
 }  // namespace camopt

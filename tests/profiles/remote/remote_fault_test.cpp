@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace remote_fault_test {
 
 using namespace test;
 
@@ -70,5 +70,5 @@ TEST(RemoteFault, RefusesAnUnknownBranch) {
     }
 }
 
-}  // namespace
+}  // namespace remote_fault_test
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace remote_partials_test {
 
 using namespace test;
 
@@ -152,5 +152,5 @@ INSTANTIATE_TEST_SUITE_P(EveryLinkage, RemoteQuantity, ::testing::ValuesIn(cases
            name_of(one.param.where);
 });
 
-}  // namespace
+}  // namespace remote_partials_test
 }  // namespace camopt

@@ -17,7 +17,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace contact_test {
 
 using testing_support::refusal;
 
@@ -152,5 +152,5 @@ TEST(SpatialFaults, TheFarEndIsLookedAtWhereTheArmIsStraightest) {
     EXPECT_FALSE(reaches(-20.0 * degree, 20.0 * degree, longest * (1.0 - 1e-9)));
 }
 
-}  // namespace
+}  // namespace contact_test
 }  // namespace camopt

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace camopt::spatial_search {
-namespace {
+namespace largest_along_test {
 
 /// Pieces from 0 to 1 and to 3; of the state nothing is asked.
 FollowerMotion two_pieces() {
@@ -51,5 +51,5 @@ TEST(LargestAlong, GoldenSectionsKeepTheLargerSide) {
     }
 }
 
-}  // namespace
+}  // namespace largest_along_test
 }  // namespace camopt::spatial_search

@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace mechanism_test {
 
 using testing_support::refusal;
 
@@ -284,5 +284,5 @@ TEST(SpatialSpec, KnowsItsKindsAndNoOther) {
               "\"rotating\" or \"translating\"");
 }
 
-}  // namespace
+}  // namespace mechanism_test
 }  // namespace camopt

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace spatial_quantity_test {
 
 using namespace test;
 
@@ -68,5 +68,5 @@ TEST_P(SpatialQuantityOf, PartialsAreThoseOfDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(Spatial, SpatialQuantityOf, ::testing::ValuesIn(every_case()), case_name);
 
-}  // namespace
+}  // namespace spatial_quantity_test
 }  // namespace camopt

@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/spatial/flank_grid.hpp"
+#include "tests/profiles/test_turn.hpp"
 
 #include <cmath>
 #include <memory>
@@ -17,7 +18,6 @@ namespace camopt::test {
 
 using units::degree;
 using units::millimetre;
-inline constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// Rest to `from`, then the law over (from, from + width) by `lift`, then rest to the end; rad.
 inline FollowerMotion rise_motion(double from, double width, double lift, double begin, double end) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace reference_test {
 
 using namespace test;
 using Eigen::Vector3d;
@@ -171,5 +171,5 @@ TEST(TranslatingFollower, HasTheShortFormulas) {
             }
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace camopt

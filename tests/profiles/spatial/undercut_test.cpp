@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace spatial_undercut_test {
 
 using testing_support::refusal;
 
@@ -238,5 +238,5 @@ TEST(Interference, RefusesOptionsThatCheckNothing) {
               "a stretch from 0.03 to 0.02 m; allowed: to > from");
 }
 
-}  // namespace
+}  // namespace spatial_undercut_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace continuous_solve_test {
 
 using testing_support::DiscProblem;
 
@@ -193,5 +193,5 @@ TEST(Duality, ABoundIsNeverAboveTheTruthForAnyMultipliers) {
     }
 }
 
-}  // namespace
+}  // namespace continuous_solve_test
 }  // namespace camopt

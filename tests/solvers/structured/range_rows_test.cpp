@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace camopt::structured {
-namespace {
+namespace range_rows_test {
 
 ConvexModel model_of(const Eigen::MatrixXd& rows, const Eigen::VectorXd& lower,
                      const Eigen::VectorXd& upper) {
@@ -92,5 +92,5 @@ TEST(RangeRows, MultipliersGoBackToTheirRows) {
     EXPECT_EQ(multipliers, Eigen::Vector3d(3.0, 7.0, 2.0));
 }
 
-}  // namespace
+}  // namespace range_rows_test
 }  // namespace camopt::structured

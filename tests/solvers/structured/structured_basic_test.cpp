@@ -7,7 +7,7 @@
 #include <random>
 
 namespace camopt::testing {
-namespace {
+namespace structured_basic_test {
 
 using testing_support::refusal;
 
@@ -305,5 +305,5 @@ TEST(StructuredBasic, ReadsItsOptions) {
               "structured.patience: allowed is >= 2");
 }
 
-}  // namespace
+}  // namespace structured_basic_test
 }  // namespace camopt::testing

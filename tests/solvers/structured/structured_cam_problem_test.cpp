@@ -5,7 +5,7 @@
 #include <map>
 
 namespace camopt::testing {
-namespace {
+namespace structured_cam_problem_test {
 
 constexpr double tolerance = 2e-9;
 
@@ -164,5 +164,5 @@ TEST(StructuredCam, TieBreakOnAThinSet) {
     }
 }
 
-}  // namespace
+}  // namespace structured_cam_problem_test
 }  // namespace camopt::testing

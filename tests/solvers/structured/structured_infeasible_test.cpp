@@ -5,7 +5,7 @@
 #include <random>
 
 namespace camopt::testing {
-namespace {
+namespace structured_infeasible_test {
 
 TEST(StructuredInfeasible, NoCurveIsSlowerThanItsMean) {
     for (const int n : {8, 24, 64})
@@ -110,5 +110,5 @@ TEST(StructuredInfeasible, RandomSystems) {
     }
 }
 
-}  // namespace
+}  // namespace structured_infeasible_test
 }  // namespace camopt::testing

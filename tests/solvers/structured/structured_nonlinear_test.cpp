@@ -15,7 +15,7 @@
 #include <random>
 
 namespace camopt::testing {
-namespace {
+namespace structured_nonlinear_test {
 
 using testing_support::refusal;
 
@@ -403,5 +403,5 @@ TEST(StructuredNonlinear, GivesTheSameAnswerTwice) {
     EXPECT_EQ(first.iterations, second.iterations);
 }
 
-}  // namespace
+}  // namespace structured_nonlinear_test
 }  // namespace camopt::testing

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace camopt::testing {
-namespace {
+namespace structured_path_test {
 
 constexpr double tolerance = 2e-9;
 
@@ -111,5 +111,5 @@ TEST(StructuredPath, ANeighbourWithoutAPointIsProvedInfeasible) {
     for (const PathPoint& place : before.path) expect_farkas(neighbour, solve(neighbour, from(place)), 1e-7);
 }
 
-}  // namespace
+}  // namespace structured_path_test
 }  // namespace camopt::testing

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace camopt::testing {
-namespace {
+namespace structured_random_test {
 
 struct Known {
     QuadraticData data;
@@ -87,5 +87,5 @@ TEST(StructuredRandom, QuadraticPrograms) {
     }
 }
 
-}  // namespace
+}  // namespace structured_random_test
 }  // namespace camopt::testing

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace vertex_program_test {
 
 double uniform(std::mt19937& random, double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
@@ -96,5 +96,5 @@ TEST(VertexProgram, RefusesAnInfiniteBound) {
     EXPECT_THROW(VertexProgram(Eigen::Vector2d(0.0, -infinity), Eigen::Vector2d(1.0, 1.0)), ModelError);
 }
 
-}  // namespace
+}  // namespace vertex_program_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace box_bound_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -150,5 +150,5 @@ TEST(BoxBound, TorqueIsBoundedByBothOfItsHalves) {
     EXPECT_GE(solution.certificate.box_proof->parts.size(), 1u);
 }
 
-}  // namespace
+}  // namespace box_bound_test
 }  // namespace camopt

@@ -19,7 +19,7 @@
 #include <utility>
 
 namespace camopt {
-namespace {
+namespace forward_check_test {
 
 using testing_support::refusal;
 
@@ -158,5 +158,5 @@ TEST(ForwardCheck, SaysWhatIsWrong) {
               "a forward check takes finite points only, and one is not");
 }
 
-}  // namespace
+}  // namespace forward_check_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace scene_check_test {
 
 Scene scene_of(const std::string& name, const std::vector<std::string>& settings = {}) {
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
@@ -151,5 +151,5 @@ TEST(SceneCheck, FindsOneWrongEntryOfABarrelsHessian) {
     EXPECT_GT(error.beyond, 1.0);
 }
 
-}  // namespace
+}  // namespace scene_check_test
 }  // namespace camopt

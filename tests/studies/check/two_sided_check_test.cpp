@@ -15,7 +15,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace two_sided_check_test {
 
 using testing_support::refusal;
 using units::degree;
@@ -113,5 +113,5 @@ TEST(TwoSidedCheck, IsForTwoSides) {
               "a check of both sides needs a groove or a conjugate cam, and this cam has one side");
 }
 
-}  // namespace
+}  // namespace two_sided_check_test
 }  // namespace camopt

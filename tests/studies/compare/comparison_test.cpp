@@ -16,7 +16,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace comparison_test {
 
 using std::numbers::pi;
 using testing_support::normalised_limit;
@@ -389,5 +389,5 @@ TEST(Comparison, WithoutAnOptimumTheLawsAreStillThere) {
     EXPECT_NEAR(row_of(comparison, "modified_sine").objective, 1.0, 1e-14);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace law_losses_test {
 
 using testing_support::paper_objective;
 
@@ -222,5 +222,5 @@ TEST(LawLosses, WhatIsStoppedIsUnsettled) {
     EXPECT_GT(unsettled, 0);
 }
 
-}  // namespace
+}  // namespace law_losses_test
 }  // namespace camopt

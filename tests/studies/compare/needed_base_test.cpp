@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace needed_base_test {
 
 using namespace testing_support;
 
@@ -79,5 +79,5 @@ TEST(NeededBase, NamesTheLimitThatNoRadiusKeeps) {
     EXPECT_EQ(found.broken, "limits.contact_force_min_n");
 }
 
-}  // namespace
+}  // namespace needed_base_test
 }  // namespace camopt

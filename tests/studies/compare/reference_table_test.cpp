@@ -12,7 +12,7 @@
 
 namespace camopt {
 
-namespace {
+namespace reference_table_test {
 
 constexpr double figure_digits = 2e-8;  // relative: the independent figures have nine digits
 constexpr double proved_gap = 1e-7;
@@ -40,8 +40,6 @@ void expect_figures(const PeakFigures& figures, const PeakFigures& expected, dou
     EXPECT_NEAR(figures.jerk, expected.jerk, 10 * tolerance);
     EXPECT_NEAR(figures.objective, expected.objective, tolerance);
 }
-
-}  // namespace
 
 TEST(ReferenceTable, EveryRowIsProvedOptimal) {
     const ReferenceTable& table = reference_table();
@@ -175,4 +173,5 @@ TEST(ReferenceTable, StopsWhenAsked) {
     EXPECT_TRUE(table.convergence.empty());
 }
 
+}  // namespace reference_table_test
 }  // namespace camopt

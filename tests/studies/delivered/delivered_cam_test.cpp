@@ -17,7 +17,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace delivered_cam_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -239,5 +239,5 @@ INSTANTIATE_TEST_SUITE_P(Random, DeliveredCam, testing::ValuesIn(all_cases()),
                                     name_of(one.param.rotation) + "_" + std::to_string(one.param.seed);
                          });
 
-}  // namespace
+}  // namespace delivered_cam_test
 }  // namespace camopt

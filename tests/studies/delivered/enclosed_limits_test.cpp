@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace enclosed_limits_test {
 
 using Keys = std::vector<std::string>;
 
@@ -115,5 +115,5 @@ TEST(EnclosedLimits, OfSeveralRulesAreVerifiedTogether) {
     EXPECT_FALSE(is_verified(limits, "limits.unknown"));
 }
 
-}  // namespace
+}  // namespace enclosed_limits_test
 }  // namespace camopt

@@ -19,7 +19,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace relaxation_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -277,5 +277,5 @@ TEST(Explanation, EveryNumberOfACamAndItsSpringsIsTried) {
         EXPECT_TRUE(std::ranges::find(keys, key) != keys.end()) << key;
 }
 
-}  // namespace
+}  // namespace relaxation_test
 }  // namespace camopt

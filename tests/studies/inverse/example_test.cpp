@@ -9,7 +9,7 @@
 
 namespace camopt {
 
-namespace {
+namespace example_test {
 
 TEST(InverseExample, FromWeightsToWalls) {
     constexpr double inch = units::inch;
@@ -52,6 +52,6 @@ TEST(InverseExample, FromWeightsToWalls) {
     EXPECT_LT(feeder_deviation(guide, wish, *solution.curve), 1e-8);
 }
 
-}  // namespace
+}  // namespace example_test
 
 }  // namespace camopt

@@ -15,7 +15,7 @@
 
 namespace camopt {
 
-namespace {
+namespace inverse_forward_test {
 
 using testing_support::refusal;
 
@@ -84,6 +84,6 @@ TEST(InverseForward, RefusesWhatCannotBeChecked) {
     EXPECT_EQ(polyline_check(input).deviation, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace inverse_forward_test
 
 }  // namespace camopt

@@ -14,7 +14,7 @@
 
 namespace camopt {
 
-namespace {
+namespace inverse_guide_test {
 
 using testing_support::refusal;
 
@@ -94,6 +94,6 @@ TEST(WishedGuide, RefusesWhatTheMachineCannotDo) {
               "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
 }
 
-}  // namespace
+}  // namespace inverse_guide_test
 
 }  // namespace camopt

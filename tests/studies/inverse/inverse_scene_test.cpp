@@ -19,7 +19,7 @@
 
 namespace camopt {
 
-namespace {
+namespace inverse_scene_test {
 
 using Point = std::complex<double>;
 using units::degree;
@@ -105,6 +105,6 @@ TEST(InverseScene, KeepsTenDegreesRebuiltFromTheMotionAlone) {
     EXPECT_LT(loose.certificate.objective, solution.certificate.objective);
 }
 
-}  // namespace
+}  // namespace inverse_scene_test
 
 }  // namespace camopt

@@ -21,7 +21,7 @@
 #include <thread>
 
 namespace camopt {
-namespace {
+namespace open_registries_test {
 
 /// y = 3 x² − 2 x³, or what is asked for.
 class Smoothstep final : public Law {
@@ -246,5 +246,5 @@ TEST(SceneSweep, IsWhatSingleSolvesGive) {
     EXPECT_EQ(stopped.size(), 2U);
 }
 
-}  // namespace
+}  // namespace open_registries_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace own_rules_test {
 
 using testing_support::paper_objective;
 
@@ -315,5 +315,5 @@ TEST(OwnRule, WhatIsWrongWithItIsSaid) {
     expect_refused(scene, "own_limits[0].size: found -2; allowed: a number >= 0");
 }
 
-}  // namespace
+}  // namespace own_rules_test
 }  // namespace camopt

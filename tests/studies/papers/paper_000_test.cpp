@@ -13,7 +13,7 @@
 
 namespace camopt {
 
-namespace {
+namespace paper_000_test {
 
 using namespace feeding_paper;
 
@@ -167,6 +167,6 @@ TEST(Paper000, BestGuideBeatsLinesAndArcs) {
     }
 }
 
-}  // namespace
+}  // namespace paper_000_test
 
 }  // namespace camopt

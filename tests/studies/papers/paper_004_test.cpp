@@ -11,7 +11,7 @@
 
 namespace camopt {
 
-namespace {
+namespace paper_004_test {
 
 TEST(Paper004, ReportHoldsTheReferenceTable) {
     const ReferenceTable reference = spline_versus_modified_sine();
@@ -61,6 +61,6 @@ TEST(PaperReport, ComparisonTakesTheDifference) {
     EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][4]));
 }
 
-}  // namespace
+}  // namespace paper_004_test
 
 }  // namespace camopt

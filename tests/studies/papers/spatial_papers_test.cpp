@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace spatial_papers_test {
 
 const PaperTable& table_of(const PaperReport& report, const std::string& key) {
     return *std::ranges::find(report.tables, key, &PaperTable::key);
@@ -141,5 +141,5 @@ TEST(Paper001, OnePositionToTheDigitsGiven) {
     EXPECT_NEAR(number(points, 7, "y"), 0.216636968809034, 1e-14);
 }
 
-}  // namespace
+}  // namespace spatial_papers_test
 }  // namespace camopt

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace front_spacing_test {
 
 const std::vector<FrontPlace> places = {
     {{0.0, 1.0}, false}, {{0.3, 0.6}, true}, {{0.6, 0.4}, false}, {{1.0, 0.1}, false}};
@@ -39,5 +39,5 @@ TEST(FrontSpacing, FindsTheLongestPieceAndTheNearestPlace) {
     EXPECT_EQ(nearest_place(arc_lengths(places), 0.9), 3);
 }
 
-}  // namespace
+}  // namespace front_spacing_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace pareto_front_test {
 
 using testing_support::normalised_limit;
 using testing_support::paper_objective;
@@ -311,5 +311,5 @@ TEST(ParetoFront, RefusesWhatIsNoFront) {
     EXPECT_THROW((void)front_goal("speed", scene), InputError);
 }
 
-}  // namespace
+}  // namespace pareto_front_test
 }  // namespace camopt

@@ -27,7 +27,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace train_scenes_test {
 
 std::string slide(const std::string& dynamics, const std::string& rest) {
     return fmt::format(
@@ -333,5 +333,5 @@ TEST(TrainStudy, LiftsOffWhereTheForceEnds) {
     EXPECT_GE(found, 1);
 }
 
-}  // namespace
+}  // namespace train_scenes_test
 }  // namespace camopt

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace any_curve_limit_solve_test {
 
 using testing_support::paper_objective;
 
@@ -60,5 +60,5 @@ TEST(AnyCurveLimitSolve, SevenFreeSegmentsOnTheLimitsBreakpointsReachIt) {
     EXPECT_NEAR(solution.certificate.objective, 0.9371963699, 1e-8);
 }
 
-}  // namespace
+}  // namespace any_curve_limit_solve_test
 }  // namespace camopt

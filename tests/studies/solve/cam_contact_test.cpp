@@ -18,7 +18,7 @@
 #include <tuple>
 
 namespace camopt {
-namespace {
+namespace cam_contact_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -286,5 +286,5 @@ TEST(PressureAtRest, IsOfferedAsARemedyWhereItIsTheCause) {
     EXPECT_FALSE(offered(40.0));  // replaced on both strokes and not the least at rest: it says nothing
 }
 
-}  // namespace
+}  // namespace cam_contact_test
 }  // namespace camopt

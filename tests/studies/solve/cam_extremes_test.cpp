@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace camopt {
-namespace {
+namespace cam_extremes_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -119,5 +119,5 @@ TEST_P(ExtremeCam, EndsInATrueVerdict) {
 INSTANTIATE_TEST_SUITE_P(All, ExtremeCam, testing::ValuesIn(extremes),
                          [](const auto& extreme) { return std::string(extreme.param.name); });
 
-}  // namespace
+}  // namespace cam_extremes_test
 }  // namespace camopt

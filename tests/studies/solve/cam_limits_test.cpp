@@ -12,7 +12,7 @@
 #include <functional>
 
 namespace camopt {
-namespace {
+namespace cam_limits_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -254,5 +254,5 @@ TEST_P(CamLimit, HasItsThreeBeats) {
 INSTANTIATE_TEST_SUITE_P(All, CamLimit, testing::ValuesIn(beats),
                          [](const auto& beat) { return beat.param.name; });
 
-}  // namespace
+}  // namespace cam_limits_test
 }  // namespace camopt

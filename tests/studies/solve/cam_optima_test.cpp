@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace cam_optima_test {
 
 using enum DimensionIndex;
 
@@ -221,5 +221,5 @@ TEST(ClockwiseCams, AnOffsetActsTheOtherWay) {
     EXPECT_GT(clockwise, counterclockwise + 1e-3);
 }
 
-}  // namespace
+}  // namespace cam_optima_test
 }  // namespace camopt

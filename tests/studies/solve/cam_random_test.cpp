@@ -16,7 +16,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace cam_random_test {
 
 using namespace testing_support;
 using enum DimensionIndex;
@@ -120,5 +120,5 @@ TEST(RandomRollerCams, AreProvedAndManyStartsFindNothingBelowTheBound) {
     EXPECT_GE(over_boxes, random_scenes / 4);
 }
 
-}  // namespace
+}  // namespace cam_random_test
 }  // namespace camopt

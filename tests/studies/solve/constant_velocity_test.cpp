@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace constant_velocity_test {
 
 using namespace testing_support;
 
@@ -108,5 +108,5 @@ TEST(ConstantVelocity, NoRestingLawStandsBesideIt) {
     }
 }
 
-}  // namespace
+}  // namespace constant_velocity_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace embedder_limits_test {
 
 using testing_support::paper_objective;
 
@@ -155,5 +155,5 @@ TEST(LimitsFromCpp, NumbersThatContradictEachOtherAreRefused) {
     }
 }
 
-}  // namespace
+}  // namespace embedder_limits_test
 }  // namespace camopt

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace exact_optima_test {
 
 using testing_support::is_available;
 using testing_support::paper_objective;
@@ -138,5 +138,5 @@ TEST(ExactOptima, SymmetryCostsNothingWithoutGeometry) {
     }
 }
 
-}  // namespace
+}  // namespace exact_optima_test
 }  // namespace camopt

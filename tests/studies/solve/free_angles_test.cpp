@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace free_angles_test {
 
 using namespace testing_support;
 
@@ -143,5 +143,5 @@ TEST(FreeAngles, PointsInUnitsStayWhereTheyAre) {
     EXPECT_NEAR(*moved.velocity / 125, 1.0 / 100, 1e-15);
 }
 
-}  // namespace
+}  // namespace free_angles_test
 }  // namespace camopt

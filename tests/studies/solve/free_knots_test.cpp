@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace free_knots_test {
 
 using testing_support::refusal;
 
@@ -210,5 +210,5 @@ TEST(FreeKnotDescent, WhatAStepStillPromisesIsNotMeasuredByItsLength) {
     ADD_FAILURE() << "no step was judged";
 }
 
-}  // namespace
+}  // namespace free_knots_test
 }  // namespace camopt

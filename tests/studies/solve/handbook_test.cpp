@@ -15,7 +15,7 @@
 #include <numeric>
 
 namespace camopt {
-namespace {
+namespace handbook_test {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -87,5 +87,5 @@ TEST(Handbook, TheOptimumLiesUnderTheSplineThroughAllPoints) {
     EXPECT_LT(best.certificate.objective, 0.81 * through.certificate.objective);
 }
 
-}  // namespace
+}  // namespace handbook_test
 }  // namespace camopt

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace infeasible_test {
 
 using testing_support::is_available;
 using testing_support::normalised_limit;
@@ -166,5 +166,5 @@ TEST(Contradiction, RedundantSetPointsAreNamedAndHarmless) {
     EXPECT_NE(solution.notes[0].find("motion.via[0].displacement"), std::string::npos) << solution.notes[0];
 }
 
-}  // namespace
+}  // namespace infeasible_test
 }  // namespace camopt

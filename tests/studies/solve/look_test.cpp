@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace look_test {
 
 /// Not convex: max |y' y''| weighs.
 Scene torque_scene(double velocity) {
@@ -66,5 +66,5 @@ TEST(LookTest, ASolveAfterALookIsAsAnyOther) {
     EXPECT_NEAR(after.certificate.objective, cold.certificate.objective, 1e-9);
 }
 
-}  // namespace
+}  // namespace look_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <functional>
 
 namespace camopt {
-namespace {
+namespace measured_test {
 
 using namespace testing_support;
 
@@ -183,5 +183,5 @@ TEST(Measured, AStartIsTheFirstOfASearch) {
     EXPECT_NEAR(searched.certificate.objective, compared.certificate.objective, 1e-5);
 }
 
-}  // namespace
+}  // namespace measured_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace nearly_contradicting_test {
 
 Scene scene_with(int segments) {
     return scene_of_toml(
@@ -51,5 +51,5 @@ TEST(NearlyContradicting, TheSegmentsThatAreOfferedDo) {
     EXPECT_NE(offered.certificate.verdict, Verdict::infeasible);
 }
 
-}  // namespace
+}  // namespace nearly_contradicting_test
 }  // namespace camopt

@@ -17,7 +17,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace program_objective_test {
 
 using namespace testing_support;
 
@@ -381,5 +381,5 @@ TEST(ProgramObjective, OfRandomProgramsIsThatOfTheirSplines) {
     for (const auto& [verdict, count] : verdicts) RecordProperty(name_of(verdict), count);
 }
 
-}  // namespace
+}  // namespace program_objective_test
 }  // namespace camopt

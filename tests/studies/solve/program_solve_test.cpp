@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace program_solve_test {
 
 using namespace testing_support;
 
@@ -191,5 +191,5 @@ TEST(Program, OfQuinticsIsNoWorseThanOfCubicsBesideALaw) {
     EXPECT_LE(quintic.certificate.objective, cubic.certificate.objective * (1.0 + 1e-7));
 }
 
-}  // namespace
+}  // namespace program_solve_test
 }  // namespace camopt

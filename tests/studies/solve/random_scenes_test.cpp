@@ -12,7 +12,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace random_scenes_test {
 
 using testing_support::IndependentSpline;
 using testing_support::is_available;
@@ -147,5 +147,5 @@ INSTANTIATE_TEST_SUITE_P(Backends, RandomScenes,
                              return name;
                          });
 
-}  // namespace
+}  // namespace random_scenes_test
 }  // namespace camopt

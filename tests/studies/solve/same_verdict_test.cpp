@@ -13,7 +13,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace same_verdict_test {
 
 using testing_support::normalised_limit;
 
@@ -189,5 +189,5 @@ TEST(SameVerdict, ForTimeReversed) {
     }
 }
 
-}  // namespace
+}  // namespace same_verdict_test
 }  // namespace camopt

@@ -14,7 +14,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace set_points_test {
 
 using namespace testing_support;
 
@@ -222,5 +222,5 @@ TEST(SetPoints, OverlappingBreakpointsGiveWay) {
               (std::vector<double>{0.0, 0.25, 0.75, 1.0}));
 }
 
-}  // namespace
+}  // namespace set_points_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <cmath>
 
 namespace camopt::stability {
-namespace {
+namespace stability_test {
 
 struct Group {
     const char* name;
@@ -165,5 +165,5 @@ TEST(DeliveredAudit, AJumpIsAFailureWithAName) {
     ASSERT_FALSE(bent.notes.empty());
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace camopt::stability

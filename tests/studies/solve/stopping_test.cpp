@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace stopping_test {
 
 using testing_support::is_available;
 using testing_support::normalised_limit;
@@ -116,5 +116,5 @@ INSTANTIATE_TEST_SUITE_P(Backends, Stopping,
                              return name;
                          });
 
-}  // namespace
+}  // namespace stopping_test
 }  // namespace camopt

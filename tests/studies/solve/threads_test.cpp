@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace threads_test {
 
 using namespace testing_support;
 
@@ -128,5 +128,5 @@ TEST(Threads, EvaluateOneModelAtOnceAndCountEveryPoint) {
     }
 }
 
-}  // namespace
+}  // namespace threads_test
 }  // namespace camopt

@@ -17,7 +17,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace two_sided_cams_test {
 
 Solution solved(const std::string& name) {
     return solve(
@@ -98,5 +98,5 @@ TEST_P(TwoSidedScene, KeepsItsLimitsOnEitherSide) {
 INSTANTIATE_TEST_SUITE_P(Scenes, TwoSidedScene, testing::Values("cam_grooved", "cam_conjugate"),
                          [](const auto& one) { return std::string(one.param); });
 
-}  // namespace
+}  // namespace two_sided_cams_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 namespace camopt {
-namespace {
+namespace unbuildable_cam_test {
 
 using testing_support::pressure_angle_scene;
 using enum DimensionIndex;
@@ -93,5 +93,5 @@ TEST(UnbuildableCam, EndsTheVerdictOfTheLastLook) {
         << solution.notes.back();
 }
 
-}  // namespace
+}  // namespace unbuildable_cam_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <limits>
 
 namespace camopt {
-namespace {
+namespace spatial_forward_check_test {
 
 using testing_support::refusal;
 
@@ -128,5 +128,5 @@ TEST(SpatialForwardCheck, RefusesWhatItCannotCheck) {
     EXPECT_EQ(message([](auto& input) { input.breaks = {100000}; }), "break 100000 of a curve of 104 points");
 }
 
-}  // namespace
+}  // namespace spatial_forward_check_test
 }  // namespace camopt

@@ -16,7 +16,7 @@
 #include <string>
 
 namespace camopt {
-namespace {
+namespace spatial_scenes_test {
 
 using test::degree;
 using test::millimetre;
@@ -169,5 +169,5 @@ TEST(SpatialScenes, TheSmallestBarrelForFortyDegrees) {
     expect_sound_flanks(solution);
 }
 
-}  // namespace
+}  // namespace spatial_scenes_test
 }  // namespace camopt

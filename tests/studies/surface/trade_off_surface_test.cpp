@@ -15,7 +15,7 @@
 #include <random>
 
 namespace camopt {
-namespace {
+namespace trade_off_surface_test {
 
 using testing_support::normalised_limit;
 using testing_support::paper_objective;
@@ -157,5 +157,5 @@ TEST(WeightHull, IsConcaveAndHoldsEveryHeight) {
     EXPECT_LE(hull.at({0.2, 0.3, 0.5}), bowl({0.2, 0.3, 0.5}) + 1e-12);
 }
 
-}  // namespace
+}  // namespace trade_off_surface_test
 }  // namespace camopt

@@ -12,7 +12,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace sweep_axis_test {
 
 std::vector<double> point(const SweepAxis& axis, int index) {
     const auto values = axis.point(index);
@@ -147,5 +147,5 @@ TEST(WeightKey, IsAWeightOfTheObjectiveAndNothingElse) {
         EXPECT_FALSE(is_weight_key(key)) << key;
 }
 
-}  // namespace
+}  // namespace sweep_axis_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace sweep_plan_test {
 
 constexpr const char* plain_scene =
     "[motion]\ntype = \"DRD\"\n[spline]\nsegments = 8\n[objective]\nvelocity = 0.4\nacceleration = 0.4\n"
@@ -195,5 +195,5 @@ TEST(SweepCheck, TenThousandWeightsAreReadOnce) {
     EXPECT_EQ(reader.count, 1);
 }
 
-}  // namespace
+}  // namespace sweep_plan_test
 }  // namespace camopt

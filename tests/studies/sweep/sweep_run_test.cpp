@@ -15,7 +15,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace sweep_run_test {
 
 using testing_support::paper_objective;
 
@@ -241,5 +241,5 @@ TEST(SweepFront, WeighsDimensionsAndTheOffsetByItsMagnitude) {
     EXPECT_EQ(front(table), (std::vector{false, true, true}));
 }
 
-}  // namespace
+}  // namespace sweep_run_test
 }  // namespace camopt

@@ -19,7 +19,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace rule_maxima_test {
 
 using enum DimensionIndex;
 
@@ -280,5 +280,5 @@ TEST(RuleMaxima, OfAMotionFarOutsideDoNotCostSeconds) {
     EXPECT_GT(largest_of(found).value, 0.999);  // broken, and seen to be
 }
 
-}  // namespace
+}  // namespace rule_maxima_test
 }  // namespace camopt

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 namespace camopt {
-namespace {
+namespace certificate_json_test {
 
 DualityProof written_and_read(const Certificate& certificate) {
     const test::TemporaryFolder folder;
@@ -81,5 +81,5 @@ TEST(CertificateJson, RefusesListsThatDoNotMatch) {
     EXPECT_NE(refusal(missing.dump()).find("2 indices, but 1 values"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace certificate_json_test
 }  // namespace camopt

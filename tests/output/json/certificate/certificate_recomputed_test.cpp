@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace camopt {
-namespace {
+namespace certificate_recomputed_test {
 
 using nlohmann::json;
 using testing_support::normalised_limit;
@@ -140,5 +140,5 @@ TEST(CertificateFile, OtherMultipliersGiveALowerBoundNeverAHigherOneThanTheOptim
     EXPECT_LE(recomputed(proof), 0.940489277 + 1e-9);
 }
 
-}  // namespace
+}  // namespace certificate_recomputed_test
 }  // namespace camopt

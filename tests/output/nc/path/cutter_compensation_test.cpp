@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace camopt {
-namespace {
+namespace cutter_compensation_test {
 
 struct PlanePath : ::testing::Test {
     std::unique_ptr<Machine> machine = plane_milling_machine();
@@ -102,5 +102,5 @@ TEST_F(PlanePath, RefusesWhatNoControlTakes) {
                  InputError);
 }
 
-}  // namespace
+}  // namespace cutter_compensation_test
 }  // namespace camopt

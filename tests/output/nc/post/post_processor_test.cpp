@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace camopt {
-namespace {
+namespace post_processor_test {
 
 PostProcessor five_axes() {
     return generic_post(*table_tilting_machine(0.0));
@@ -139,5 +139,5 @@ TEST(PostProcessor, ShapesTheText) {
     EXPECT_NEAR(program.seconds, 1.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace post_processor_test
 }  // namespace camopt

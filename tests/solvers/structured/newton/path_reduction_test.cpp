@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace camopt::structured {
-namespace {
+namespace path_reduction_test {
 
 /// From rest to rest over 1 with the least |v|-peak: y_{k+1} = y_k + h v_k (mixed units: row k times 2^(k %
 /// 3)), y_0 = 0, y_n = 1 as rows, |v_k| <= V.
@@ -113,5 +113,5 @@ TEST(PathReduction, ShortPathsStay) {
     EXPECT_EQ(&reduction.model(), &travel.model);
 }
 
-}  // namespace
+}  // namespace path_reduction_test
 }  // namespace camopt::structured

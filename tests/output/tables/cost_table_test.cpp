@@ -25,7 +25,7 @@
 #include <set>
 
 namespace camopt {
-namespace {
+namespace cost_table_test {
 
 using namespace tables;
 using Json = nlohmann::ordered_json;
@@ -181,5 +181,5 @@ TEST(CostTable, EveryRowIsAColumnOfTheComparison) {
     }
 }
 
-}  // namespace
+}  // namespace cost_table_test
 }  // namespace camopt

@@ -22,7 +22,7 @@
 #include <vector>
 
 namespace camopt {
-namespace {
+namespace limit_table_test {
 
 using namespace tables;
 using Json = nlohmann::ordered_json;
@@ -219,5 +219,5 @@ TEST(LimitTable, WhatOtherProgramsCallARowIsUnderstood) {
     EXPECT_GT(count, 0);
 }
 
-}  // namespace
+}  // namespace limit_table_test
 }  // namespace camopt

@@ -13,7 +13,7 @@
 #include <string_view>
 
 namespace camopt {
-namespace {
+namespace kind_defaults_test {
 
 /// SI, of "0" or "required for barrel, else 0"; none where the text has no number.
 std::optional<double> number_in(const KeyRow& row) {
@@ -42,5 +42,5 @@ TEST(KindDefaults, AreThoseOfTheKeyTable) {
     EXPECT_GE(compared, 10);
 }
 
-}  // namespace
+}  // namespace kind_defaults_test
 }  // namespace camopt
