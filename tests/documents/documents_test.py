@@ -156,10 +156,11 @@ class Documents:
 
     def python(self, block):
         source = self.file_for(block, "block.py")
-        source.write_text(block.notes.get("with", "") + "\n" + block.text, encoding="utf-8")
+        text = block.notes.get("with", "") + "\n" + block.text
+        source.write_text(text, encoding="utf-8")
         folder = self.scratch / block.notes.get("in", ".")
-        if "import camopt" in block.text and not self.options.python_path:
-            self.remarks.append(f"{block.place}: only parsed: this build has no Python module of camopt")
+        if "import camopt" in text and not self.options.python_path:
+            self.remarks.append(f"{block.place}: only parsed: the test python.docs runs it")
             return "blocks of Python parsed", self.run([self.options.python, "-m", "py_compile", source])
         return "blocks of Python run", self.run([self.options.python, "-B", source], folder)
 

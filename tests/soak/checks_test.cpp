@@ -364,7 +364,7 @@ TEST(SoakWorkers, CrashesAndHangsAreOneFailureEach) {
                         },
                         [&](int, const std::string& line) { lines.insert(line); },
                         [&](int, const std::string& fault) { faults.insert(fault); }};
-    run_in_processes(4, 2, 2.0, worker);
+    run_in_processes(4, 2, 0.5, worker);
     EXPECT_EQ(lines.count("begun"), 4U);
     EXPECT_EQ(faults, (std::multiset<std::string>{"", "", "died of signal 9", "hung and was killed"}));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A clock for tests of time limits: it advances by a step whenever it is read, and every solver reads it once an
-// iteration. A limit of N steps then ends a solve after N readings, on every machine.
+// A clock for tests of time limits: it advances by a step whenever it is read, and every solver reads it once
+// an iteration. A limit of N steps then ends a solve after N readings, on every machine.
 #pragma once
 
 #include "solvers/solver.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests whose worth grows with the number of random scenes have two lengths: a short one in every run of the
-// tests, and the whole one where the environment sets CAMOPT_LONG_TESTS (`scripts/nightly random`). Both check
-// the same things.
+// tests, and the whole one where the environment sets CAMOPT_LONG_TESTS (`scripts/nightly random`). Both
+// check the same things.
 #pragma once
 
 #include <cstdlib>

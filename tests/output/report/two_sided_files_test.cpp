@@ -134,7 +134,7 @@ TEST_F(TwoSidedFiles, WordsNameTheSide) {
               std::string::npos);
     EXPECT_NE(
         remarks(grooved()).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
-                               "fits all round."),
+                                "fits all round."),
         std::string::npos)
         << remarks(grooved());
     EXPECT_NE(remarks(conjugate()).find("Both rollers at once: the sum of the gaps at both disks is"),

@@ -73,7 +73,8 @@ Scene scene_of(const std::string& file) {
     return scene;
 }
 
-// Readings of the clock: the motion is found within the first 600; the others go into a bound that does not meet it.
+// Readings of the clock: the motion is found within the first 600; the others go into a bound that does not
+// meet it.
 constexpr double searched = 800.0;
 
 Solution solved(Scene scene) {

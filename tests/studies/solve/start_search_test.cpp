@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace camopt {
 namespace start_search_test {
 

@@ -103,8 +103,8 @@ const std::vector<Case>& cases() {
 INSTANTIATE_TEST_SUITE_P(Scenes, TimeLimit, testing::ValuesIn(cases()),
                          [](const auto& one) { return one.param.name; });
 
-/// One test by the machine's clock, generous: many times the limit are wrong on every machine. The search ends
-/// early; the explanation after it must not begin a time limit of its own.
+/// One test by the machine's clock, generous: many times the limit are wrong on every machine. The search
+/// ends early; the explanation after it must not begin a time limit of its own.
 TEST(TimeLimit, ExplanationHasNoTimeOfItsOwn) {
     Scene scene = scene_of({"", "cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=24"}});
     scene.solver.max_seconds = 0.3;
