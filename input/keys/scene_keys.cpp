@@ -181,6 +181,7 @@ Rows objective() {
 /// The first is the default.
 std::vector<std::string_view> tie_break_words() {
     std::vector<std::string_view> words;
+    words.reserve(std::size(tie_breaks));
     for (const TieBreak value : tie_breaks) words.emplace_back(name_of(value));
     return words;
 }

@@ -6,7 +6,9 @@
 namespace camopt {
 
 CamRule::CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula)
-    : LimitRule(formula, cam->scale), cam_(std::move(cam)), formula_(std::move(formula)) {
+    : LimitRule(static_cast<const LimitFrame&>(formula), cam->scale),
+      cam_(std::move(cam)),
+      formula_(std::move(formula)) {
     for (const DiskVariables::Variable& variable : cam_->variables)
         add_variable(column_of(variable.dimension), variable.parameter, variable.reference);
 }

@@ -15,7 +15,9 @@ MechanismValue MechanismCall::dimension(int index) const {
 }
 
 MechanismRule::MechanismRule(std::shared_ptr<const CamVariables> mechanism, MechanismFormula formula)
-    : LimitRule(formula, mechanism->scale), mechanism_(std::move(mechanism)), formula_(std::move(formula)) {
+    : LimitRule(static_cast<const LimitFrame&>(formula), mechanism->scale),
+      mechanism_(std::move(mechanism)),
+      formula_(std::move(formula)) {
     for (const CamVariables::Variable& variable : mechanism_->variables) {
         add_variable(3 + static_cast<int>(active_.size()), variable.parameter, variable.reference);
         active_.push_back(variable.dimension);
