@@ -40,6 +40,8 @@ class Documents:
         found = f"{self.options.prefix}/{self.options.libdir}/pkgconfig"
         self.surroundings = dict(os.environ, PATH=path, PKG_CONFIG_PATH=found, LC_ALL="C.UTF-8",
                                  PYTHONPATH=os.pathsep.join(options.python_path))
+        # scripts/packages.txt has no make, which is what CMake would take by itself.
+        self.surroundings.setdefault("CMAKE_GENERATOR", "Ninja")
         self.whole_program = None
 
     # The scratch copy: what commands of the pages name, and a place for what they write.
