@@ -38,9 +38,8 @@ class Documents:
         self.remarks = []
         path = os.pathsep.join([str(self.program.parent), os.environ["PATH"]])
         found = f"{self.options.prefix}/{self.options.libdir}/pkgconfig"
-        self.surroundings = dict(os.environ, PATH=path, PKG_CONFIG_PATH=found, LC_ALL="C.UTF-8",
-                                 PYTHONPATH=os.pathsep.join(options.python_path))
-        # scripts/packages.txt has no make, which is what CMake would take by itself.
+        self.surroundings = dict(os.environ, PATH=path, PKG_CONFIG_PATH=found, LC_ALL="C.UTF-8")
+        # scripts/packages.txt has no make, which is CMake's default.
         self.surroundings.setdefault("CMAKE_GENERATOR", "Ninja")
         self.whole_program = None
 
@@ -161,7 +160,7 @@ class Documents:
         text = block.notes.get("with", "") + "\n" + block.text
         source.write_text(text, encoding="utf-8")
         folder = self.scratch / block.notes.get("in", ".")
-        if "import camopt" in text and not self.options.python_path:
+        if "import camopt" in text:
             self.remarks.append(f"{block.place}: only parsed: the test python.docs runs it")
             return "blocks of Python parsed", self.run([self.options.python, "-m", "py_compile", source])
         return "blocks of Python run", self.run([self.options.python, "-B", source], folder)
@@ -192,7 +191,6 @@ def read_options():
     parser.add_argument("--flags", default="")
     parser.add_argument("--has", action="append", default=[], help="an optional library of this build: ipopt, opencascade")
     parser.add_argument("--python", default=sys.executable)
-    parser.add_argument("--python-path", action="append", default=[])
     return parser.parse_args()
 
 
