@@ -13,7 +13,7 @@ from .exact import (
     KEPT, ORDERS, PI, ROUNDED, STATED, Refuted, Unverified, bernstein, combination, derivative, exactly, halves,
     largest, largest_magnitude, middle_of, number, on_grid, product, root, tangent, times)
 from .laws import at_time, motion_along
-from .problem import LENGTHS, angle_of
+from .problem import angle_of, dimension_of
 
 
 DIMENSIONS = {"translating_knife": ("base_radius", "offset"), "translating_flat": ("base_radius",),
@@ -43,7 +43,7 @@ class Cam:
         if self.swings and (any(weights.values()) or any(isinstance(v, dict) for v in cam.values())):
             raise Unverified("dimensions of this kind of cam in the objective, or searched")
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
-        given = {name: self.dimension(cam, name) for name in DIMENSIONS[self.follower]}
+        given = {name: dimension_of(cam, name) for name in DIMENSIONS[self.follower]}
         self.searched = {name: size for name, size in given.items() if isinstance(size, tuple)}
         self.weights = {name: weight / self.lift for name, weight in weights.items()}
         self.sizes = {name: self.found(result, name) for name in given}
@@ -57,7 +57,7 @@ class Cam:
                                               if self.sizes[name] is not None), Fraction(0)))
         unit = problem.unit_angle
         self.beta = exactly(unit[0]) if unit[1] == "rad" else times(exactly(unit[0] / 180), PI)
-        self.width = self.dimension(cam, "face_half_width") or None
+        self.width = dimension_of(cam, "face_half_width") or None
         self.pressure = self.pressure_limits()
         self.form = cam.get("form", "open")
         self.rules = self.rules_of(scene, given, Fraction(0))
@@ -103,23 +103,23 @@ class Cam:
         if self.searched or self.follower not in ("translating_roller", "oscillating_roller"):
             raise Unverified(f'cam.form = "{self.form}" with dimensions that are searched, or without a roller')
         if self.form == "grooved":
-            wider = self.dimension(cam, "groove_clearance") / 2
+            wider = dimension_of(cam, "groove_clearance") / 2
             return TwoSides(make(Side("inner flank", 1, wider)), make(Side("outer flank", -1, wider, None, -1)))
         if self.form != "conjugate":
             raise Unverified(f'cam.form = "{self.form}"')
-        turn = exactly(self.dimension(cam, "roller_distance"))
+        turn = exactly(dimension_of(cam, "roller_distance"))
         if self.swings:
             angle, unit = angle_of(cam, "arm_angle")
             turn = exactly(angle) if unit == "rad" else times(exactly(angle / 180), PI)
-        second = {"second_" + name: self.dimension(cam, "second_" + name) or sizes.get(name, Fraction(0))
+        second = {"second_" + name: dimension_of(cam, "second_" + name) or sizes.get(name, Fraction(0))
                   for name in ("roller_radius", "arm_length", "offset")}
         if "second_offset_mm" in cam or "second_offset_m" in cam or "second_offset_in" in cam:
-            second["second_offset"] = self.dimension(cam, "second_offset")
+            second["second_offset"] = dimension_of(cam, "second_offset")
         return TwoSides(make(Side("first disk")), make(Side("second disk", 1, Fraction(0), turn, -1), second))
 
     def found(self, result, name):
         """A dimension as a number: of those searched what was found."""
-        size = self.dimension(self.scene["cam"], name)
+        size = dimension_of(self.scene["cam"], name)
         if not isinstance(size, tuple):
             return size
         if not result.get("cam"):
@@ -128,15 +128,6 @@ class Cam:
         if not size[0] * (1 - STATED) <= found <= size[1] * (1 + STATED):
             raise Refuted(f"the {name} is outside its range")
         return found
-
-    def dimension(self, cam, name):
-        for unit, size in LENGTHS.items():
-            value = cam.get(f"{name}_{unit}")
-            if isinstance(value, dict):
-                return number(value["min"]) * size, number(value["max"]) * size
-            if value is not None:
-                return number(value) * size
-        return Fraction(0)
 
     def pressure_limits(self):
         """(upper side, lower side): the largest pressure angle of rises and of returns, in degrees."""
@@ -212,7 +203,7 @@ class Cam:
             middle, half = middle_of(square)
             add(2, Fraction(-1))
             add(0, -middle)
-            room = (self.base - self.dimension(self.problem.limits, "cam_radius_min")) / self.lift
+            room = (self.base - dimension_of(self.problem.limits, "cam_radius_min")) / self.lift
             most = max(room * b for b in square) + half * most_y
             return Row(name, k, function, most), number(float(self.lift / self.base / square[0]))
         if rule.startswith("limits.contact_force_min"):
@@ -276,7 +267,7 @@ class Cam:
         if key == "hertz_pressure_max_mpa" and self.follower == "translating_roller":
             return lambda curve: self.keep_hertz(curve, number(limits[key]) * 10**6)
         if key.startswith("cam_radius_min") and pushed:
-            return lambda curve: self.keep_radius(curve, self.dimension(limits, "cam_radius_min"))
+            return lambda curve: self.keep_radius(curve, dimension_of(limits, "cam_radius_min"))
         if key.startswith(("cam_radius_min", "concave_radius_min")) or key == "undercut_margin":
             if self.follower == "translating_flat":
                 return None
@@ -500,7 +491,7 @@ class Cam:
                          (number(forces.get(f"{side}_modulus_gpa", 210)) * 10**9) for side in ("cam", "follower"))
         if any(key.startswith(("cam_modulus", "follower_modulus")) and not key.endswith("_gpa") for key in forces):
             raise Unverified("moduli of elasticity in another unit than GPa")
-        width = self.dimension(forces, "contact_width")
+        width = dimension_of(forces, "contact_width")
         pressed = 1 / (sum(PI) / 2 * width * compliance * self.roller * most**2)
         for run in curve.pieces:
             for p, w, _, _ in run:

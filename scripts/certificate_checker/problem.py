@@ -12,6 +12,18 @@ CLOSE = Fraction(1, 10**6)  # set points nearer than this, in x, fix a slope tha
 LENGTHS = {"mm": Fraction(1, 1000), "m": Fraction(1), "in": Fraction(254, 10000)}
 
 
+def dimension_of(table, *names):
+    """m, or (least, most) where it is searched; 0 where no name is given."""
+    for unit, size in LENGTHS.items():
+        for name in names:
+            value = table.get(f"{name}_{unit}")
+            if isinstance(value, dict):
+                return number(value["min"]) * size, number(value["max"]) * size
+            if value is not None:
+                return number(value) * size
+    return Fraction(0)
+
+
 def angle_of(table, key):
     """(value, "deg" or "rad"), or None."""
     for unit in ("deg", "rad"):

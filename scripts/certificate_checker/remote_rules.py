@@ -25,7 +25,7 @@ from .disk_rules import DiskRules, constant
 from .enclosures import Over
 from .exact import PI, Unverified, exactly, number, tangent, times
 from .plane_vectors import across, direction, divided, dot, minus, plus, scaled, sign_of, turned
-from .problem import LENGTHS, angle_of
+from .problem import angle_of, dimension_of
 
 NUMBERS = {"lever": (), "lever_coupler_slider": ("lever_arm", "coupler", "slider_x", "slider_y"),
            "lever_coupler_lever": ("lever_arm", "coupler", "rocker_pivot_x", "rocker_pivot_y", "rocker_input_arm"),
@@ -43,12 +43,10 @@ def enclosed(angle):
 
 def length_in(table, name):
     """m; 0 where it is not given."""
-    for unit, size in LENGTHS.items():
-        if f"{name}_{unit}" in table:
-            if isinstance(table[f"{name}_{unit}"], dict):
-                raise Unverified(f"{name}: a dimension of this kind of cam that is searched")
-            return number(table[f"{name}_{unit}"]) * size
-    return Fraction(0)
+    size = dimension_of(table, name)
+    if isinstance(size, tuple):
+        raise Unverified(f"{name}: a dimension of this kind of cam that is searched")
+    return size
 
 
 class RemoteRules:

@@ -11,7 +11,7 @@ from .disk_rules import constant
 from .enclosures import Over
 from .plane_vectors import sign_of
 from .exact import PI, exactly, number, tangent, times
-from .problem import LENGTHS, angle_of
+from .problem import angle_of, dimension_of
 
 NAMES = ("roller_radius", "arm_length", "center_distance", "lateral_offset", "roller_length")
 
@@ -26,7 +26,7 @@ class SpatialRules:
         cam, self.limits, self.room = scene["cam"], problem.limits, constant(room)
         self.sense = -1 if cam.get("rotation", "counterclockwise") == "clockwise" else 1
         self.kind = "barrel" if cam["type"] == "barrel" else cam.get("follower")
-        self.sizes = {name: self.given(cam, name) for name in NAMES} | (found or {})
+        self.sizes = {name: dimension_of(cam, *self.keys(name)) for name in NAMES} | (found or {})
         self.searched = {name: size for name, size in self.sizes.items() if isinstance(size, tuple)}
         size, unit = problem.lift
         degree = times(PI, exactly(Fraction(1, 180)))
@@ -41,17 +41,6 @@ class SpatialRules:
     def keys(self, name):
         """A translating follower's distance from the cam's axis is called the cylinder's radius."""
         return (name, "cylinder_radius") if name == "center_distance" and self.kind == "translating" else (name,)
-
-    def given(self, cam, name):
-        """m, or (least, most) where it is searched."""
-        for unit, size in LENGTHS.items():
-            for key in self.keys(name):
-                value = cam.get(f"{key}_{unit}")
-                if isinstance(value, dict):
-                    return number(value["min"]) * size, number(value["max"]) * size
-                if value is not None:
-                    return number(value) * size
-        return Fraction(0)
 
     def size(self, name, numbers):
         if name not in self.searched:
