@@ -31,8 +31,8 @@ class Motion {
     /// The point at x in [begin, end]. Where a derivative jumps, its limit from `side`. Infinite where it is.
     [[nodiscard]] virtual MotionPoint at(double x, Side side = Side::right) const = 0;
 
-    /// Where y to its fourth derivative lie over `x`, a stretch between two neighbouring breakpoints. Empty,
-    /// whatever the stretch: nobody has written that down.
+    /// Enclosures of y to its fourth derivative over `x`, a stretch between two neighbouring breakpoints.
+    /// Returns nullopt if no enclosure is implemented.
     [[nodiscard]] virtual std::optional<std::array<Interval, 5>> ranges(const Interval& x) const {
         static_cast<void>(x);
         return {};

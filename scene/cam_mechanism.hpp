@@ -61,7 +61,7 @@ struct MechanismStateOver {
     Interval theta;
 };
 
-/// The same along a stretch of a motion, by whatever the motion is by.
+/// The same along a stretch of a motion, with derivatives by the variable of the motion.
 struct MechanismStateAlong {
     std::span<const double> dimensions;
     RangeAlong s, velocity, acceleration;
@@ -174,7 +174,7 @@ class CamMechanism {
     }
     /// What encloses the three limits below over a box, or that times something positive: the mechanism's own
     /// choice, one that leaves little that is curved. Everything where it may be out of reach somewhere in
-    /// the box. Empty: nobody has written that down.
+    /// the box. Returns nullopt if no enclosure is implemented.
     /// pressure_excess.
     [[nodiscard]] virtual std::optional<RangeOver> pressure_over(double limit, int sign,
                                                                  const MechanismStateOver& state,
@@ -202,9 +202,9 @@ class CamMechanism {
         static_cast<void>(station);
         return {};
     }
-    /// What encloses a quantity along a stretch of a motion, with its slope and its second derivative by what
-    /// the motion is by. Everything where it may be out of reach somewhere in the stretch. Empty: nobody has
-    /// written that down.
+    /// What encloses a quantity along a stretch of a motion, with its first and second derivative by the
+    /// variable of the motion. Everything where it may be out of reach somewhere in the stretch. Returns
+    /// nullopt if no enclosure is implemented.
     [[nodiscard]] virtual std::optional<RangeAlong> quantity_along(MechanismQuantity which,
                                                                    const MechanismStateAlong& state,
                                                                    int station) const {

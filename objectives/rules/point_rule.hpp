@@ -85,8 +85,8 @@ class PointRule {
         return {};
     }
     /// Along a stretch `x` on which y to its fourth derivative lie in `derivatives`: what encloses the rule,
-    /// its slope and its second derivative by x. Empty, whatever the stretch: nobody has written that down,
-    /// and its maxima are looked for by samples.
+    /// its slope and its second derivative by x. Returns nullopt if no enclosure is implemented: the maxima
+    /// are then searched by samples.
     [[nodiscard]] virtual std::optional<RangeAlong> range_along(const Interval& x,
                                                                 const std::array<Interval, 5>& derivatives,
                                                                 const Eigen::VectorXd& q) const {
@@ -97,7 +97,7 @@ class PointRule {
     }
     /// Over a box of (y, y', y'', y''', q_1 … q_m) at x = `at`: what encloses the rule times something
     /// positive, with its partials by them. The factor is the rule's own choice, one that leaves little that
-    /// is curved. Empty: nobody has written that down, and bounds do without the rule.
+    /// is curved. Returns nullopt if no enclosure is implemented; bounds then omit the rule.
     [[nodiscard]] virtual std::optional<RangeOver> range_over(std::span<const Interval> box,
                                                               double at) const {
         static_cast<void>(box);

@@ -11,7 +11,7 @@ struct CountingClock {
     double step = 1.0;  ///< seconds
     long readings = 0;
 
-    /// Without an end of its own: Scene::solver.max_seconds ends a solve. The clock must outlive it.
+    /// It sets no limit: Scene::solver.max_seconds ends a solve. The clock must outlive it.
     [[nodiscard]] SolveControl control() {
         SolveControl control;
         control.deadline = Deadline::after(1e15, [this] { return step * static_cast<double>(++readings); });

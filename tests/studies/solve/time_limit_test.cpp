@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, TimeLimit, testing::ValuesIn(cases()),
                          [](const auto& one) { return one.param.name; });
 
 /// One test by the machine's clock, generous: many times the limit are wrong on every machine. The search
-/// ends early; the explanation after it must not begin a time limit of its own.
+/// ends early; the explanation after it must not start a second time limit.
 TEST(TimeLimit, ExplanationHasNoTimeOfItsOwn) {
     Scene scene = scene_of({"", "cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=24"}});
     scene.solver.max_seconds = 0.3;
