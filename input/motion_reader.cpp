@@ -31,6 +31,10 @@ class MotionReader {
         motion.speed = source_.number("motion", "speed");
         if (const auto symmetric = source_.find("motion", "symmetric"))
             motion.symmetric = symmetric->value().boolean;
+        if (const auto within = source_.find("motion", "within_lift"))
+            motion.within_lift = within->value().boolean;
+        if (const auto monotone = source_.find("motion", "monotone"))
+            motion.monotone = monotone->value().boolean;
         if (const auto closed = source_.find("motion", "closed")) motion.closed = closed->value().boolean;
         if (const auto segments = source_.find("motion", "segments"))
             for (const Node& segment : segments->value().items)

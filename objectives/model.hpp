@@ -41,12 +41,23 @@ struct Parameter {
 
 /// A rule and where it holds.
 struct PlacedRule {
+    /// What y is measured from: 0, or the displacement at an end of the stretch (linear rules only).
+    enum class Datum { zero, begin, end };
+
     std::shared_ptr<const PointRule> rule;  ///< shared by a problem and its tie-break
     int stretch = -1;                       ///< of the family; -1: everywhere
+    double from = -infinity, until = infinity;  ///< x between which it holds
+    Datum datum = Datum::zero;
 
     template <typename Rule>
     PlacedRule(std::shared_ptr<Rule> what, int where = -1)  // NOLINT(google-explicit-constructor)
         : rule(std::move(what)), stretch(where) {}
+    [[nodiscard]] bool holds_on(const MotionFamily::Piece& piece) const {
+        return (stretch < 0 || stretch == piece.stretch) && piece.begin < until && piece.end > from;
+    }
+    [[nodiscard]] bool holds_everywhere() const {
+        return stretch < 0 && from == -infinity && until == infinity;
+    }
     const PointRule* operator->() const { return rule.get(); }
     const PointRule& operator*() const { return *rule; }
 };
@@ -105,6 +116,8 @@ struct CamModel {
     Eigen::VectorXd start_design;
     /// Typical sizes of y, y', y'': design entries are optimized in these units.
     std::array<double, 3> entry_scale{1.0, 1.0, 1.0};
+    /// Of each design entry: these sizes times its factor, which a short stroke makes large; none: 1.
+    std::vector<double> entry_factors;
     std::vector<StretchScale> stretch_scales;  ///< one a stretch; none: DRD and RR, all 1
     /// Displacements a sensible motion stays within: where rules are expected to be convex. What is proved is
     /// proved with bounds of its own.

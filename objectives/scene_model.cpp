@@ -3,6 +3,7 @@
 
 #include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/free_displacements.hpp"
 #include "objectives/program_family.hpp"
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
@@ -12,6 +13,7 @@
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
 #include "objectives/set_point_conditions.hpp"
+#include "objectives/strokes.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 
@@ -180,23 +182,7 @@ void add_range(CamModel& model, const std::string& name, const AffineRow& value,
     model.design_rows.push_back({name + ", at least", std::move(below)});
 }
 
-/// Where the free displacements lie, and rows that keep them there.
-void add_free_displacements(CamModel& model, const FreeDisplacements& free,
-                            std::span<const DisplacementBox> boxes) {
-    for (const int joint : free.joints) {
-        add_range(model, fmt::format("motion.segments[{}].to", joint - 1),
-                  model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
-    }
-    for (const DisplacementBox& box : boxes) {
-        const MotionFamily::Stretch& stretch =
-            model.design.stretches()[static_cast<std::size_t>(box.stretch)];
-        model.stretch_scales[static_cast<std::size_t>(box.stretch)].displacement = box.largest_measure();
-        add_range(model, fmt::format("displacement of motion.segments[{}]", box.stretch),
-                  combined(stretch.to, -1.0, stretch.from), box.least, box.most);
-    }
-}
-
-void add_program_scales(CamModel& model, const Scene& scene, std::span<const DisplacementBox> boxes) {
+void add_program_scales(CamModel& model, const Scene& scene) {
     if (scene.motion.type != MotionType::program) return;
     for (const MotionFamily::Stretch& stretch : model.design.stretches()) {
         const std::optional<double> from = known_displacement(stretch.from);
@@ -208,9 +194,10 @@ void add_program_scales(CamModel& model, const Scene& scene, std::span<const Dis
     model.least_displacement = least - overshoot * std::max(1.0, most - least);
     model.most_displacement = most + overshoot * std::max(1.0, most - least);
     const FreeDisplacements free = free_displacements(scene, model.design);
-    if (free.stretches.empty()) return;
-    const std::vector<DisplacementBox> whole = whole_range(free, model.design);
-    add_free_displacements(model, free, boxes.empty() ? std::span(whole) : boxes);
+    for (const int joint : free.joints) {
+        add_range(model, fmt::format("motion.segments[{}].to", joint - 1),
+                  model.design.stretches()[static_cast<std::size_t>(joint) - 1].to, free.least, free.most);
+    }
 }
 
 /// Whether a shape begins (seen from the right) or ends with y' = 0.
@@ -283,8 +270,9 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
         const bool caps_motion = limit && limit->in_time() && !model.stretch_scales.empty();
         if (caps_motion) {
             for (const int sign : {1, -1}) {
-                model.rules.emplace_back(
-                    std::make_shared<CapRule>(limit->key, source.order, sign, limit->normalised));
+                model.rules.emplace_back(std::make_shared<BoundRule>(
+                    limit->key,
+                    BoundRule::Bound{source.order, sign, limit->normalised, limit->normalised}));
             }
         }
         if (source.weight == 0.0 && (!limit || caps_motion)) continue;
@@ -358,11 +346,13 @@ void add_cam(CamModel& model, const Scene& scene) {
 }  // namespace
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                     std::span<const DisplacementBox> boxes) {
+                     std::span<const StrokeDirection> directions) {
     CamModel model(scene_family(scene, kind));
-    add_program_scales(model, scene, boxes);
+    add_program_scales(model, scene);
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
+    add_stroke_rules(model, scene, directions);
+    set_entry_factors(model, scene);
     add_cam(model, scene);
     add_own_rules(model, scene);
     add_response_rules(model, scene);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/peaks.hpp"
-#include "objectives/free_displacements.hpp"
 #include "objectives/model.hpp"
+#include "objectives/strokes.hpp"
 #include "scene/scene.hpp"
 
 #include <span>
@@ -36,10 +36,9 @@ namespace camopt {
 
 /// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there. A
 /// program's peaks are the largest over its spline segments, each by its own angle and displacement (the lift
-/// where that is 0). Where displacements are free the model is a relaxation: those peaks are measured by the
-/// largest displacement that `boxes` (none: the whole free range) leaves, and the motions stay within them.
+/// where that is 0, or free). `directions`: of its free strokes (add_stroke_rules).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                                   std::span<const DisplacementBox> boxes = {});
+                                   std::span<const StrokeDirection> directions = {});
 
 /// Which motions a rule must be convex over to be kept.
 enum class ConvexOver {

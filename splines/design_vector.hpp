@@ -107,6 +107,10 @@ class DesignVector {
     /// Order of derivative that entry `index` stands for: 0 for ordinates and control points, 0, 1, 2 for
     /// states.
     [[nodiscard]] int order(int index) const { return orders_[index]; }
+    /// The breakpoint of an entry, x. Not of coefficients.
+    [[nodiscard]] double place(int index) const {
+        return space_.breakpoints()[static_cast<std::size_t>(places_[static_cast<std::size_t>(index)])];
+    }
 
     [[nodiscard]] const LocalMap& local_map(int segment) const { return maps_[segment]; }
     [[nodiscard]] AffineRow functional(double x, int order, Side side = Side::right) const;

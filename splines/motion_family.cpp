@@ -76,6 +76,19 @@ int MotionFamily::order(int index) const {
     return runs_[run].design.order(index - runs_[run].first);
 }
 
+std::optional<double> MotionFamily::place(int index) const {
+    if (index >= first_joint_) return {};
+    int run = runs() - 1;
+    while (runs_[static_cast<std::size_t>(run)].first > index) --run;
+    const DesignVector& design = runs_[static_cast<std::size_t>(run)].design;
+    if (design.kind() != DesignKind::states) return {};
+    const double own = design.place(index - first_entry(run));
+    for (const Stretch& stretch : stretches_)  // of a run that lies across the start: either side will do
+        if (stretch.run == run && own - stretch.shift >= stretch.begin && own - stretch.shift <= stretch.end)
+            return own - stretch.shift;
+    return {};
+}
+
 AffineRow MotionFamily::functional(double x, int order, Side side) const {
     const Piece& piece = pieces_[piece_of(x, side)];
     const Stretch& stretch = stretches_[piece.stretch];

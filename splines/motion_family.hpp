@@ -66,6 +66,8 @@ class MotionFamily {
     [[nodiscard]] std::string name(int index) const;
     /// Order of the derivative that entry `index` stands for.
     [[nodiscard]] int order(int index) const;
+    /// x of the breakpoint that entry `index`, a state of a run, belongs to; none of other entries.
+    [[nodiscard]] std::optional<double> place(int index) const;
 
     [[nodiscard]] double begin() const { return stretches_.front().begin; }
     [[nodiscard]] double end() const { return stretches_.back().end; }

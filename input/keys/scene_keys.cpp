@@ -71,6 +71,11 @@ Rows motion() {
          "Speed of the cam; only limits and outputs in time need it."},
         {"motion", "symmetric", boolean, plain, any, {}, "false",
          "Force y(x) + y(1 - x) = 1 (DRD) or y(x) = y(2 - x) (RR with equal angles)."},
+        {"motion", "within_lift", boolean, plain, any, {}, "true",
+         "Each stroke stays between the displacements at its ends (set points outside widen the range); false: the "
+         "motion may leave it."},
+        {"motion", "monotone", boolean, plain, any, {}, "false",
+         "A rise only rises, a return only falls: the velocity never changes its sign within a stroke."},
         {"motion", "via", tables, plain, any, {}, "none",
          "Points the curve meets exactly, and regions of constant velocity, one table each."},
         {"motion", "segments", tables, plain, any, {}, "none",

@@ -44,13 +44,14 @@ void CamProblem::start_rule(int index) {
             add_whole_sample({index, place.where.at, place.where.side, std::move(place.setting)});
         return;
     }
+    if (rule->starts_without_rows()) return;
     const MotionFamily& family = model_->design;
     const int order = rule->highest_order();
     for (const double x : rule->places()) add_sample(index, x, x < family.end() ? Side::right : Side::left);
     if (!rule->places().empty()) return;
     int last_stretch = -1;
     for (const MotionFamily::Piece& piece : family.pieces()) {
-        if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
+        if (!rule.holds_on(piece)) continue;
         const bool first = piece.stretch != last_stretch;
         last_stretch = piece.stretch;
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];

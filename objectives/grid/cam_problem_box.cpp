@@ -149,7 +149,7 @@ std::array<double, 2> CamProblem::displacement_range(double incumbent) const {
     SlopeRange slope{-known.sup[1], known.sup[1]};
     for (const PlacedRule& rule : model_->rules) {
         // Without an incumbent nothing is known to keep the limits.
-        if (!std::isfinite(incumbent) || rule.stretch >= 0) continue;
+        if (!std::isfinite(incumbent) || !rule.holds_everywhere()) continue;
         const SlopeRange own = rule->slope_range();
         slope.least = std::max(slope.least, own.least - relaxed_limits * std::abs(own.least));
         slope.most = std::min(slope.most, own.most + relaxed_limits * std::abs(own.most));

@@ -34,8 +34,9 @@ QuadraticForm scaled_form(const CamModel& model, int order, double reference) {
 
 double variable_scale(const CamModel& model, int index) {
     const int design_size = model.design.size();
-    return index < design_size ? model.entry_scale[model.design.order(index)]
-                               : model.parameters[index - design_size].reference;
+    if (index >= design_size) return model.parameters[index - design_size].reference;
+    const double factor = model.entry_factors.empty() ? 1.0 : model.entry_factors[index];
+    return factor * model.entry_scale[model.design.order(index)];
 }
 
 Eigen::VectorXd design_scales(const CamModel& model) {
@@ -162,7 +163,11 @@ AffineRow GridNlp::linear_rule_row(const RuleSample& place, const RuleValue& aff
                                               std::move(derivative.weights)}
                                   : combined(sum, 1.0, derivative);
     }
-    return sum;
+    const PlacedRule& rule = model_->rules[static_cast<std::size_t>(place.rule)];
+    if (rule.datum == PlacedRule::Datum::zero || affine.gradient[0] == 0.0) return sum;
+    const auto& stretch = model_->design.stretches()[static_cast<std::size_t>(rule.stretch)];
+    return combined(sum, -affine.gradient[0],
+                    rule.datum == PlacedRule::Datum::begin ? stretch.from : stretch.to);
 }
 
 void GridNlp::add_linear_row(int sample) {

@@ -21,10 +21,11 @@ RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q)
     return result;
 }
 
-RuleValue CapRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {
-    RuleValue rule{weight_ * point.derivative[order_] - 1.0, Eigen::VectorXd::Zero(4),
-                   Eigen::MatrixXd::Zero(4, 4)};
-    rule.gradient[order_] = weight_;
+RuleValue BoundRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {
+    const double weight = bound_.sign / bound_.scale;
+    RuleValue rule{weight * point.derivative[bound_.order] - bound_.bound / bound_.scale,
+                   Eigen::VectorXd::Zero(4), Eigen::MatrixXd::Zero(4, 4)};
+    rule.gradient[bound_.order] = weight;
     return rule;
 }
 

@@ -7,25 +7,31 @@
 
 namespace camopt {
 
-/// A cap on the motion itself: sign · y^{(order)} / cap − 1 <= 0. A hard limit with no variable.
-class CapRule final : public PointRule {
+/// A limit on the motion itself: sign · y^{(order)} <= bound, as (sign · y^{(order)} − bound) / scale <= 0. A
+/// hard limit with no variable.
+class BoundRule final : public PointRule {
  public:
-    CapRule(std::string name, int order, int sign, double cap)
-        : name_(std::move(name)), order_(order), sign_(sign), weight_(sign / cap) {}
+    struct Bound {
+        int order = 0, sign = 1;
+        double bound = 0.0;                ///< of sign · y^{(order)}
+        double scale = 1.0;                ///< passing the bound by this is a violation of 100 %; > 0
+        bool starts_without_rows = false;  ///< as PointRule says
+    };
+    BoundRule(std::string name, const Bound& bound) : name_(std::move(name)), bound_(bound) {}
 
     [[nodiscard]] std::string name() const override { return name_; }
-    [[nodiscard]] RowOrigin origin() const override { return with_sign(PointRule::origin(), sign_); }
+    [[nodiscard]] RowOrigin origin() const override { return with_sign(PointRule::origin(), bound_.sign); }
     [[nodiscard]] const std::vector<int>& parameters() const override { return none_; }
     [[nodiscard]] bool linear() const override { return true; }
-    [[nodiscard]] int highest_order() const override { return order_; }
+    [[nodiscard]] int highest_order() const override { return bound_.order; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] bool starts_without_rows() const override { return bound_.starts_without_rows; }
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
     std::string name_;
-    int order_, sign_;
-    double weight_;
+    Bound bound_;
     std::vector<int> none_;
 };
 

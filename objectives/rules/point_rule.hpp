@@ -73,6 +73,9 @@ class PointRule {
         static const std::vector<double> everywhere;
         return everywhere;
     }
+    /// The first grid has no rows of it: most motions satisfy it anyway, and the exchange adds those that
+    /// are violated.
+    [[nodiscard]] virtual bool starts_without_rows() const { return false; }
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:

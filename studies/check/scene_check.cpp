@@ -2,6 +2,7 @@
 #include "studies/check/scene_check.hpp"
 
 #include "core/numbers/extrapolated_difference.hpp"
+#include "objectives/free_displacements.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
@@ -205,14 +206,13 @@ SceneCheck check_scene(const Scene& given) {
     const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
-    // Peaks measured by a displacement that is free: convex for given ones only.
     check.free_displacements =
         static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
     check.searched_angles =
         static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
             return segment.angle_range.has_value();
         }));
-    check.convex = shape.convex && check.free_displacements == 0 && check.searched_angles == 0;
+    check.convex = shape.convex && check.searched_angles == 0;
     if (scene.measured) (void)measured_report(scene, reference_peaks(scene));  // throws: too few rows
     check.free_breakpoints = free.has_value();
     if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);

@@ -196,7 +196,6 @@ std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, con
                          false};
         if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
         if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
-        if (stroke.from && stroke.to) stroke.scale.displacement = measured_displacement(rise_of(stroke));
         strokes.push_back(std::move(stroke));
     }
     return strokes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_conditions.hpp"
 
+#include "objectives/scene_model.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -17,6 +18,8 @@ namespace camopt {
 
 namespace {
 
+// At so many places between its ends a stroke is looked at.
+constexpr int places_of_stroke = 200;
 constexpr std::array<const char*, 4> derivative = {"y", "y'", "y''", "y'''"};
 
 class Audit {
@@ -71,6 +74,24 @@ class Audit {
                               report.at),
                   report.distance / size, report.at},
                  order);
+        }
+    }
+
+    /// Each stroke in the range of motion.within_lift; one whose displacement is free between its own ends.
+    void look_at_strokes() {
+        if (!scene_.motion.within_lift && !scene_.motion.monotone) return;
+        for (const StrokeRange& stroke : strokes_of(scene_, scene_family(scene_, DesignKind::states))) {
+            const bool open = scene_.motion.type == MotionType::program && stroke.is_free();
+            const double from = motion_.at(stroke.begin, Side::right).derivative[0];
+            const double to = motion_.at(stroke.end, Side::left).derivative[0];
+            const double least = open ? std::min(from, to) : stroke.least;
+            const double most = open ? std::max(from, to) : stroke.most;
+            for (int k = 0; k <= places_of_stroke; ++k) {
+                const double x = stroke.begin + (stroke.end - stroke.begin) * k / places_of_stroke;
+                const double y = motion_.at(x, k < places_of_stroke ? Side::right : Side::left).derivative[0];
+                const double outside = std::max({0.0, least - y, y - most});
+                keep({fmt::format("motion.within_lift: y = {:.9g} at x = {:.6g}", y, x), outside, x});
+            }
         }
     }
 
@@ -166,6 +187,7 @@ std::vector<ConditionMiss> missed_conditions(const Solution& solution, double to
     else
         audit.look_at_ends();
     audit.look_at_set_points();
+    audit.look_at_strokes();
     audit.look_at_symmetry();
     audit.look_at_end_jerk();
     return std::move(audit).missed();

@@ -2,6 +2,7 @@
 #include "studies/delivered/solution_report.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
+#include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
@@ -72,6 +73,7 @@ SplineCurve curve_of(const ChainPart& part) {
 
 void report_segments(Solution& solution) {
     const MotionChain& motion = *solution.motion;
+    const MotionFamily family = scene_family(solution.scene, DesignKind::states);
     JoinedMeans means;
     for (std::size_t s = 0; s < motion.parts().size(); ++s) {
         const ChainPart& part = motion.parts()[s];
@@ -92,8 +94,11 @@ void report_segments(Solution& solution) {
         if (written.kind == SegmentKind::spline) {
             report.curve = curve_of(part);
             const Peaks own = peaks_of(*report.curve);
+            const MotionFamily::Stretch& stretch = family.stretches()[s];
+            const bool free = !known_displacement(stretch.from) || !known_displacement(stretch.to);
             report.peaks = normalised_peaks(
-                own, {part.end - part.begin, measured_displacement(report.to - report.from)});
+                own, {part.end - part.begin,
+                      free ? 1.0 : measured_displacement(report.to - report.from)});
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);

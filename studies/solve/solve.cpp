@@ -18,7 +18,7 @@
 #include "studies/solve/cost_scale.hpp"
 #include "studies/solve/limit_curve.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
-#include "studies/solve/program/solve_free_displacements.hpp"
+#include "studies/solve/program/solve_stroke_directions.hpp"
 #include "studies/solve/rest_conflict.hpp"
 #include "studies/solve/solve_free_knots.hpp"
 #include "studies/solve/solve_from_starts.hpp"
@@ -42,15 +42,18 @@ constexpr double searched_in_vain = 0.6;
 /// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
 class SceneModels {
  public:
-    SceneModels(const Scene& scene, const Peaks& reference) : scene_(scene), reference_(reference) {}
+    SceneModels(const Scene& scene, const Peaks& reference,
+                std::span<const StrokeDirection> directions = {})
+        : scene_(scene), reference_(reference), directions_(directions) {}
 
     [[nodiscard]] const CamModel& with_states() {
-        if (!with_states_) with_states_ = scene_model(scene_, DesignKind::states, reference_);
+        if (!with_states_) with_states_ = scene_model(scene_, DesignKind::states, reference_, directions_);
         return *with_states_;
     }
     /// To be kept; it is made anew if it is asked for again.
     [[nodiscard]] CamModel taken(DesignKind kind) {
-        if (kind != DesignKind::states || !with_states_) return scene_model(scene_, kind, reference_);
+        if (kind != DesignKind::states || !with_states_)
+            return scene_model(scene_, kind, reference_, directions_);
         CamModel model = std::move(*with_states_);
         with_states_.reset();
         return model;
@@ -59,12 +62,19 @@ class SceneModels {
  private:
     const Scene& scene_;
     const Peaks& reference_;
+    std::span<const StrokeDirection> directions_;
     std::optional<CamModel> with_states_;
 };
 
-bool leaves_displacements_free(const Scene& scene, SceneModels& models) {
-    if (scene.motion.type != MotionType::program) return false;
-    return !free_displacements(scene, models.with_states().design).stretches.empty();
+/// Strokes are held to their range, and the direction of some is not known.
+bool has_undirected_strokes(const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    if (motion.type != MotionType::program || (!motion.within_lift && !motion.monotone)) return false;
+    const bool open = std::ranges::any_of(motion.segments, [](const ProgramSegment& segment) {
+        return segment.kind != SegmentKind::dwell && !segment.to;
+    });
+    return open && std::ranges::any_of(strokes_of(scene, scene_family(scene, DesignKind::states)),
+                                       &StrokeRange::is_free);
 }
 
 /// Who solves a problem that is not convex: Ipopt where this build has it.
@@ -123,12 +133,6 @@ BackendChoice chosen_backend(const Scene& scene, SceneModels& models) {
                 : "every rule of this scene is linear or convex in the design vector and its cost is convex, "
                   "so the structured interior point finds and proves the global optimum";
     }
-    if (leaves_displacements_free(scene, models)) {
-        choice.reason =
-            "displacements are free, and peaks are measured by them: relaxations bound them case by "
-            "case, and ordinary solves try them" +
-            (choice.reason.empty() ? std::string() : "; for given ones: " + choice.reason);
-    }
     if (choice.design == DesignKind::automatic) {
         // NLopt works on dense matrices and handles equalities badly: fewest variables, ends built in.
         const bool dense = choice.solver.starts_with("nlopt.");
@@ -137,13 +141,13 @@ BackendChoice chosen_backend(const Scene& scene, SceneModels& models) {
     return choice;
 }
 
-/// A scene whose objective is near one (CostScale).
-Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
-                      GridMemory* memory) {
+/// A scene whose objective is near one (CostScale), its free strokes with these directions.
+Solution solve_directed(const Scene& scene, const Peaks& reference, const SolveControl& control,
+                        GridMemory* memory, std::span<const StrokeDirection> directions) {
     const Stopwatch watch;
     Solution solution;
     solution.scene = scene;
-    SceneModels models(scene, reference);
+    SceneModels models(scene, reference, directions);
     const BackendChoice choice = chosen_backend(scene, models);
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
@@ -171,16 +175,6 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
         solution.seconds_total = watch.seconds();
         return solution;
     }
-    if (!free_displacements(scene, design).stretches.empty()) {
-        const auto given = [&](const Scene& fixed) {
-            return solve_scaled(fixed, reference, control, nullptr);
-        };
-        Solution found = solve_free_displacements(scene, reference, given, control);
-        found.solver.choice = choice.reason;
-        found.notes.insert(found.notes.begin(), solution.notes.begin(), solution.notes.end());
-        if (found.certificate.verdict == Verdict::infeasible) report_conflict(found);
-        return found;
-    }
     const Stopwatch solve_watch;
     ContinuousResult result = solve_problem(problem, solver, solution, models, control, memory);
     solution.seconds_solve = solve_watch.seconds();
@@ -197,6 +191,15 @@ Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveCon
     if (solution.certificate.verdict == Verdict::infeasible) report_conflict(solution);
     solution.seconds_total = watch.seconds();
     return solution;
+}
+
+Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
+                      GridMemory* memory) {
+    if (!has_undirected_strokes(scene)) return solve_directed(scene, reference, control, memory, {});
+    const auto solve = [&](std::span<const StrokeDirection> directions) {
+        return solve_directed(scene, reference, control, nullptr, directions);
+    };
+    return solve_stroke_directions(scene, solve, control);
 }
 
 /// What the clock ended depends on the machine: that must be told.

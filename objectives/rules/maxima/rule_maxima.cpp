@@ -34,9 +34,10 @@ using piece_maxima::Subject;
 /// A rule along the pieces of a spline as polynomials in x − begin.
 class RuleOnSpline {
  public:
-    RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q) : rule_(rule), q_(q) {
+    /// datum: what y is measured from.
+    RuleOnSpline(const PointRule& rule, const Eigen::VectorXd& q, double datum) : rule_(rule), q_(q) {
         if (!rule.linear()) return;
-        affine_ = rule.evaluate({0.0, {}}, q);
+        affine_ = rule.evaluate({0.0, {-datum, 0.0, 0.0, 0.0}}, q);
         while (lowest_ < 3 && affine_->gradient[lowest_] == 0.0) ++lowest_;
     }
 
@@ -190,16 +191,41 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
 
 }  // namespace
 
+namespace {
+
+/// The displacement that a placed rule measures y from.
+double datum_of(const PlacedRule& rule, const MotionFamily& family, const MotionChain& motion) {
+    if (rule.datum == PlacedRule::Datum::zero) return 0.0;
+    const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(rule.stretch)];
+    return rule.datum == PlacedRule::Datum::begin ? motion.at(stretch.begin, Side::right).derivative[0]
+                                                  : motion.at(stretch.end, Side::left).derivative[0];
+}
+
+/// Of a rule that holds on a part of the motion: its ends in place of what lies outside.
+std::vector<Extremum> inside(const PlacedRule& rule, const Subject& subject, std::vector<Extremum> all) {
+    if (rule.from == -infinity && rule.until == infinity) return all;
+    std::erase_if(all, [&](const Extremum& one) { return one.at < rule.from || one.at > rule.until; });
+    const auto add = [&](auto where, double x, Side side) {
+        if (x >= subject.motion.begin() && x <= subject.motion.end())
+            all.insert(where, {subject.value(x, side), x, side});
+    };
+    add(all.begin(), rule.from, Side::right);
+    add(all.end(), rule.until, Side::left);
+    return all;
+}
+
+}  // namespace
+
 std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& family,
                                   const MotionChain& motion, const Eigen::VectorXd& q) {
     std::vector<Extremum> candidates;
     const Subject subject{*rule, motion, q};
     if (!rule->places().empty()) return at_places(subject);
-    RuleOnSpline on_spline(*rule, q);
+    RuleOnSpline on_spline(*rule, q, datum_of(rule, family, motion));
     candidates.reserve(3 * family.pieces().size());
     CurvedPieces curved(subject);
     for (const MotionFamily::Piece& piece : family.pieces()) {
-        if (rule.stretch >= 0 && rule.stretch != piece.stretch) continue;
+        if (!rule.holds_on(piece)) continue;
         const MotionFamily::Stretch& stretch = family.stretches()[piece.stretch];
         if (stretch.kind == StretchRequest::Kind::dwell) {
             const MotionPoint resting = motion.at(piece.begin);
@@ -225,7 +251,7 @@ std::vector<Extremum> rule_maxima(const PlacedRule& rule, const MotionFamily& fa
         }
     }
     curved.finish(candidates);
-    return maxima_among(candidates);
+    return maxima_among(inside(rule, subject, std::move(candidates)));
 }
 
 std::vector<Extremum> rule_maxima(const PointRule& rule, const Motion& motion, const Eigen::VectorXd& q) {

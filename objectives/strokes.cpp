@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "objectives/strokes.hpp"
+
+#include "objectives/rules/maxima/rule_maxima.hpp"
+#include "objectives/rules/peak_rule.hpp"
+#include "scene/motion/set_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Datum = PlacedRule::Datum;
+
+constexpr double same_level = 1e-9;  // lifts: a set point this close to the edge of the range is on it
+constexpr double slow_enough = 1e-9;     // lifts by x: a joint or set point this slow does not leave the range
+
+/// y and y' at a place that the motion passes.
+struct Passed {
+    double y = 0.0, slope = 0.0;
+};
+
+/// The set points of a stroke that give a displacement: a region at both of its ends.
+std::vector<Passed> passed_points(const std::vector<PlacedPoint>& points, const StrokeRange& stroke, int segment) {
+    std::vector<Passed> passed;
+    for (const PlacedPoint& point : points) {
+        const bool own = point.segment == segment && point.begin >= stroke.begin - same_level &&
+                         point.end <= stroke.end + same_level;
+        if (!own || !point.wanted[0]) continue;
+        const double slope = point.wanted[1].value_or(0.0);
+        passed.push_back({*point.wanted[0], slope});
+        if (point.is_region()) passed.push_back({*point.wanted[0] + slope * (point.end - point.begin), slope});
+    }
+    return passed;
+}
+
+/// y' with which a law beside a stroke meets it; 0 where it rests, or where its displacement is free.
+double slope_beside(const Scene& scene, const MotionFamily& family, int stretch, Side side) {
+    const int count = static_cast<int>(family.stretches().size());
+    int other = stretch + (side == Side::right ? -1 : 1);
+    if (!scene.motion.closed && (other < 0 || other >= count)) return 0.0;
+    other = (other + count) % count;
+    const MotionFamily::Stretch& beside = family.stretches()[static_cast<std::size_t>(other)];
+    if (!beside.shape) return 0.0;
+    const auto from = known_displacement(beside.from), to = known_displacement(beside.to);
+    const double x = side == Side::right ? beside.shape->end() : beside.shape->begin();
+    const Side seen = side == Side::right ? Side::left : Side::right;
+    return from && to ? (*to - *from) / (beside.end - beside.begin) * beside.shape->at(x, seen).derivative[1]
+                      : 0.0;
+}
+
+/// The range of a stroke whose ends are known.
+void set_range(StrokeRange& stroke, const std::vector<Passed>& points, const std::array<double, 2>& slopes) {
+    if (std::abs(*stroke.to - *stroke.from) < standing_displacement && points.empty()) return;
+    stroke.least = std::min(*stroke.from, *stroke.to);
+    stroke.most = std::max(*stroke.from, *stroke.to);
+    for (const Passed& point : points) {
+        stroke.least = std::min(stroke.least, point.y);
+        stroke.most = std::max(stroke.most, point.y);
+    }
+    const double least = stroke.least, most = stroke.most;
+    const auto open_at = [&](double y, bool below, bool above) {
+        if (below && y <= least + same_level) stroke.least = -infinity;
+        if (above && y >= most - same_level) stroke.most = infinity;
+    };
+    open_at(*stroke.from, slopes[0] < -slow_enough, slopes[0] > slow_enough);
+    open_at(*stroke.to, slopes[1] > slow_enough, slopes[1] < -slow_enough);
+    for (const Passed& point : points) {
+        const bool moves = std::abs(point.slope) > slow_enough;
+        open_at(point.y, moves, moves);
+    }
+}
+
+std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
+    std::vector<PlacedRule> rules;
+    const auto add = [&](const char* key, const BoundRule::Bound& bound, Datum datum) {
+        PlacedRule rule(std::make_shared<BoundRule>(key, bound), stroke.stretch);
+        rule.datum = datum;
+        if (scene.motion.type == MotionType::rr) {
+            rule.from = stroke.begin > 0.0 ? stroke.begin : -infinity;
+            rule.until = stroke.begin > 0.0 ? infinity : stroke.end;
+        }
+        rules.push_back(std::move(rule));
+    };
+    const bool free = stroke.is_free();
+    if (free && direction == StrokeDirection::open) return rules;
+    const double lift = free ? 1.0 : std::abs(*stroke.to - *stroke.from);
+    const bool rises = free ? direction == StrokeDirection::rises : *stroke.to > *stroke.from;
+    if (scene.motion.monotone && lift >= standing_displacement) {
+        const double mean = lift / (stroke.end - stroke.begin);
+        add("motion.monotone", {1, rises ? -1 : 1, 0.0, mean, true}, Datum::zero);
+        return rules;  // from a to b it stays between them
+    }
+    if (!scene.motion.within_lift) return rules;
+    if (free) {
+        add("motion.within_lift", {0, -1, 0.0, 1.0, true}, rises ? Datum::begin : Datum::end);
+        add("motion.within_lift", {0, 1, 0.0, 1.0, true}, rises ? Datum::end : Datum::begin);
+        return rules;
+    }
+    const bool bounded = std::isfinite(stroke.least) && std::isfinite(stroke.most);
+    const double width = bounded ? stroke.most - stroke.least : std::max(lift, standing_displacement);
+    if (std::isfinite(stroke.least)) add("motion.within_lift", {0, -1, -stroke.least, width, true}, Datum::zero);
+    if (std::isfinite(stroke.most)) add("motion.within_lift", {0, 1, stroke.most, width, true}, Datum::zero);
+    return rules;
+}
+
+}  // namespace
+
+std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family) {
+    const std::vector<PlacedPoint> points = placed_points(scene.motion);
+    std::vector<StrokeRange> strokes;
+    if (scene.motion.type != MotionType::program) {
+        strokes.push_back({"motion", 0, 0.0, 1.0, 0.0, 1.0});
+        if (scene.motion.type == MotionType::rr)
+            strokes.push_back({"motion", 0, 1.0, scene.motion.length(), 1.0, 0.0});
+        for (StrokeRange& stroke : strokes) set_range(stroke, passed_points(points, stroke, -1), {});
+        return strokes;
+    }
+    for (int i = 0; i < static_cast<int>(family.stretches().size()); ++i) {
+        const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(i)];
+        if (stretch.kind != StretchRequest::Kind::spline) continue;
+        StrokeRange stroke{fmt::format("motion.segments[{}]", i), i, stretch.begin, stretch.end,
+                      known_displacement(stretch.from), known_displacement(stretch.to)};
+        if (!stroke.is_free())
+            set_range(stroke, passed_points(points, stroke, i),
+                      {slope_beside(scene, family, i, Side::right), slope_beside(scene, family, i, Side::left)});
+        strokes.push_back(std::move(stroke));
+    }
+    return strokes;
+}
+
+void add_stroke_rules(CamModel& model, const Scene& scene, std::span<const StrokeDirection> directions) {
+    if (!scene.motion.within_lift && !scene.motion.monotone) return;
+    std::size_t free = 0;
+    for (const StrokeRange& stroke : strokes_of(scene, model.design)) {
+        StrokeDirection direction = StrokeDirection::open;
+        if (stroke.is_free() && free < directions.size()) direction = directions[free++];
+        for (PlacedRule& rule : rules_of(scene, stroke, direction)) model.rules.push_back(std::move(rule));
+    }
+}
+
+void set_entry_factors(CamModel& model, const Scene& scene) {
+    const std::vector<StrokeRange> strokes = strokes_of(scene, model.design);
+    if (strokes.size() < 2) return;  // one stroke has the length and the displacement that count as one
+    model.entry_factors.assign(static_cast<std::size_t>(model.design.size()), 1.0);
+    for (int j = 0; j < model.design.size(); ++j) {
+        const std::optional<double> x = model.design.place(j);
+        const int order = model.design.order(j);
+        if (!x || order == 0) continue;
+        double factor = 0.0;  // the larger one where two strokes meet
+        for (const StrokeRange& stroke : strokes) {
+            if (*x < stroke.begin || *x > stroke.end) continue;
+            const double moved = stroke.is_free() ? 1.0 : measured_displacement(*stroke.to - *stroke.from);
+            factor = std::max(factor, moved / std::pow(stroke.end - stroke.begin, order));
+        }
+        if (factor > 0.0) model.entry_factors[static_cast<std::size_t>(j)] = factor;
+    }
+}
+
+std::vector<double> excursions_of_free_strokes(const Scene& scene, const MotionFamily& family,
+                                               const MotionChain& motion) {
+    std::vector<double> excursions;
+    for (const StrokeRange& stroke : strokes_of(scene, family)) {
+        if (!stroke.is_free()) continue;
+        const double moved = motion.at(stroke.end, Side::left).derivative[0] -
+                             motion.at(stroke.begin, Side::right).derivative[0];
+        double worst = 0.0;
+        for (const PlacedRule& rule :
+             rules_of(scene, stroke, moved < 0.0 ? StrokeDirection::falls : StrokeDirection::rises))
+            worst = std::max(worst, largest_of(rule_maxima(rule, family, motion, {})).value);
+        excursions.push_back(worst);
+    }
+    return excursions;
+}
+
+}  // namespace camopt

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The strokes of a motion, and the range that motion.within_lift and motion.monotone hold them in.
+//
+// A stroke runs from displacement a to b: the rise of DRD; rise and return of RR; each spline segment of a
+// program. within_lift: min(a, b, set points) <= y <= max(a, b, set points). A side is open where the motion
+// has to leave the range: beside a law that moves outward at the joint, or at a set point on the edge of the
+// range that is passed at speed. A spline segment that ends where it began is held by its set points alone.
+// monotone: y' has the sign of b − a, or is 0.
+//
+// Where a program leaves a or b open, the direction of the stroke is not known: StrokeDirection says which
+// case is meant, and the ends are rows of the design. Such a stroke with displacements at set points of its
+// own has no range.
+#pragma once
+
+#include "objectives/model.hpp"
+#include "scene/scene.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// Of a stroke whose displacement is free.
+enum class StrokeDirection { open, rises, falls };
+
+struct StrokeRange {
+    std::string member;               ///< "motion", "motion.segments[2]"
+    int stretch = 0;                  ///< of the family
+    double begin = 0.0, end = 0.0;    ///< x
+    std::optional<double> from, to;   ///< displacements at its ends, in lifts; none: free
+    double least = -infinity, most = infinity;  ///< of its range, in lifts; infinite: open, or the ends are free
+
+    [[nodiscard]] bool is_free() const { return !from || !to; }
+};
+
+/// In the order of the cam angle.
+[[nodiscard]] std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family);
+
+/// The rules of motion.within_lift and motion.monotone, named by these keys. `directions`: one for each free
+/// stroke in their order; those that are open, or missing, are not held.
+void add_stroke_rules(CamModel& model, const Scene& scene, std::span<const StrokeDirection> directions);
+
+/// Sets model.entry_factors, so that each entry is near one: y^{(r)} of a stroke of length β and displacement
+/// h is about h / β^r times that of a rise of one lift over one unit of x.
+void set_entry_factors(CamModel& model, const Scene& scene);
+
+/// How far each free stroke of a motion of the family leaves its range for the direction that it takes, as
+/// the largest violation of its rules. Lifts.
+[[nodiscard]] std::vector<double> excursions_of_free_strokes(const Scene& scene, const MotionFamily& family,
+                                                             const MotionChain& motion);
+
+}  // namespace camopt
