@@ -5,6 +5,7 @@
 #include "apps/commands.hpp"
 #include "apps/completion/completion.hpp"
 #include "apps/manual/manual.hpp"
+#include "apps/scene_loading.hpp"
 #include "apps/sweep/pareto_run.hpp"
 #include "apps/sweep/surface_run.hpp"
 #include "apps/terminal.hpp"
@@ -575,12 +576,11 @@ std::string version_text() {
     return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
 }
 
-ExitCode parse_and_run(int count, const char* const* words) {
+ExitCode parse_and_run(int count, const char* const* words, Words& parsed) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
     program.set_version_flag("--version", version_text());
     program.footer(examples);
     program.require_subcommand(1);
-    Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
     const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
@@ -650,13 +650,28 @@ ExitCode parse_and_run(int count, const char* const* words) {
     return list_command(parsed.list);
 }
 
+/// Of the scene of the command that ran.
+std::string words_with_place(const SceneError& error, const Words& words) {
+    std::string text = error.what();
+    const auto look = [&](const auto&... requests) {
+        ((text = requests.scene.empty() ? text : placed_words(error, requests.scene, requests.settings)),
+         ...);
+    };
+    look(words.solve, words.studio, words.compare, words.dynamics, words.check, words.export_cam,
+         words.sweep);
+    return text;
+}
+
 }  // namespace
 
 ExitCode run_command_line(int count, const char* const* words) noexcept {
+    Words parsed;
     try {
-        const ExitCode code = parse_and_run(count, words);
+        const ExitCode code = parse_and_run(count, words, parsed);
         if (std::fflush(stdout) != 0) return complain("cannot write to standard output", failure);
         return code;
+    } catch (const SceneError& error) {
+        return complain(words_with_place(error, parsed), wrong_input);
     } catch (const InputError& error) {
         return complain(error.what(), wrong_input);
     } catch (const std::exception& error) {

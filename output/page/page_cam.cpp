@@ -280,7 +280,8 @@ Json cam_curves(const Solution& solution, const PageRows& rows) {
     if (!solution.cam || !rows.whole) return all;
     const CamCurves course = cam_course(solution, rows);
     const CamMechanism& formulas = *solution.cam->cam.formulas;
-    all.push_back(pressure_curve(course));
+    // A translating flat face has the pressure angle 0 everywhere: nothing to draw.
+    if (solution.cam->summary.pressure_angle.value > 0.0) all.push_back(pressure_curve(course));
     if (formulas.planar())
         all.push_back(curvature_curve(course));
     else

@@ -10,6 +10,7 @@
 #include "output/words/comparison_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
@@ -28,28 +29,32 @@ namespace camopt {
 
 namespace {
 
-constexpr int value_digits = 6, headline_digits = 5;  // fewer would make 22637 a power of ten
-constexpr double noticed = 0.05;                      // per cent: a smaller change is none
+constexpr int value_digits = 6;   // of headline and tables: one number, one text
+constexpr double noticed = 0.05;  // per cent: a smaller change is none
 
 struct PlainVerdict {
     const char* tone;
     const char* headline;
-    const char* meaning;
+    std::string meaning;
 };
 
 /// For who never heard of a bound.
-PlainVerdict plain_verdict(Verdict verdict) {
-    switch (verdict) {
+PlainVerdict plain_verdict(const Certificate& certificate) {
+    const std::string gap = gap_words(certificate);
+    const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
+    switch (certificate.verdict) {
         case Verdict::optimal:
             return {"good", "The best motion, and proved to be it",
                     "It keeps every limit, and no motion of this spline does better by the weights of the "
                     "scene."};
         case Verdict::local:
             return {"good", "A good motion: no small change makes it better",
-                    "It keeps every limit. That quite another motion is better still is not ruled out."};
+                    "It keeps every limit. " +
+                        (gap.empty() ? "That a quite different motion is better is not ruled out." : proved)};
         case Verdict::feasible:
             return {"fair", "A motion that keeps every limit",
-                    "Whether it is the best one is not known: the search ended before."};
+                    gap.empty() ? "Whether it is the best one is not known: the search ended before."
+                                : proved + " The search for a better one ended before."};
         case Verdict::infeasible:
             return {"bad", "No motion keeps all of these limits",
                     "This is proved, not only tried: something in the scene has to give way."};
@@ -64,8 +69,8 @@ std::string active_sentence(const Solution& solution) {
     std::vector<std::string> active;
     for (const ConstraintReport& row : solution.constraints)
         if (row.active)
-            active.push_back(fmt::format("{} ({} {} at {} deg)", key_words(row.key).words,
-                                         short_text(row.limit), row.unit, degrees_at(solution, row.at)));
+            active.push_back(fmt::format("{} ({} at {} deg)", key_words(row.key).words, limit_text(row),
+                                         degrees_at(solution, row.at)));
     if (solution.constraints.empty()) return "The scene sets no limits.";
     if (active.empty()) return "Every limit is kept with room to spare: none of them shapes the motion.";
     return fmt::format("What shapes it: {}. More room there would make the motion better.",
@@ -91,11 +96,11 @@ Json table_json(std::string_view key, std::string_view title, const TextTable& t
 
 Json verdict_part(const Solution& solution) {
     const Verdict verdict = solution.certificate.verdict;
-    const PlainVerdict plain = plain_verdict(verdict);
+    const PlainVerdict plain = plain_verdict(solution.certificate);
     Json sentences = Json::array({plain.meaning});
-    if (has_motion(solution))
-        sentences.push_back(active_sentence(solution));
-    else
+    if (has_motion(solution)) sentences.push_back(active_sentence(solution));
+    for (const std::string& sentence : excursion_sentences(solution)) sentences.push_back(sentence);
+    if (!has_motion(solution))
         for (const std::string& remark : infeasible_remarks(solution)) sentences.push_back(remark);
     if (!has_motion(solution) && !is_told_in_words(solution.scene))
         for (const Relaxation& row : solution.relaxation) sentences.push_back(relaxation_sentence(row));
@@ -123,19 +128,19 @@ Json figures_part(const Solution& solution) {
     const auto add = [&](const std::string& name, const std::string& value, double x) {
         all.push_back({{"name", name}, {"value", value}, {"at", degrees_at(solution, x) + " deg"}});
     };
-    const std::array<const Extremum*, 3> peaks = {
-        &solution.motion_peaks.velocity, &solution.motion_peaks.acceleration, &solution.motion_peaks.jerk};
-    for (std::size_t i = 0; i < peaks.size(); ++i)
-        add("peak " + units.motion[i + 1].name,
-            units.motion[i + 1].first.normalised_text(peaks[i]->value, headline_digits), peaks[i]->at);
+    for (int order = 1; order <= 3; ++order) {
+        const ShownDerivative& shown = units.motion[static_cast<std::size_t>(order)];
+        const Extremum peak = signed_peaks(solution, order).largest;
+        add("peak " + shown.name, shown.first.normalised_text(peak.value, value_digits), peak.at);
+    }
     if (!solution.cam) return all;
     const CamSummary& cam = solution.cam->summary;
-    add("largest pressure angle", units.angle.text(cam.pressure_angle.value, headline_digits),
+    add("largest pressure angle", units.angle.text(cam.pressure_angle.value, value_digits),
         cam.pressure_angle.at);
     if (const std::optional<CamExtreme> radius = convex_radius(cam))
-        add("least convex radius", units.length.text(radius->value, headline_digits), radius->at);
+        add("least convex radius", units.length.text(radius->value, value_digits), radius->at);
     if (cam.forces && cam.forces->hertz_pressure)
-        add("largest Hertz pressure", units.pressure.text(cam.forces->hertz_pressure->value, headline_digits),
+        add("largest Hertz pressure", units.pressure.text(cam.forces->hertz_pressure->value, value_digits),
             cam.forces->hertz_pressure->at);
     return all;
 }
@@ -184,7 +189,7 @@ Json reference_part(const Solution& solution, PageReference wish) {
                 ? fmt::format("In its place the {} law would lose {} % of the objective.", name,
                               short_text(*law.loss_percent, 3))
                 : fmt::format("By the weights of the scene the {} law would be no worse.", name));
-    else
+    else if (std::isinf(law.objective))
         sentences.push_back(fmt::format("The {} law has no finite objective here.", name));
     if (const std::string changes = peak_changes(solution, law); !changes.empty())
         sentences.push_back(fmt::format("Its peaks against this motion: {}.", changes));
@@ -201,26 +206,20 @@ std::string optional_words(const std::optional<double>& value) {
 
 TextTable peak_rows(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
-    const ShownUnits units = shown_units(solution.scene);
+    const bool beside = shown_units(solution.scene).in_time;
     TextTable table;
-    const bool beside = units.motion[1].beside.has_value();
-    table.columns = {{"", true}, {"peak"}, {"at (deg)"}};
+    table.columns = {{"", true}, {"peak"}, {"at (deg)"}, {"other side"}, {"at (deg)"}};
     if (beside) table.columns.push_back({"by cam angle"});
     for (const std::string& title :
          {std::string("normalised"), reference_title(reference), std::string("change")})
         table.columns.push_back({title});
-    const std::vector<PeakRow> rows = peak_comparison(solution, reference);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const PeakRow& row = rows[i];
-        const bool derivative = i + 1 < units.motion.size();
-        std::vector<std::string> cells = {row.name};
-        cells.push_back(derivative ? units.motion[i + 1].first.normalised_text(row.motion.value, value_digits)
-                                   : "–");
-        cells.push_back(degrees_at(solution, row.motion.at));
-        if (beside)
-            cells.push_back(derivative
-                                ? units.motion[i + 1].beside->normalised_text(row.motion.value, value_digits)
-                                : "–");
+    const auto words = [](std::string text) { return text.empty() ? std::string("–") : std::move(text); };
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        const std::optional<Extremum>& opposite = row.sides.opposite;
+        std::vector<std::string> cells = {
+            row.name, words(row.first_text(value_digits)), degrees_at(solution, row.motion.at),
+            words(row.opposite_text(value_digits)), opposite ? degrees_at(solution, opposite->at) : "–"};
+        if (beside) cells.push_back(words(row.beside_text(value_digits)));
         cells.push_back(fmt::format("{} = {}", row.symbol, short_text(row.optimum.value)));
         cells.push_back(optional_words(row.reference));
         cells.push_back(row.reference ? change_text(row.optimum.value, *row.reference) : "–");
@@ -234,11 +233,8 @@ TextTable limit_rows_of(const Solution& solution) {
     table.columns = {{"limit", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}};
     for (const ConstraintReport& row : solution.constraints)
         table.rows.push_back(
-            {key_words(row.key).words, fmt::format("{} {}", short_text(row.limit), row.unit),
-             row.no_contact
-                 ? std::string(no_contact_words)
-                 : fmt::format("{} {}{}", short_text(row.worst, value_digits), row.unit, on_side(row)),
-             degrees_at(solution, row.at),
+            {key_words(row.key).words, limit_text(row), reached_text(row, value_digits),
+             reached_degrees(solution, row),
              std::string(row.active ? "shapes the motion" : "kept") + (row.verified ? ", verified" : "")});
     return table;
 }

@@ -6,6 +6,7 @@
 #include "core/version.hpp"
 #include "output/report/report_sections.hpp"
 #include "output/words/infeasible_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
 #include "output/words/shown_units.hpp"
@@ -120,12 +121,9 @@ std::string limits_section(const Solution& solution) {
     if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
-    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format("| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
-                            row.no_contact ? std::string(no_contact_words)
-                                           : short_text(row.worst, 9) + " " + row.unit + on_side(row),
-                            short_text(row.at * degrees_per_x),
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, limit_text(row), reached_text(row),
+                            reached_degrees(solution, row),
                             std::string(row.active ? "active: it shapes the motion" : "not active") +
                                 (row.verified ? "; verified" : ""));
     return text + verification_words(solution.constraints);
@@ -200,6 +198,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     if (solution.motion)
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
+    for (const std::string& sentence : excursion_sentences(solution)) text += "\n" + sentence + "\n";
     text += own_terms_section(solution);
     text += dynamics_section(solution);
     text += limits_section(solution) + set_point_section(solution);

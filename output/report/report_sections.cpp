@@ -4,6 +4,7 @@
 #include "core/text/printable.hpp"
 #include "input/keys/written_keys.hpp"
 #include "output/report/cam_files.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
@@ -47,6 +48,16 @@ std::string cam_section(const Solution& solution) {
                        pictures_of(solution));
 }
 
+namespace {
+
+/// The peak of the other sign and where it is.
+std::string opposite_words(const Solution& solution, const PeakRow& row) {
+    if (!row.sides.opposite) return {};
+    return fmt::format("{} at {} deg", row.opposite_text(), degrees_at(solution, row.sides.opposite->at));
+}
+
+}  // namespace
+
 TextTable peak_rows(const Solution& solution, const std::string& first_title,
                     const std::vector<std::string>& titles,
                     const std::function<std::vector<std::string>(const PeakRow&)>& cells) {
@@ -55,11 +66,13 @@ TextTable peak_rows(const Solution& solution, const std::string& first_title,
     table.columns = {{"", true}, {first_title}};
     if (in_time) table.columns.push_back({"by the cam angle"});
     for (const std::string& title : titles) table.columns.push_back({title});
+    table.columns.push_back({"peak of the other sign"});
     for (const PeakRow& row : peak_comparison(solution, reference_motion(solution.scene))) {
         std::vector<std::string> all = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
         if (in_time) all.push_back(row.beside_text());
         const std::vector<std::string> further = cells(row);
         all.insert(all.end(), further.begin(), further.end());
+        all.push_back(opposite_words(solution, row));
         table.rows.push_back(std::move(all));
     }
     return table;

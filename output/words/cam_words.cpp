@@ -55,7 +55,9 @@ class Figures {
 
     void add(std::string name, const std::optional<CamExtreme>& extreme, const ShownUnit& unit) {
         if (!extreme) return;
-        std::string value = std::isinf(extreme->value) ? no_contact_words : unit.text(extreme->value);
+        // Of a cusp the pressure is infinite.
+        const bool untouched = std::isinf(extreme->value) && solution_.cam->summary.no_contact;
+        std::string value = untouched ? no_contact_words : unit.text(extreme->value);
         all_.push_back({std::move(name), std::move(value), degrees_at(solution_, extreme->at)});
     }
     [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }

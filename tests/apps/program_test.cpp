@@ -182,6 +182,25 @@ TEST(Program, RefusesAnIncompleteCamOrProgram) {
     expect_refused("solve '" + path + "'", "program");
 }
 
+// What no reader can see (it needs the formulas of a cam, the spline, a law) names its place all the same.
+TEST(Program, RefusalsOfAReadSceneNameFileAndLine) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path() + "/scene.toml";
+    const std::string motion = "[motion]\ntype = \"DRD\"\nspeed_rpm = 60\n";
+    write_text_file(path, motion + "[objective]\njerk = 1\n");
+    expect_refused(
+        "dynamics '" + path + "'",
+        path + ":1:1: dynamics: found a scene without a [dynamics] table; allowed: a scene with one");
+    write_text_file(path, motion + "[objective]\njerk = 1\n[spline]\nsegments = 12\n[measured]\n" +
+                              "theta_deg = [0, 90, 180]\ns_mm = [0, 0.5, 1]\n");
+    expect_refused("solve '" + path + "'", path + ":8:1: measured: found 3 rows for a spline with ");
+    write_text_file(path, motion + "[objective]\njerk = 1\nreference = \"parabolic\"\n");
+    expect_refused("solve '" + path + "'",
+                   path + ":7:13: objective.reference: found \"parabolic\", which has no finite jerk");
+    expect_refused("solve '" + path + "' --set objective.reference=simple_harmonic",
+                   "--set objective.reference=simple_harmonic: objective.reference: found ");
+}
+
 TEST(Program, CheckNeedsNoSolve) {
     const ProgramRun run = run_camopt("check " + scene("drd_cubic_12"));
     EXPECT_EQ(run.exit_code, 0);
