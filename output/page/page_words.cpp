@@ -135,8 +135,9 @@ Json figures_part(const Solution& solution) {
     }
     if (!solution.cam) return all;
     const CamSummary& cam = solution.cam->summary;
-    add("largest pressure angle", units.angle.text(cam.pressure_angle.value, value_digits),
-        cam.pressure_angle.at);
+    if (cam.pressure_angle.value > 0.0)
+        add("largest pressure angle", units.angle.text(cam.pressure_angle.value, value_digits),
+            cam.pressure_angle.at);
     if (const std::optional<CamExtreme> radius = convex_radius(cam))
         add("least convex radius", units.length.text(radius->value, value_digits), radius->at);
     if (cam.forces && cam.forces->hertz_pressure)

@@ -191,12 +191,15 @@ TEST(Program, RefusalsOfAReadSceneNameFileAndLine) {
     expect_refused(
         "dynamics '" + path + "'",
         path + ":1:1: dynamics: found a scene without a [dynamics] table; allowed: a scene with one");
-    write_text_file(path, motion + "[objective]\njerk = 1\n[spline]\nsegments = 12\n[measured]\n" +
-                              "theta_deg = [0, 90, 180]\ns_mm = [0, 0.5, 1]\n");
-    expect_refused("solve '" + path + "'", path + ":8:1: measured: found 3 rows for a spline with ");
+    write_text_file(path, motion + "[objective]\njerk = 1\n[spline]\nsegments = 24\n[measured]\n" +
+                              "theta_deg = [0, 20, 50, 80, 100, 130, 160, 180]\n" +
+                              "s_mm = [0, 0, 0.1, 0.4, 0.6, 0.9, 1, 1]\n");
+    expect_refused("solve '" + path + "'", path + ":8:1: measured: found 8 rows for a spline with ");
+    expect_refused("check " + scene("inverse_feeder") + " --set motion.lift_mm=5000",
+                   "inverse_feeder.toml:23:1: cam: found the feeder's linkage does not reach");
     write_text_file(path, motion + "[objective]\njerk = 1\nreference = \"parabolic\"\n");
     expect_refused("solve '" + path + "'",
-                   path + ":7:13: objective.reference: found \"parabolic\", which has no finite jerk");
+                   path + ":6:13: objective.reference: found \"parabolic\", which has no finite jerk");
     expect_refused("solve '" + path + "' --set objective.reference=simple_harmonic",
                    "--set objective.reference=simple_harmonic: objective.reference: found ");
 }
