@@ -533,16 +533,24 @@ CLI::App& add_sweep_merge(CLI::App& sweep, SweepMergeRequest& request) {
     return command;
 }
 
+/// The scene file of the command that runs, and the settings on top of it.
+struct SceneWords {
+    std::string file;
+    std::vector<std::string> settings;
+};
+
 /// `--set a=1 b=2 scene.toml` is understood too: what has no '=' is the scene.
-void find_scene(std::string& scene, std::vector<std::string>& settings) {
-    const auto plain = std::find_if(settings.begin(), settings.end(), [](const std::string& setting) {
-        return setting.find('=') == std::string::npos;
-    });
-    if (scene.empty() && plain != settings.end()) {
-        scene = *plain;
-        settings.erase(plain);
+template <class Request>
+void find_scene(Request& request, SceneWords& asked) {
+    const auto plain = std::ranges::find_if(
+        request.settings, [](const std::string& setting) { return setting.find('=') == std::string::npos; });
+    if (request.scene.empty() && plain != request.settings.end()) {
+        request.scene = *plain;
+        request.settings.erase(plain);
     }
-    if (scene.empty()) throw InputError("the scene file is missing: camopt COMMAND SCENE; see camopt --help");
+    if (request.scene.empty())
+        throw InputError("the scene file is missing: camopt COMMAND SCENE; see camopt --help");
+    asked = {request.scene, request.settings};
 }
 
 /// The command as it could be typed into a shell again.
@@ -576,11 +584,12 @@ std::string version_text() {
     return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
 }
 
-ExitCode parse_and_run(int count, const char* const* words, Words& parsed) {
+ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
     program.set_version_flag("--version", version_text());
     program.footer(examples);
     program.require_subcommand(1);
+    Words parsed;
     const CLI::App& solve = add_solve(program, parsed.solve);
     const CLI::App& studio = add_studio(program, parsed.studio);
     const CLI::App& compare = add_compare(program, parsed.compare);
@@ -614,29 +623,29 @@ ExitCode parse_and_run(int count, const char* const* words, Words& parsed) {
     }
     refuse_empty_values(program);
     if (solve.parsed()) {
-        find_scene(parsed.solve.scene, parsed.solve.settings);
+        find_scene(parsed.solve, asked);
         parsed.solve.command = joined(count, words);
         return solve_command(parsed.solve);
     }
     if (studio.parsed()) {
-        if (!parsed.studio.settings.empty()) find_scene(parsed.studio.scene, parsed.studio.settings);
+        if (!parsed.studio.settings.empty()) find_scene(parsed.studio, asked);
         return studio_command(parsed.studio);
     }
     if (compare.parsed()) {
-        find_scene(parsed.compare.scene, parsed.compare.settings);
+        find_scene(parsed.compare, asked);
         parsed.compare.command = joined(count, words);
         return compare_command(parsed.compare);
     }
     if (dynamics.parsed()) {
-        find_scene(parsed.dynamics.scene, parsed.dynamics.settings);
+        find_scene(parsed.dynamics, asked);
         return dynamics_command(parsed.dynamics);
     }
     if (check.parsed()) {
-        find_scene(parsed.check.scene, parsed.check.settings);
+        find_scene(parsed.check, asked);
         return check_command(parsed.check);
     }
     if (export_cam.parsed()) {
-        find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
+        find_scene(parsed.export_cam, asked);
         return export_command(parsed.export_cam);
     }
     if (report.parsed()) return report_command(parsed.report);
@@ -644,34 +653,22 @@ ExitCode parse_and_run(int count, const char* const* words, Words& parsed) {
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
-        find_scene(parsed.sweep.scene, parsed.sweep.settings);
+        find_scene(parsed.sweep, asked);
         return sweep_of(parsed.sweep);
     }
     return list_command(parsed.list);
 }
 
-/// Of the scene of the command that ran.
-std::string words_with_place(const SceneError& error, const Words& words) {
-    std::string text = error.what();
-    const auto look = [&](const auto&... requests) {
-        ((text = requests.scene.empty() ? text : placed_words(error, requests.scene, requests.settings)),
-         ...);
-    };
-    look(words.solve, words.studio, words.compare, words.dynamics, words.check, words.export_cam,
-         words.sweep);
-    return text;
-}
-
 }  // namespace
 
 ExitCode run_command_line(int count, const char* const* words) noexcept {
-    Words parsed;
+    SceneWords asked;
     try {
-        const ExitCode code = parse_and_run(count, words, parsed);
+        const ExitCode code = parse_and_run(count, words, asked);
         if (std::fflush(stdout) != 0) return complain("cannot write to standard output", failure);
         return code;
     } catch (const SceneError& error) {
-        return complain(words_with_place(error, parsed), wrong_input);
+        return complain(placed_words(error, asked.file, asked.settings), wrong_input);
     } catch (const InputError& error) {
         return complain(error.what(), wrong_input);
     } catch (const std::exception& error) {

@@ -11,15 +11,11 @@ namespace {
 
 /// What the formulas of the cam and of the train refuse is told with its place in the file.
 void complete(Scene& scene, const input::SceneOrigin& origin) {
-    const char* table = "cam";
     try {
         complete_mechanism(scene);
-        table = "dynamics";
         complete_dynamics(scene);
     } catch (const SceneError& error) {
         input::fail_in_scene(origin, error.fault().member, words_of(error.fault()));
-    } catch (const InputError& error) {
-        input::fail_in_scene(origin, table, error.what());
     }
 }
 

@@ -115,7 +115,7 @@ PanelContent panel_content(const Picture& picture, int order) {
         add_peaks(content, picture);
     } else {
         for (const Excursion& one : excursions(picture.solution))
-            content.peaks.push_back({one.farthest, excursion_text(picture.solution, one)});
+            content.peaks.push_back({one.farthest, unit.normalised_text(one.farthest.value)});
         content.caption_right =
             fmt::format("left axis: physical units · right axis: normalised by lift and {}",
                         picture.solution.segments.empty() ? "rise" : "the angle of the first spline segment");

@@ -75,13 +75,6 @@ TurnPanel curvature_panel(const ProfileShape& shape, const Pieces& pieces,
     return panel;
 }
 
-/// A translating flat face has the pressure angle 0 everywhere: nothing to draw.
-bool is_zero(const TurnPanel& panel) {
-    return std::ranges::all_of(panel.pieces, [](const auto& piece) {
-        return std::ranges::all_of(piece, [](const Eigen::Vector2d& point) { return point.y() == 0.0; });
-    });
-}
-
 /// factor: from SI to the unit shown.
 std::vector<TurnMark> shown_marks(const std::vector<ProfileMark>& marks, double factor) {
     std::vector<TurnMark> shown;
@@ -126,7 +119,8 @@ std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagram
     for (const double knot : shape.knots) diagram.knots.push_back(knot / degree);
     if (shape.other)
         return turn_diagram_svg(two_sided(std::move(diagram), std::move(pressure), shape, limits));
-    if (!is_zero(pressure)) diagram.panels.push_back(std::move(pressure));
+    // The pressure angle of a translating flat face is 0 everywhere: nothing to draw.
+    if (shape.cam.follower != FollowerType::translating_flat) diagram.panels.push_back(std::move(pressure));
     diagram.panels.push_back(std::move(curvature));
     return turn_diagram_svg(diagram);
 }

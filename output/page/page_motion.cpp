@@ -46,14 +46,7 @@ Json values_of(const MotionCurve& curve) {
 /// Another motion beside it, by the same rows: null where there is none.
 Json values_beside(const MotionCurve& curve, const Motion* motion, const std::string& title) {
     if (motion == nullptr) return nullptr;
-    Json values = Json::array();
-    for (std::size_t i = 0; i < curve.rows.rows.size(); ++i) {
-        const MotionRow& row = curve.rows.rows[i];
-        const bool inside = i < curve.rows.own && row.x >= motion->begin() && row.x <= motion->end();
-        const auto order = static_cast<std::size_t>(curve.order);
-        values.push_back(inside ? curve.value(motion->at(row.x, row.side).derivative[order]) : Json(nullptr));
-    }
-    return {{"title", title}, {"values", std::move(values)}};
+    return {{"title", title}, {"values", values_along(*motion, curve.rows, curve.shown().first)}};
 }
 
 Json limits_of(const MotionCurve& curve) {
@@ -114,6 +107,18 @@ void add_given_points(Json& curves, const Solution& solution, const ShownUnits& 
 }
 
 }  // namespace
+
+Json values_along(const Motion& motion, const PageRows& rows, const MotionUnit& unit) {
+    Json values = Json::array();
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        const MotionRow& row = rows.rows[i];
+        const bool inside = i < rows.own && row.x >= motion.begin() && row.x <= motion.end();
+        values.push_back(
+            inside ? rounded_json(unit.per_normalised * motion.at(row.x, row.side).derivative[unit.order])
+                   : Json(nullptr));
+    }
+    return values;
+}
 
 Json motion_curves(const Solution& solution, const PageRows& rows) {
     Json all = Json::array();

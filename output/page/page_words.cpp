@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a page says in words and tables: for the engineer first, how it was found last.
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/reference_motion.hpp"
@@ -201,10 +200,6 @@ Json reference_part(const Solution& solution, PageReference wish) {
 
 namespace {
 
-std::string optional_words(const std::optional<double>& value) {
-    return value ? short_text(*value) : "–";
-}
-
 TextTable peak_rows(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
     const bool beside = shown_units(solution.scene).in_time;
@@ -222,8 +217,8 @@ TextTable peak_rows(const Solution& solution) {
             words(row.opposite_text(value_digits)), opposite ? degrees_at(solution, opposite->at) : "–"};
         if (beside) cells.push_back(words(row.beside_text(value_digits)));
         cells.push_back(fmt::format("{} = {}", row.symbol, short_text(row.optimum.value)));
-        cells.push_back(optional_words(row.reference));
-        cells.push_back(row.reference ? change_text(row.optimum.value, *row.reference) : "–");
+        cells.push_back(short_text(row.reference));
+        cells.push_back(row.change());
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -244,39 +239,14 @@ TextTable dimension_rows(const Solution& solution) {
     TextTable table;
     table.columns = {{"dimension", true}, {"value"}, {"", true}};
     const MechanismSpec spec = cam_of(solution.scene).value();
-    const ShownUnits shown = shown_units(solution.scene);
-    const auto value_text = [&](const DimensionValue& dimension) {
-        if (!dimension.shown) return std::string("free");
-        return dimension.is_angle ? shown.angle.text(*dimension.shown * units::degree)
-                                  : shown.length.text(*dimension.shown * units::millimetre);
-    };
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
         const auto found = std::ranges::find(spec.dimensions, dimension.name, &MechanismDimension::name);
         const bool given = found != spec.dimensions.end();
-        table.rows.push_back({words_of(dimension.name), value_text(dimension),
+        table.rows.push_back({words_of(dimension.name), dimension.text,
                               !given                       ? "follows"
                               : found->value.is_variable() ? "chosen by the optimiser"
                                                            : "given"});
     }
-    return table;
-}
-
-TextTable figure_rows(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"", true}, {"value"}, {"at (deg)"}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
-    return table;
-}
-
-TextTable relaxation_rows(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
-    for (const Relaxation& row : solution.relaxation)
-        table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row)
-                              : row.ruled_out ? "no change helps"
-                                              : "no value tried helps"});
     return table;
 }
 
@@ -285,7 +255,7 @@ TextTable relaxation_rows(const Solution& solution) {
 Json tables_part(const Solution& solution) {
     Json all = Json::array();
     if (!solution.relaxation.empty())
-        all.push_back(table_json("changes", "What would have to change", relaxation_rows(solution)));
+        all.push_back(table_json("changes", "What would have to change", relaxation_table(solution)));
     if (!solution.motion) return all;
     all.push_back(
         table_json("peaks", "Peaks of the motion", peak_rows(solution),
@@ -297,7 +267,8 @@ Json tables_part(const Solution& solution) {
     if (!solution.cam) return all;
     all.push_back(table_json("dimensions", "Dimensions", dimension_rows(solution),
                              cam_text(cam_of(solution.scene).value()) + "."));
-    all.push_back(table_json("cam", "Figures of the cam", figure_rows(solution)));
+    all.push_back(
+        table_json("cam", "Figures of the cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
     return all;
 }
 

@@ -2,14 +2,13 @@
 #include "output/report/report.hpp"
 
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/report/report_sections.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
-#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
@@ -22,10 +21,6 @@
 namespace camopt {
 
 namespace {
-
-std::string optional_text(const std::optional<double>& value) {
-    return value ? short_text(*value) : "–";
-}
 
 std::string asked(const Scene& scene) {
     std::string text = "## What was asked\n\n";
@@ -72,16 +67,13 @@ std::string verdict_section(const Solution& solution) {
 }
 
 std::string peak_table(const Solution& solution) {
-    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     const TextTable table =
         peak_rows(solution, "peak",
                   {"normalised", "at (deg)", reference_title(reference_motion(solution.scene)), "change",
                    "curve of least objective"},
                   [&](const PeakRow& row) -> std::vector<std::string> {
-                      return {short_text(row.optimum.value), short_text(row.optimum.at * degrees_per_x),
-                              optional_text(row.reference),
-                              row.reference ? change_text(row.optimum.value, *row.reference) : "–",
-                              optional_text(row.any_curve)};
+                      return {short_text(row.optimum.value), degrees_at(solution, row.optimum.at),
+                              short_text(row.reference), row.change(), short_text(row.any_curve)};
                   });
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +

@@ -21,28 +21,15 @@ constexpr double no_motion = 1e-9;
 // In lifts: a stroke whose range the solver keeps to its tolerance does not leave it.
 constexpr double no_excursion = 1e-6;
 
-/// The breakpoints from begin to end, both included.
-std::vector<double> breakpoints_between(const Motion& motion, double begin, double end) {
-    std::vector<double> points = {begin};
-    for (const double point : motion.breakpoints())
-        if (point > begin && point < end) points.push_back(point);
-    points.push_back(end);
-    return points;
-}
-
-void add_excursions(std::vector<Excursion>& all, const Motion& motion, const Excursion& stroke, double begin,
+void add_excursions(std::vector<Excursion>& all, const Motion& motion, Excursion stroke, double begin,
                     double end) {
-    const std::vector<double> places = breakpoints_between(motion, begin, end);
+    std::vector<double> places = motion.breakpoints();
+    std::erase_if(places, [&](double x) { return x < begin || x > end; });
     const FigureAlong displacement = [&](double x, Side side) { return motion.at(x, side).derivative[0]; };
-    for (const bool below : {true, false}) {
-        const CamExtreme found =
-            below ? least_along(places, displacement) : largest_along(places, displacement);
-        Excursion one = stroke;
-        one.beyond = below ? stroke.low - found.value : found.value - stroke.high;
-        if (!(one.beyond > no_excursion)) continue;
-        one.below = below;
-        one.farthest = {found.value, found.at, Side::right};
-        all.push_back(one);
+    for (const CamExtreme& found : {least_along(places, displacement), largest_along(places, displacement)}) {
+        stroke.farthest = {found.value, found.at, Side::right};
+        stroke.beyond = std::max(stroke.low - found.value, found.value - stroke.high);
+        if (stroke.beyond > no_excursion) all.push_back(stroke);
     }
 }
 
@@ -69,38 +56,28 @@ std::vector<Excursion> excursions(const Solution& solution) {
     std::vector<Excursion> all;
     if (!solution.motion) return all;
     const Motion& motion = *solution.motion;
-    if (solution.scene.motion.type != MotionType::program) {
-        add_excursions(all, motion, {{}, 0.0, false, -1, 0.0, 1.0}, motion.begin(), motion.end());
-        return all;
-    }
-    for (std::size_t i = 0; i < solution.segments.size(); ++i) {
-        const SegmentReport& segment = solution.segments[i];
-        if (segment.kind != SegmentKind::spline) continue;
+    if (solution.segments.empty()) add_excursions(all, motion, {}, motion.begin(), motion.end());
+    for (int i = 0; i < static_cast<int>(solution.segments.size()); ++i) {
+        const SegmentReport& segment = solution.segments[static_cast<std::size_t>(i)];
         const auto [low, high] = std::minmax(segment.from, segment.to);
-        add_excursions(all, motion, {{}, 0.0, false, static_cast<int>(i), low, high}, segment.begin,
-                       segment.end);
+        if (segment.kind == SegmentKind::spline)
+            add_excursions(all, motion, {low, high, i}, segment.begin, segment.end);
     }
     return all;
 }
 
-std::string excursion_text(const Solution& solution, const Excursion& excursion) {
-    return shown_units(solution.scene).motion[0].first.normalised_text(excursion.farthest.value);
-}
-
 std::vector<std::string> excursion_sentences(const Solution& solution) {
     const MotionUnit unit = shown_units(solution.scene).motion[0].first;
-    const char* const mover = has_cam(solution.scene) ? "follower" : "output";
     std::vector<std::string> sentences;
     for (const Excursion& one : excursions(solution)) {
-        const std::string beyond = fmt::format("The {} goes {} {}", mover, unit.normalised_text(one.beyond),
-                                               one.below ? "below" : "above");
-        const std::string range =
-            one.segment < 0
-                ? std::string(one.below ? "its start" : "its top")
-                : fmt::format("the stroke of segment {} ({} to {})", one.segment + 1,
-                              short_text(unit.per_normalised * one.low), unit.normalised_text(one.high));
-        sentences.push_back(
-            fmt::format("{} {} at {} deg.", beyond, range, degrees_at(solution, one.farthest.at)));
+        std::string range = one.below() ? "its start" : "its top";
+        if (one.segment >= 0)
+            range = fmt::format("the stroke of segment {} ({} to {})", one.segment + 1,
+                                short_text(unit.per_normalised * one.low), unit.normalised_text(one.high));
+        sentences.push_back(fmt::format("The {} goes {} {} {} at {} deg.",
+                                        has_cam(solution.scene) ? "follower" : "output",
+                                        unit.normalised_text(one.beyond), one.below() ? "below" : "above",
+                                        range, degrees_at(solution, one.farthest.at)));
     }
     return sentences;
 }

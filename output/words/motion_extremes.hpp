@@ -22,19 +22,17 @@ struct SignedPeaks {
 /// comes from extremes_along.hpp.
 [[nodiscard]] SignedPeaks signed_peaks(const Solution& solution, int order);
 
-/// A stroke (rise, rise and return, spline segment of a program) whose motion leaves the range between the
-/// displacements at its ends.
+/// Of a stroke (rise, rise and return, spline segment of a program) that leaves the range low … high between
+/// the displacements at its ends, lifts.
 struct Excursion {
-    Extremum farthest;             ///< y there
-    double beyond = 0.0;           ///< lifts, > 0: how far outside
-    bool below = false;            ///< of the range
-    int segment = -1;              ///< of a program
-    double low = 0.0, high = 0.0;  ///< of the range, lifts
+    double low = 0.0, high = 1.0;
+    int segment = -1;     ///< of a program
+    Extremum farthest{};  ///< y there
+    double beyond = 0.0;  ///< > 0: how far outside
+
+    [[nodiscard]] bool below() const { return farthest.value < low; }
 };
 [[nodiscard]] std::vector<Excursion> excursions(const Solution& solution);
-
-/// "−3.2 mm": y of an excursion.
-[[nodiscard]] std::string excursion_text(const Solution& solution, const Excursion& excursion);
 
 /// "The follower goes 3.2 mm below its start at 212 deg." One sentence each.
 [[nodiscard]] std::vector<std::string> excursion_sentences(const Solution& solution);

@@ -44,6 +44,10 @@ std::string short_text(double value, int digits) {
     return power_text(value, digits);
 }
 
+std::string short_text(const std::optional<double>& value) {
+    return value ? short_text(*value) : "–";
+}
+
 std::string power_text(double value, int digits) {
     return with_minus_sign(with_short_power(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits)));
 }

@@ -2,6 +2,7 @@
 // Numbers as text: exact for machines, short for people. None of them depends on the locale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,8 @@ inline constexpr const char* no_contact_words = "undercut, no contact";
 /// point; no power of ten from 1e-4 to 1e7: "134150", "2.5e7", "1.6e-6". "∞" or "–" for what is not finite.
 /// numberText of page/assets/base.js writes the same.
 [[nodiscard]] std::string short_text(double value, int digits = 6);
+/// "–" for none.
+[[nodiscard]] std::string short_text(const std::optional<double>& value);
 
 /// The same with a power of ten from 10^digits on: "2e6" on an axis. Finite.
 [[nodiscard]] std::string power_text(double value, int digits);

@@ -53,11 +53,6 @@ constexpr UnitRows swing_by_angle = {{{"deg", 1.0 / degree, "s_deg"},
                                       {"deg/deg²", degree, "dds_deg_deg2"},
                                       {"deg/deg³", degree* degree, "ddds_deg_deg3"}}};
 
-constexpr UnitRows degrees_in_time = {{{"deg", 1.0 / degree, "s_deg"},
-                                       {"deg/s", 1.0 / degree, "v_deg_s"},
-                                       {"deg/s²", 1.0 / degree, "a_deg_s2"},
-                                       {"deg/s³", 1.0 / degree, "j_deg_s3"}}};
-
 /// A cap or a set point of the motion is given in deg/s, deg/s² or deg/s³.
 bool writes_degrees_in_time(const Scene& scene) {
     const auto in_degrees = [](const std::string& unit) { return unit.starts_with("deg/s"); };
@@ -135,11 +130,10 @@ ShownUnits shown_units(const Scene& scene) {
     if (!shown.in_time || !scene.motion.lift_is_angle || !writes_degrees_in_time(scene)) return shown;
     for (std::size_t order = 1; order < derivatives; ++order) {
         MotionUnit& unit = shown.motion[order].first;
-        const UnitRow& row = degrees_in_time[order];
-        unit.per_normalised *= row.factor / unit.factor;
-        unit.name = row.name;
-        unit.factor = row.factor;
-        unit.column = row.column;
+        unit.per_normalised /= degree;
+        unit.factor /= degree;
+        unit.name.replace(0, 3, "deg");  // "rad/s²", "v_rad_s"
+        unit.column.replace(2, 3, "deg");
     }
     return shown;
 }

@@ -86,12 +86,12 @@ bool is_beyond_doubles(const Solution& solution) {
            is_no_motion(solution.certificate.reason);
 }
 
-/// As printed: rounded up to one digit, to two from 1 % on.
+/// Rounded up, to one digit below 1 %.
 std::string percent_above(double part) {
     const double percent = 100.0 * part;
-    const int power = static_cast<int>(std::floor(std::log10(percent))) - (percent < 1.0 ? 0 : 1);
-    const double unit = std::pow(10.0, power);
-    return fmt::format("{:.{}f} %", unit * std::ceil(percent / unit * (1.0 - 1e-9)), std::max(0, -power));
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(percent))));
+    const double unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f} %", unit * std::ceil(percent / unit * (1.0 - 1e-9)), decimals);
 }
 
 /// "8 starts" or "from one start"
@@ -140,10 +140,7 @@ std::string set_point_lines(const Solution& solution) {
 std::string cam_lines(const Solution& solution) {
     if (!solution.cam) return {};
     const MechanismSpec cam = cam_of(solution.scene).value();
-    TextTable table;
-    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    const TextTable table = cam_table(solution, {{"The cam", true}, {"", true}, {"at deg"}});
     const std::string dimensions = "dimensions: " + dimensions_text(solution);
     std::string text = fmt::format("  cam: {}\n", cam_text(cam));
     text += wrapped_text(dimensions, "  ", solution_line_width);

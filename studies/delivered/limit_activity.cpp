@@ -14,28 +14,16 @@ double finite_size(double value) {
     return std::isfinite(value) ? std::abs(value) : 0.0;
 }
 
-/// Of the springs that press an elastic train on its cam, N or N m.
-double pressing_force(const Scene& scene) {
-    if (!scene.dynamics) return 0.0;
-    return std::abs(scene.dynamics->preload) + scene.dynamics->return_stiffness * scene.motion.lift;
-}
-
 /// Of the quantity itself, SI; 0 where limit and reached value are all there is to measure by.
 double quantity_size(const Scene& scene, const CamReport* cam, const LimitRow& row) {
-    switch (row.size) {
-        case LimitRow::Size::base_radius:
-            return cam != nullptr ? finite_size(cam->summary.base_radius) : 0.0;
-        case LimitRow::Size::one:
-            return row.needs_dynamics ? pressing_force(scene) : 1.0;
-        case LimitRow::Size::largest_force: {
-            if (cam == nullptr || !cam->summary.forces) return 0.0;
-            const ForceSummary& forces = *cam->summary.forces;
-            return std::max(finite_size(forces.largest_force.value), finite_size(forces.least_force.value));
-        }
-        case LimitRow::Size::itself:
-            break;
-    }
-    return 0.0;
+    using enum LimitRow::Size;
+    if (row.needs_dynamics && scene.dynamics && row.size == one)  // the springs at the lift
+        return scene.dynamics->preload + scene.dynamics->return_stiffness * scene.motion.lift;
+    if (row.size == one) return 1.0;
+    if (cam != nullptr && row.size == base_radius) return finite_size(cam->summary.base_radius);
+    if (cam == nullptr || row.size != largest_force || !cam->summary.forces) return 0.0;
+    const ForceSummary& forces = *cam->summary.forces;
+    return std::max(finite_size(forces.largest_force.value), finite_size(forces.least_force.value));
 }
 
 }  // namespace

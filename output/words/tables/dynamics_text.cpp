@@ -15,6 +15,9 @@
 namespace camopt {
 namespace {
 
+constexpr double no_train_force =
+    1e-7;  // of what presses at the top: a limit of 0 is met to the tolerance of the solve
+
 double rpm(double speed) {
     return speed / units::revolution_per_minute;
 }
@@ -52,14 +55,6 @@ const TrainRow& row_at_speed(const TrainStudy& study, std::size_t motion) {
     for (std::size_t k = 1; k < count; ++k)
         if (std::abs(study.speeds[k] - speed) < std::abs(study.speeds[nearest] - speed)) nearest = k;
     return study.rows[motion * count + nearest];
-}
-
-/// A force that a limit of 0 holds at 0 is one to rounding.
-bool lifts_off(const Solution& solution) {
-    constexpr double no_force = 1e-7;  // of what presses at the foot or at the top
-    const DynamicsSpec& spec = solution.scene.dynamics.value();
-    const double pressed = spec.preload + spec.return_stiffness * solution.scene.motion.lift;
-    return solution.train->least_force->value < -no_force * pressed;
 }
 
 std::string speeds_words(const std::array<double, 2>& speeds) {
@@ -151,11 +146,13 @@ std::vector<std::string> train_sentences(const Solution& solution) {
         short_text(train.acceleration->value, 5),
         short_text(acceleration_at(scene, train.acceleration->value, train.acceleration->speed), 5),
         shown.motion[2].first.name, range, degrees_at(solution, train.acceleration->at)));
+    const DynamicsSpec& spec = *scene.dynamics;
+    const double pressed = spec.preload + spec.return_stiffness * scene.motion.lift;
     if (train.least_force)
-        sentences.push_back(fmt::format("force of the train on the cam at least {} {}, at {} deg{}",
-                                        shown.load.text(train.least_force->value, 5), range,
-                                        degrees_at(solution, train.least_force->at),
-                                        lifts_off(solution) ? ": THE FOLLOWER LIFTS OFF" : ""));
+        sentences.push_back(fmt::format(
+            "force of the train on the cam at least {} {}, at {} deg{}",
+            shown.load.text(train.least_force->value, 5), range, degrees_at(solution, train.least_force->at),
+            train.least_force->value < -no_train_force * pressed ? ": THE FOLLOWER LIFTS OFF" : ""));
     return sentences;
 }
 

@@ -49,6 +49,10 @@ std::string PeakRow::beside_text(int digits) const {
                                   : std::string{};
 }
 
+std::string PeakRow::change() const {
+    return reference ? change_text(optimum.value, *reference) : "–";
+}
+
 std::string PeakRow::opposite_text(int digits) const {
     return shown && sides.opposite ? shown->first.normalised_text(sides.opposite->value, digits)
                                    : std::string{};

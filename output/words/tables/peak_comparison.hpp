@@ -27,6 +27,7 @@ struct PeakRow {
 
     [[nodiscard]] std::string first_text(int digits = 6) const;   ///< "−512.3 mm/s"
     [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "−16.3 mm/rad"; empty: nothing beside
+    [[nodiscard]] std::string change() const;  ///< against the reference: "−2.6 %"; "–"
     /// "480 mm/s": the peak of the other sign; empty: there is none.
     [[nodiscard]] std::string opposite_text(int digits = 6) const;
 };

@@ -202,7 +202,7 @@ TEST(SolutionText, SaysTheGapThatIsProved) {
     certificate.objective = 0.010;  // the gap is relative to 1: the bound says more
     certificate.lower_bound = 0.0096;
     certificate.gap = 4e-4;
-    EXPECT_EQ(gap_words(certificate), "at most 4.2 % from the optimum");
+    EXPECT_EQ(gap_words(certificate), "at most 5 % from the optimum");
     certificate.lower_bound = 0.001;
     EXPECT_EQ(gap_words(certificate), "");
     for (const Verdict verdict : {Verdict::local, Verdict::feasible}) {
