@@ -276,21 +276,7 @@ Json appendix_part(const Solution& solution, const RunOrigin& origin) {
     Json sentences = Json::array({verdict_sentence(solution)});
     if (const std::string line = objective_line(solution, "; "); !line.empty())
         sentences.push_back(line + ".");
-    const SolverReport& solver = solution.solver;
-    if (!solver.name.empty())
-        sentences.push_back(fmt::format("Solver: {}{}; {} iterations, {} exchange rounds, {} s in all.",
-                                        solver.name, solver.choice.empty() ? "" : " (" + solver.choice + ")",
-                                        solver.iterations, solver.exchange_rounds,
-                                        short_text(solution.seconds_total, 3)));
-    if (!solver.convex && solver.starts > 0)
-        sentences.push_back(
-            fmt::format("The scene is not convex; searches from different starts: {}.", solver.starts));
-    if (!solver.proof_source.empty())
-        sentences.push_back(fmt::format("The proof's multipliers: {}.", solver.proof_source));
-    if (solution.certificate.proof)
-        sentences.push_back(
-            "certificate.json beside this page holds the proof with a recipe to check it without camopt: one "
-            "sum.");
+    for (const std::string& sentence : solver_sentences(solution)) sentences.push_back(sentence);
     for (const OwnTermReport& term : solution.own_terms) sentences.push_back(own_term_sentence(term));
     for (const std::string& sentence : train_sentences(solution)) sentences.push_back(sentence);
     return {{"sentences", std::move(sentences)}, {"command", origin.command}};

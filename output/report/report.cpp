@@ -152,24 +152,8 @@ std::string design_section(const DesignReport& design) {
 }
 
 std::string solver_section(const Solution& solution, const RunOrigin& origin) {
-    const SolverReport& solver = solution.solver;
-    std::string text = fmt::format("\n## How it was found\n\n- Solver: {}{}; ", solver.name,
-                                   solver.choice.empty() ? "" : " (" + solver.choice + ")");
-    text +=
-        solver.termination == Termination::not_run
-            ? std::string("it was not asked: the search for a first point settled the scene")
-            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
-                          words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
-    text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
-    if (!solver.convex && solver.starts > 0)
-        text += fmt::format("- The scene is not convex: searches from different starts: {}\n", solver.starts);
-    if (!solver.proof_source.empty())
-        text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
-    if (solution.certificate.proof)
-        text +=
-            "- To check the proof without camopt: `certificate.json` holds the rows, the multipliers, the "
-            "box and "
-            "the bound; its entry `how_to_check` is the recipe, one sum\n";
+    std::string text = "\n## How it was found\n\n";
+    for (const std::string& sentence : solver_sentences(solution)) text += fmt::format("- {}\n", sentence);
     if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", printable(origin.command));
     return text + fmt::format("- camopt {}\n", version());
 }

@@ -302,6 +302,32 @@ std::string relaxation_sentence(const Relaxation& row) {
                        needed_number(row));
 }
 
+std::vector<std::string> solver_sentences(const Solution& solution) {
+    const SolverReport& solver = solution.solver;
+    std::vector<std::string> all;
+    if (!solver.name.empty())
+        all.push_back(
+            fmt::format("Solver: {}{}; {}; {} s in all.", solver.name,
+                        solver.choice.empty() ? "" : " (" + solver.choice + ")",
+                        solver.termination == Termination::not_run
+                            ? std::string("it was not asked: the search for a first point settled the scene")
+                            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
+                                          words_of(name_of(solver.termination)), solver.iterations,
+                                          solver.exchange_rounds),
+                        short_text(solution.seconds_total, 3)));
+    if (searched(solution))
+        all.push_back(
+            fmt::format("The scene is not convex; searches from different starts: {}.", solver.starts));
+    if (!solver.proof_source.empty())
+        all.push_back(fmt::format("The proof's multipliers: {}.", solver.proof_source));
+    if (solution.certificate.proof)
+        all.emplace_back(
+            "To check the proof without camopt: certificate.json holds the rows, the multipliers, the box "
+            "and "
+            "the bound; its entry how_to_check is the recipe, one sum.");
+    return all;
+}
+
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
     std::string text;
     if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";

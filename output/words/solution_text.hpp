@@ -39,6 +39,9 @@ namespace camopt {
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.
 [[nodiscard]] std::string relaxation_sentence(const Relaxation& row);
 
+/// How it was found, for reports: solver, starts, where the proof comes from and stands.
+[[nodiscard]] std::vector<std::string> solver_sentences(const Solution& solution);
+
 /// What `camopt solve` prints: a compact summary of a dozen lines, ending in a line feed.
 [[nodiscard]] std::string summary_text(const Solution& solution,
                                        std::span<const std::filesystem::path> written);
