@@ -11,8 +11,8 @@
 #include "benchmarks/parts/machine.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>

@@ -14,8 +14,8 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/report/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "apps/sweep/ranks/rank_launch.hpp"
 #include "apps/sweep/ranks/rank_message.hpp"
 #include "benchmarks/parts/measurement.hpp"
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 
 #include <fmt/format.h>
 
