@@ -39,7 +39,7 @@ struct StudioServerOptions {
     double answer_seconds = 60.0;          ///< in which an answer must have been taken
     std::size_t body_bytes = 1'000'000;    ///< of a request: hundreds of times a scene
     std::size_t header_bytes = 32 * 1024;  ///< of a request
-    int threads = 16;                      ///< connections served at the same time
+    int threads = 16;  ///< requests answered at the same time; those still coming wait apart
 };
 
 class StudioServer {
