@@ -23,7 +23,7 @@ class RequestRoom {
 
     struct Limits {
         double seconds = 10.0;          ///< from the connection on; who has not sent a head by then is closed
-        std::size_t bytes = 32 * 1024;  ///< of a head; what is longer is handed on as it is, to be refused
+        std::size_t bytes = 32'000;     ///< of a head; what is longer is handed on as it is, to be refused
         std::size_t connections = 256;  ///< that wait; one more closes the one that waits longest
     };
 

@@ -20,6 +20,7 @@ PROGRAM, SCENES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(s
 STUDIO = "--studio" in sys.argv[4:]
 DRD, CAM, DRUM, SLIDE = (SCENES / f"{name}.toml" for name in
                          ("drd_cubic_12", "cam_roller", "cylinder_slide", "dynamics_fast_slide"))
+CHECKER = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "verify-certificate"
 NO_SPACE = "camopt: cannot write to standard output: No space left on device\n"
 
 SOLVED, SWEPT, SURFACE = FOLDER / "solved", FOLDER / "swept", FOLDER / "surface"
@@ -98,6 +99,14 @@ def print_to_a_full_disk():
     assert not missing, f"commands without a row here: {missing}"
 
 
+def check_to_a_full_disk():
+    assert run("solve", DRD, "--out", FOLDER / "checked").returncode == 0
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        checked = subprocess.run([sys.executable, "-B", CHECKER, FOLDER / "checked"], stdout=full, stderr=subprocess.PIPE,
+                                 text=True, timeout=120, check=False)
+    assert (checked.returncode, checked.stderr) == (2, "verify-certificate: cannot write: No space left on device\n"), checked
+
+
 def leaves_the_folder(words):
     """A little less than its largest file needs (seconds in it may have a digit less): only the end does not go."""
     whole, cut = FOLDER / "whole", FOLDER / "cut"
@@ -132,6 +141,7 @@ def main():
         assert made.returncode == 0, made.stderr
     assert run("sweep", DRD, "--surface", "0.1", "--out", SURFACE).returncode == 0
     print_to_a_full_disk()
+    check_to_a_full_disk()
     tried = list(WRITING)
     for words in OPTIONAL:
         if "which this build of camopt does not have" not in run(*words, FOLDER / "optional").stderr:

@@ -53,7 +53,7 @@
   async function solve(wish, signal) {
     const response = await post('solve', { page, ...wish.state, laws: wish.laws, stage: wish.stage }, signal);
     const answer = await response.json();
-    if (response.status === 409) return;
+    if (response.status === 409 && wanted) return;
     if (!response.ok) { panel.fault(answer.error); takeBack(wish.state); return; }
     panel.fault('');
     good = wish.state;

@@ -50,7 +50,8 @@ Handle(Geom_BSplineSurface) surface_of(const BsplineSurface& from) {
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
             const Eigen::Vector3d mm =
-                from.poles[static_cast<std::size_t>(r * columns + c)] / units::millimetre;
+                from.poles[static_cast<std::size_t>(r) * from.columns() + static_cast<std::size_t>(c)] /
+                units::millimetre;
             poles.SetValue(c + 1, r + 1, gp_Pnt(mm.x(), mm.y(), mm.z()));
         }
     const KnotList u(from.knots_u), v(from.knots_v);
