@@ -22,11 +22,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace camopt::apps {
@@ -57,8 +58,9 @@ const char* examples =
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
     "\n"
-    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, or interrupted before a "
-    "motion was found; 2 wrong input; 3 proved infeasible; 130 a sweep was "
+    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a "
+    "motion was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 "
+    "a sweep was "
     "interrupted.\n";
 
 // Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
@@ -418,7 +420,8 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --surface 1e-4 --out surface                   all weights, proved to 1e-4\n"
     "  camopt sweep surface --at 0.4,0.4,0.2                                  looked up there\n"
     "\n"
-    "Exit codes: 0 every row solved or infeasible; 1 a row failed; 2 wrong input; 130 interrupted.\n";
+    "Exit codes: 0 every row solved or infeasible; 1 a row failed, or standard output not written; 2 wrong "
+    "input; 130 interrupted.\n";
 
 void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
@@ -614,7 +617,10 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     try {
         program.parse(count, words);
     } catch (const CLI::Success& asked_for_help) {
-        return program.exit(asked_for_help) == 0 ? success : failure;
+        std::ostringstream text;
+        const int status = program.exit(asked_for_help, text, text);
+        print(text.str());
+        return status == 0 ? success : failure;
     } catch (const CLI::ParseError& error) {
         const std::string unknown =
             count > 1 ? unknown_word(program, std::span(words + 1, static_cast<std::size_t>(count - 1))) : "";
@@ -664,13 +670,13 @@ ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
 ExitCode run_command_line(int count, const char* const* words) noexcept {
     SceneWords asked;
     try {
-        const ExitCode code = parse_and_run(count, words, asked);
-        if (std::fflush(stdout) != 0) return complain("cannot write to standard output", failure);
-        return code;
+        return parse_and_run(count, words, asked);
     } catch (const SceneError& error) {
         return complain(placed_words(error, asked.file, asked.settings), wrong_input);
     } catch (const InputError& error) {
         return complain(error.what(), wrong_input);
+    } catch (const std::system_error& error) {
+        return complain(error.what(), failure);
     } catch (const std::exception& error) {
         return complain(fmt::format("internal error: {}", error.what()), failure);
     }

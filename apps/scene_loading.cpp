@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/scene_loading.hpp"
 
+#include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/report/text_file.hpp"
 
 namespace camopt::apps {
 

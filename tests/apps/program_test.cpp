@@ -2,8 +2,8 @@
 // The camopt program from outside: exit codes, what goes to which stream, what is written.
 #include "program.hpp"
 
+#include "core/text/text_file.hpp"
 #include "output/json/certificate/certificate_reader.hpp"
-#include "output/report/text_file.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
