@@ -2,6 +2,7 @@
 // Why a scene with a cam or a program has no motion, and what would have to change, in the user's words.
 #pragma once
 
+#include "output/words/tables/text_table.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>
@@ -34,6 +35,9 @@ namespace camopt {
 
 /// The sentences of all that, in this order; empty for a feasible scene.
 [[nodiscard]] std::vector<std::string> infeasible_remarks(const Solution& solution);
+
+/// One row a change of one number alone: key, given, needed.
+[[nodiscard]] TextTable relaxation_table(const Solution& solution);
 
 /// Scenes that are told in these words: those with a cam, and programs.
 [[nodiscard]] bool is_told_in_words(const Scene& scene);
