@@ -285,16 +285,15 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     const bool to_explain =
         certificate.verdict == Verdict::infeasible || certificate.reason == Reason::no_feasible_point ||
         (certificate.verdict == Verdict::failed && certificate.reason == Reason::time_limit);
-    if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
+    const std::optional<Termination> ending = timed.ending();
+    if (to_explain && !ending) {  // a stopped search must not pass for "nothing helps"
         timed.in_vain = {};
         explain(solution, timed);
-    }
-    const bool unsettled = solution.explanation && !solution.explanation->unsettled.empty();
-    if (to_explain && (unsettled || timed.deadline.passed()))
+    } else if (to_explain && ending == Termination::time_limit) {
         solution.notes.push_back(fmt::format(
-            "the time (solver.max_seconds = {:g}) ran out before every remedy was looked for: what is "
-            "not named may help too",
+            "the time (solver.max_seconds = {:g}) ran out before any change was searched: some may help",
             scene.solver.max_seconds));
+    }
     solution.seconds_total = watch.seconds();
     return solution;
 }
