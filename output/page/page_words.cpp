@@ -277,7 +277,7 @@ TextTable relaxation_rows(const Solution& solution) {
     table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
     for (const Relaxation& row : solution.relaxation)
         table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row)
+                              row.needed      ? needed_number(row) + also_words(row)
                               : row.ruled_out ? "no change helps"
                                               : "no value tried helps"});
     return table;

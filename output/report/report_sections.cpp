@@ -136,7 +136,7 @@ std::string infeasible_section(const Solution& solution) {
     table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
     for (const Relaxation& row : solution.relaxation)
         table.rows.push_back({fmt::format("`{}`", row.key), short_text(row.given),
-                              row.needed      ? needed_number(row)
+                              row.needed      ? needed_number(row) + also_words(row)
                               : row.ruled_out ? "no change helps"
                                               : "no value tried helps"});
     return text + "\n" + markdown_text(table) +

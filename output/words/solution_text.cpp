@@ -254,11 +254,7 @@ std::string relaxation_sentence(const Relaxation& row) {
     if (!row.needed)
         return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
                            row.ruled_out ? "no change of this limit" : "no value tried of it");
-    if (row.key == "spline.breakpoints")
-        return fmt::format("{}, {} segments: {} are needed, if nothing else changes", row.key,
-                           short_text(row.given), needed_number(row));
-    return fmt::format("{} = {}: {} is needed, if nothing else changes", row.key, short_text(row.given),
-                       needed_number(row));
+    return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/relaxation.hpp"
 
+#include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/feasibility_question.hpp"
 #include "studies/explain/finer_spline.hpp"
 #include "studies/explain/joint_relaxation.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
+#include "studies/solve/solve_from_starts.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -21,13 +24,14 @@ namespace camopt {
 namespace {
 
 // Parts of the time that is left: for set points, for more segments, for naming what is impossible without the
-// others; for one change equal shares of what is left, but never less than least_share. Of these a part for the
+// others; for one change equal shares of what is left, but never less than least_share, and
+// more until something useful is found. Of these a part for the
 // search, the rest for the solve of what it found.
 constexpr double part_of_set_points = 0.5, part_of_segments = 0.25, part_of_impossible = 0.3;
-constexpr double shares_of_one = 2.0, least_share = 0.3, part_of_search = 0.6;
+constexpr double shares_of_one = 2.0, least_share = 0.3, first_share = 0.6, part_of_search = 0.6;
 // A spline of so many segments is rarely too coarse, and takes long to refine: that comes last.
 constexpr int many_segments = 48;
-constexpr int most_set_points = 2;
+constexpr int most_set_points = 2, most_quick_segments = 16;
 
 /// The scene that asks for the least of one limited peak and keeps every other limit.
 Scene without_limit(const Scene& scene, const PeakLimitRow& one) {
@@ -73,9 +77,24 @@ std::vector<std::string> fighting_keys(const Solution& solution) {
     return keys;
 }
 
-/// At most twice the given value, or half of it less: what is worth a user's thought. From 0 any value is.
+/// A scene that is not convex, with so few segments that its searches are quick. Each of them is made of whole
+/// segments of the given spline, so that its motions are motions of that spline too. None where the scene is
+/// quick already, or its breakpoints are not uniform.
+std::optional<Scene> coarse_scene(const Scene& scene) {
+    int segments = scene.spline.segments;
+    while (segments > most_quick_segments && segments % 2 == 0) segments /= 2;
+    const bool uniform = scene.spline.breakpoints.empty() && placed_points(scene.motion).empty();
+    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots) return {};
+    if (!needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)))) return {};
+    return with_segments(scene, segments);
+}
+
+/// At most twice the given value, at least half of it. From 0 any value is useful, and so are more segments.
 bool is_useful(const Relaxation& row) {
-    return row.needed && (row.given == 0.0 || std::abs(*row.needed - row.given) <= std::abs(row.given));
+    if (!row.needed) return false;
+    if (row.given == 0.0 || row.key.starts_with("spline.")) return true;
+    const double ratio = *row.needed / row.given;
+    return ratio >= 0.5 && ratio <= 2.0;
 }
 
 class Explainer {
@@ -90,6 +109,7 @@ class Explainer {
         if (solution_.certificate.reason == Reason::limit_broken_at_rest)
             found_.any_motion = fighting_keys(solution_);
         change_set_points();
+        coarse_ = coarse_scene(scene_);
         if (!contradictory())
             change_each();
         else if (!has_enough())
@@ -111,6 +131,7 @@ class Explainer {
     Stopwatch watch_;
     Explanation found_;
     bool over_ = false, segments_tried_ = false;
+    std::optional<Scene> coarse_;
 
     /// Once over, the clock is asked no more.
     [[nodiscard]] bool is_over() { return over_ = over_ || budget_.spent(); }
@@ -121,8 +142,8 @@ class Explainer {
 
     [[nodiscard]] ExplanationEnd end() const {
         if (budget_.control().stopped()) return ExplanationEnd::interrupted;
-        if (has_enough()) return ExplanationEnd::enough;
-        return over_ || !found_.unsettled.empty() ? ExplanationEnd::time_limit : ExplanationEnd::complete;
+        if (over_ || !found_.unsettled.empty()) return ExplanationEnd::time_limit;
+        return has_enough() ? ExplanationEnd::enough : ExplanationEnd::complete;
     }
 
     [[nodiscard]] bool contradictory() const {
@@ -138,6 +159,7 @@ class Explainer {
         for (const std::string& key : keys)
             if (!is_over() && is_proved_infeasible(only_limit(scene_, key), part))
                 found_.alone.push_back(key);
+        over_ = over_ || part.spent();  // proofs that the clock ended
     }
 
     void try_segments() {
@@ -207,12 +229,15 @@ class Explainer {
             return;
         }
         budget_.say(fmt::format("what would help: {}", adjustment.key));
-        const Budget part = budget_.part(share);
-        const std::optional<double> needed = find(part.part(part_of_search));
+        const Budget part = budget_.part(share), searching = part.part(part_of_search);
         std::optional<Relaxation> row;
+        if (coarse_)
+            if (const auto needed = nearest_value(*coarse_, adjustment, infinity, searching))
+                row = solved_relaxation(*coarse_, adjustment, *needed, part);
+        const std::optional<double> needed = row ? std::nullopt : find(searching);
         if (needed) {
             row = solved_relaxation(scene_, adjustment, *needed, part);
-        } else if (!part.spent()) {
+        } else if (!row && !searching.spent()) {
             row = Relaxation{adjustment.key, adjustment.given};
             row->ruled_out = adjustment.limit && is_ruled_out(adjustment, part);
             // A proof that the clock ended must not make two runs of one scene differ in silence.
@@ -263,7 +288,9 @@ class Explainer {
         double given = infinity;
         std::size_t done = 0;
         for (const Adjustment& one : all) {
-            const double share = std::max(least_share, shares_of_one / static_cast<double>(all.size() - done++));
+            const bool first = std::ranges::none_of(solution_.relaxation, is_useful);
+            const double share = std::max(first ? first_share : least_share,
+                                          shares_of_one / static_cast<double>(all.size() - done++));
             if (few_segments && !segments_tried_ && one.usefulness != Usefulness::angle && !has_enough())
                 try_segments();
             if (has_enough()) return;

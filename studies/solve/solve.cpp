@@ -285,15 +285,18 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     const bool to_explain =
         certificate.verdict == Verdict::infeasible || certificate.reason == Reason::no_feasible_point ||
         (certificate.verdict == Verdict::failed && certificate.reason == Reason::time_limit);
-    const std::optional<Termination> ending = timed.ending();
-    if (to_explain && !ending) {  // a stopped search must not pass for "nothing helps"
+    if (to_explain && !timed.ending()) {  // a stopped search must not pass for "nothing helps"
         timed.in_vain = {};
         explain(solution, timed);
-    } else if (to_explain && ending == Termination::time_limit) {
-        solution.notes.push_back(fmt::format(
-            "the time (solver.max_seconds = {:g}) ran out before any change was searched: some may help",
-            scene.solver.max_seconds));
     }
+    // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own limit.
+    const bool cut = solution.explanation && solution.explanation->end == ExplanationEnd::time_limit &&
+                     !solution.explanation->own_limit;
+    if (to_explain && (cut || timed.ending() == Termination::time_limit))
+        solution.notes.push_back(fmt::format(
+            "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
+            "not named may help too",
+            scene.solver.max_seconds));
     solution.seconds_total = watch.seconds();
     return solution;
 }
