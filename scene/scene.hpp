@@ -56,7 +56,8 @@ struct ProgramSegment {
     std::optional<double> to;        ///< displacement at its end, in lifts; none: free (law, spline)
     std::vector<SetPoint> via = {};  ///< kind spline
     std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
-    std::string to_unit = {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
+    std::string to_unit =
+        {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
 };
 
 /// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.

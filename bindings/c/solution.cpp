@@ -222,7 +222,8 @@ camopt_error camopt_relaxation_also(const camopt_solution* solution, size_t inde
     return entry_at(solution, which, change, [index](const Solution& of) {
         check_index(index, of.relaxation.size(), "index");
         return converted(of.relaxation[index].also, [](const CompanionChange& one) {
-            return camopt_companion_change{sizeof(camopt_companion_change), one.key.c_str(), one.given, one.solved};
+            return camopt_companion_change{sizeof(camopt_companion_change), one.key.c_str(), one.given,
+                                           one.solved};
         });
     });
 }

@@ -97,8 +97,6 @@ Json verdict_part(const Solution& solution) {
         sentences.push_back(active_sentence(solution));
     else
         for (const std::string& remark : infeasible_remarks(solution)) sentences.push_back(remark);
-    if (!has_motion(solution) && !is_told_in_words(solution.scene))
-        for (const Relaxation& row : solution.relaxation) sentences.push_back(relaxation_sentence(row));
     return {{"key", name_of(verdict)},
             {"tone", plain.tone},
             {"headline", plain.headline},

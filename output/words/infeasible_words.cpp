@@ -4,7 +4,6 @@
 #include "core/units.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
@@ -230,7 +229,8 @@ void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
             solution.explanation->set_points.end())
             continue;
         for (int order = 0; order < 3; ++order)
-            if (point.wanted[static_cast<std::size_t>(order)]) words.push_back(words_of(motion, point, order));
+            if (point.wanted[static_cast<std::size_t>(order)])
+                words.push_back(words_of(motion, point, order));
     }
     if (words.empty()) return;
     const bool one = solution.explanation->set_points.size() == 1;
@@ -241,8 +241,10 @@ void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
 }
 
 void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
-    const std::string seconds = short_text(explanation.seconds, 2), allowed = short_text(explanation.allowed, 3);
-    const char* const limit = explanation.own_limit ? "solver.explain_seconds" : "what solver.max_seconds leaves";
+    const std::string seconds = short_text(explanation.seconds, 2),
+                      allowed = short_text(explanation.allowed, 3);
+    const char* const limit =
+        explanation.own_limit ? "solver.explain_seconds" : "what solver.max_seconds leaves";
     std::string text;
     switch (explanation.end) {
         case ExplanationEnd::complete:
@@ -250,15 +252,17 @@ void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
             break;
         case ExplanationEnd::enough:
             text = fmt::format(
-                "The search for changes took {} s and ended with these (solver.explain_changes): others may help.",
+                "The search for changes took {} s and ended with these (solver.explain_changes): others may "
+                "help.",
                 seconds);
             break;
         case ExplanationEnd::time_limit:
-            text = fmt::format("The search for changes ended after {} s of {} s ({}): others may help.", seconds,
-                               allowed, limit);
+            text = fmt::format("The search for changes ended after {} s of {} s ({}): others may help.",
+                               seconds, allowed, limit);
             break;
         case ExplanationEnd::interrupted:
-            text = fmt::format("The search for changes was interrupted after {} s: others may help.", seconds);
+            text =
+                fmt::format("The search for changes was interrupted after {} s: others may help.", seconds);
             break;
     }
     if (!explanation.unsettled.empty())
@@ -273,16 +277,6 @@ std::string joint_sentence(const Solution& solution) {
     return fmt::format("Together these would do: {}.", changes_together(solution.explanation->together));
 }
 
-std::vector<std::string> common_remarks(const Solution& solution) {
-    std::vector<std::string> all;
-    if (!solution.explanation) return all;
-    tell_set_points(all, solution);
-    if (const std::string together = joint_sentence(solution); !together.empty()) all.push_back(together);
-    tell_finest(all, *solution.explanation);
-    tell_time(all, *solution.explanation);
-    return all;
-}
-
 std::vector<std::string> infeasible_remarks(const Solution& solution) {
     std::vector<std::string> all;
     const std::string conflict = conflict_sentence(solution);
@@ -290,12 +284,12 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
     const std::string changes = sufficient_changes(solution.relaxation);
     if (!changes.empty()) all.push_back(fmt::format("One of these alone would do: {}.", changes));
     tell_hopeless(all, solution.relaxation);
-    for (std::string& remark : common_remarks(solution)) all.push_back(std::move(remark));
+    if (!solution.explanation) return all;
+    tell_set_points(all, solution);
+    if (const std::string together = joint_sentence(solution); !together.empty()) all.push_back(together);
+    tell_finest(all, *solution.explanation);
+    tell_time(all, *solution.explanation);
     return all;
-}
-
-bool is_told_in_words(const Scene& scene) {
-    return has_cam(scene) || scene.motion.type == MotionType::program;
 }
 
 }  // namespace camopt

@@ -56,7 +56,8 @@ KeyWords listed_key_words(std::string_view key) {
 std::string verb_of(const Relaxation& row, const KeyWords& key) {
     const bool more = *row.needed > row.given;
     if (key.limit) return more ? "raise" : "lower";
-    if (row.key.find(".via[") != std::string::npos || row.key.find("].to") != std::string::npos) return "change";
+    if (row.key.find(".via[") != std::string::npos || row.key.find("].to") != std::string::npos)
+        return "change";
     if (row.key.starts_with("motion.") && row.key.ends_with("_deg") && row.key != "motion.lift_deg")
         return more ? "lengthen" : "shorten";
     return more ? "increase" : "reduce";
@@ -104,8 +105,8 @@ std::string also_words(const Relaxation& row) {
         const std::string now = fmt::format("{} {}", short_text(one.solved, needed_digits), key.unit);
         const bool gives_way = one.solved < one.given;
         text += gives_way ? fmt::format(", taken from {}, which keeps {}", key.words, now)
-                          : fmt::format(", with {}{} at {}", one.key.find('[') == std::string::npos ? "the " : "",
-                                        key.words, now);
+                          : fmt::format(", with {}{} at {}",
+                                        one.key.find('[') == std::string::npos ? "the " : "", key.words, now);
     }
     return text;
 }

@@ -136,14 +136,7 @@ std::string cam_lines(const Solution& solution) {
 
 std::string relaxation_lines(const Solution& solution) {
     std::string text;
-    if (is_told_in_words(solution.scene)) {
-        for (const std::string& remark : infeasible_remarks(solution))
-            text += wrapped_text(remark, "  ", solution_line_width);
-        return text;
-    }
-    for (const Relaxation& row : solution.relaxation)
-        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
-    for (const std::string& remark : common_remarks(solution))
+    for (const std::string& remark : infeasible_remarks(solution))
         text += wrapped_text(remark, "  ", solution_line_width);
     return text;
 }

@@ -199,11 +199,4 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
     }
 }
 
-MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles) {
-    MotionSpec changed = motion;
-    for (std::size_t i = 0; i < changed.segments.size(); ++i) changed.segments[i].angle = angles[i];
-    keep_written(changed, motion);
-    return changed;
-}
-
 }  // namespace camopt

@@ -76,7 +76,4 @@ struct WrittenValue {
 /// they said before.
 void keep_written(MotionSpec& changed, const MotionSpec& before);
 
-/// The motion with other angles of its segments, kept as above. Limits in time are the caller's.
-[[nodiscard]] MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles);
-
 }  // namespace camopt

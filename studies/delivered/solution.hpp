@@ -111,8 +111,8 @@ struct Explanation {
     std::vector<std::string> alone;       ///< keys of limits that no motion satisfies even without the others
     /// Set points ("motion.via[1]") without which, each removed alone, the scene has a motion.
     std::vector<std::string> set_points;
-    int finest = 0;                      ///< segments of the finest spline tried without success; 0: none
-    std::vector<std::string> unsettled;  ///< keys of changes whose search did not end, `together_key` too
+    int finest = 0;                       ///< segments of the finest spline tried without success; 0: none
+    std::vector<std::string> unsettled;   ///< keys of changes whose search did not end, `together_key` too
     double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given
     bool own_limit = true;  ///< `allowed` is solver.explain_seconds; false: what solver.max_seconds left
     ExplanationEnd end = ExplanationEnd::complete;

@@ -24,14 +24,10 @@ constexpr double largest_pressure_angle = 89.9 * units::degree;
 void add_own_limits(std::vector<Adjustment>& all, const Scene& scene) {
     for (std::size_t i = 0; i < scene.own_limits.size(); ++i) {
         const OwnLimit& limit = scene.own_limits[i];
-        all.push_back(number_adjustment(
-            limit.key(), limit.limit, limit.scale(),
-            Range::between(limit.limit, limit.limit + farthest_change * limit.scale()),
-            [i](const Scene& one, double value) {
-                Scene changed = one;
-                changed.own_limits[i].limit = value;
-                return changed;
-            }));
+        all.push_back(
+            number_adjustment(limit.key(), limit.limit, limit.scale(),
+                              Range::between(limit.limit, limit.limit + farthest_change * limit.scale()),
+                              [i](Scene& changed, double value) { changed.own_limits[i].limit = value; }));
         all.back().limit = true;
         all.back().usefulness = Usefulness::limit;
     }
@@ -41,14 +37,12 @@ void add_own_limits(std::vector<Adjustment>& all, const Scene& scene) {
 Adjustment limit_adjustment(const Scene& scene, const LimitRow& row, double end) {
     const WrittenLimit& limit = *row.in(scene.limits);
     const double given = limit.given(), last = end / limit.unit_value;
-    Adjustment adjustment = number_adjustment(
-        limit.key, given, std::max(std::abs(given), 1e-3 * std::abs(last)),
-        row.is_least() ? Range::between(last, given) : Range::between(given, last),
-        [&row, unit = limit.unit_value](const Scene& one, double value) {
-            Scene changed = one;
-            row.in(changed.limits)->value = value * unit;
-            return changed;
-        });
+    Adjustment adjustment =
+        number_adjustment(limit.key, given, std::max(std::abs(given), 1e-3 * std::abs(last)),
+                          row.is_least() ? Range::between(last, given) : Range::between(given, last),
+                          [&row, unit = limit.unit_value](Scene& changed, double value) {
+                              row.in(changed.limits)->value = value * unit;
+                          });
     adjustment.limit = true;
     adjustment.usefulness = Usefulness::limit;
     return adjustment;
@@ -82,18 +76,15 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
     // A larger base circle always helps a translating follower; the rest may have to move either way.
     const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower) &&
                             !scene.cam->form.is_conjugate();
-    const auto with = [which, unit](const Scene& one, bool upper, double value) {
-        Scene changed = one;
-        Dimension& own = (*changed.cam)[which];
-        const bool range = own.is_variable();
-        if (upper || !range) own.high = value * unit;
-        if (!upper || !range) own.low = value * unit;
-        return changed;
-    };
     const double largest = farthest_change * size / unit, least = has_sign ? -largest : 0.0;
     const auto add = [&](const std::string& name, double number, const Range& range, bool upper) {
-        const auto change = [with, upper](const Scene& one, double value) { return with(one, upper, value); };
-        all.push_back(number_adjustment(name, number, size / unit, range, change));
+        all.push_back(number_adjustment(name, number, size / unit, range,
+                                        [which, unit, upper](Scene& changed, double value) {
+                                            Dimension& own = (*changed.cam)[which];
+                                            const bool one = !own.is_variable();
+                                            if (upper || one) own.high = value * unit;
+                                            if (!upper || one) own.low = value * unit;
+                                        }));
         if (which == DimensionIndex::base_radius) all.back().usefulness = Usefulness::base_radius;
     };
     const double low = as_written(dimension.low / unit), high = as_written(dimension.high / unit);
@@ -120,11 +111,9 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
         all.push_back(number_adjustment(dimension.key, as_written(dimension.low / dimension.unit),
                                         size / dimension.unit,
                                         Range::between(-farthest_value, farthest_value),
-                                        [i, unit = dimension.unit](const Scene& one, double value) {
-                                            Scene changed = one;
+                                        [i, unit = dimension.unit](Scene& changed, double value) {
                                             Dimension& own = changed.mechanism->dimensions[i].value;
                                             own.low = own.high = value * unit;
-                                            return changed;
                                         }));
     }
 }
@@ -132,13 +121,10 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
     const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
-    all.push_back(number_adjustment(std::string("cam.face_half_width_") + name_of(scene.length_unit), given,
-                                    given, Range::between(given, farthest_change * given),
-                                    [unit](const Scene& one, double value) {
-                                        Scene changed = one;
-                                        changed.cam->face_half_width = value * unit;
-                                        return changed;
-                                    }));
+    all.push_back(number_adjustment(
+        std::string("cam.face_half_width_") + name_of(scene.length_unit), given, given,
+        Range::between(given, farthest_change * given),
+        [unit](Scene& changed, double value) { changed.cam->face_half_width = value * unit; }));
     all.back().limit = true;
     all.back().usefulness = Usefulness::limit;
 }
@@ -146,7 +132,7 @@ void add_face(std::vector<Adjustment>& all, const Scene& scene) {
 }  // namespace
 
 Adjustment number_adjustment(std::string key, double given, double size, const Range& range,
-                             Adjustment::Change with) {
+                             std::function<void(Scene& scene, double value)> set) {
     Adjustment adjustment;
     adjustment.key = std::move(key);
     adjustment.given = given;
@@ -155,7 +141,11 @@ Adjustment number_adjustment(std::string key, double given, double size, const R
     adjustment.most = range.high;
     adjustment.may_grow = range.high > given;
     adjustment.may_shrink = range.low < given;
-    adjustment.with = std::move(with);
+    adjustment.with = [set = std::move(set)](const Scene& scene, double value) {
+        Scene changed = scene;
+        set(changed, value);
+        return changed;
+    };
     return adjustment;
 }
 

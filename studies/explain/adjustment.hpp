@@ -18,14 +18,12 @@ enum class Usefulness { angle, base_radius, limit, speed, lift, other };
 
 /// One number of a scene. Values are in the unit of the key.
 struct Adjustment {
-    using Change = std::function<Scene(const Scene& scene, double value)>;
-
     std::string key;  ///< "limits.pressure_angle_deg"
     double given = 0.0;
     double step = 0.0;  ///< the first change to try, > 0
     bool may_grow = true, may_shrink = true;
-    double least = 0.0, most = 0.0;  ///< the range it may move in
-    Change with;                     ///< that scene with the value
+    double least = 0.0, most = 0.0;                               ///< the range it may move in
+    std::function<Scene(const Scene& scene, double value)> with;  ///< that scene with the value
     Usefulness usefulness = Usefulness::other;
     /// A limit: a motion that satisfies it satisfies every looser one, so that its end settles it.
     bool limit = false;
@@ -36,9 +34,10 @@ struct Adjustment {
     std::function<std::vector<CompanionChange>(double value)> also = {};
 };
 
-/// The first value tried lies a fiftieth of `size` away; all of them lie within `range`.
+/// The first value tried lies a fiftieth of `size` away; all of them lie within `range`. `set`: puts a value
+/// into a scene.
 [[nodiscard]] Adjustment number_adjustment(std::string key, double given, double size, const Range& range,
-                                           Adjustment::Change with);
+                                           std::function<void(Scene& scene, double value)> set);
 
 /// Everything that may be changed but set points: angles, every limit, every dimension of the cam, springs,
 /// speed, lift and displacements of a program.
@@ -67,14 +66,12 @@ struct SetPointChanges {
     double at = 0.0;     ///< x
     Scene without;
     std::vector<Value> values;
-    std::vector<Adjustment> places;  ///< its cam angle; of a region both ends
+    std::optional<Adjustment> place;  ///< its cam angle; not of a region
 };
 [[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
 
-/// Limits in time keep their meaning when a unit of x takes `ratio` times the time it took.
-void rescale_limits_in_time(Scene& scene, double ratio);
-
-/// The same where the lift is divided by `ratio`.
-void rescale_limits_by_lift(Scene& scene, double ratio);
+/// After angles, lift or speed changed: set points, displacements and limits in time say what they said
+/// before.
+void keep_written(Scene& changed, const MotionSpec& before);
 
 }  // namespace camopt

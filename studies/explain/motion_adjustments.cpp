@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,9 @@ constexpr double least_dwell_left = 0.01;
 // No lift is reduced to less than this part; a displacement moves by so many lifts at most.
 constexpr double least_lift_left = 1e-3, farthest_displacement = 1.0;
 
-double in_degrees(double angle) { return as_written(angle / units::degree); }
+double in_degrees(double angle) {
+    return as_written(angle / units::degree);
+}
 
 // Rise and return.
 
@@ -32,22 +35,22 @@ struct Strokes {
 };
 
 /// Set points in degrees that lie on the return keep their distance from the end of the motion.
-MotionSpec with_strokes(const MotionSpec& motion, double rise_factor, double return_factor) {
-    MotionSpec changed = motion;
-    changed.rise *= rise_factor;
-    if (changed.return_angle) *changed.return_angle *= return_factor;
-    keep_written(changed, motion);
-    const double later = changed.length() * changed.rise - motion.length() * motion.rise;  // rad
+void lengthen(Scene& changed, const Strokes& strokes, double ratio) {
+    MotionSpec& motion = changed.motion;
+    const MotionSpec before = motion;
+    if (strokes.rise) motion.rise *= ratio;
+    if (strokes.back && motion.return_angle) *motion.return_angle *= ratio;
+    keep_written(changed, before);
+    const double later = motion.length() - before.length() * before.rise / motion.rise;
     for (std::size_t i = 0; motion.type == MotionType::rr && i < motion.via.size(); ++i) {
-        SetPoint& point = changed.via[i];
-        if (motion.via[i].at <= 1.0 + at_the_top || point.units.place.empty()) continue;
-        point.at += later / changed.rise;
-        if (point.until) *point.until += later / changed.rise;
+        SetPoint& point = motion.via[i];
+        if (before.via[i].at <= 1.0 + at_the_top || point.units.place.empty()) continue;
+        point.at += later;
+        if (point.until) *point.until += later;
     }
-    return changed;
 }
 
-/// The set points that with_strokes() moved, as the scene file would have to give them.
+/// The set points that lengthen() moved, as the scene file would have to give them.
 void add_moved_points(std::vector<CompanionChange>& all, const MotionSpec& before, const MotionSpec& now) {
     for (std::size_t i = 0; i < now.via.size(); ++i) {
         const SetPoint &then = before.via[i], &point = now.via[i];
@@ -68,27 +71,19 @@ void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes&
     const double total = in_degrees(motion.length() * motion.rise);
     const bool alone = motion.return_angle && strokes.rise != strokes.back;
     const double most = alone ? given + turn_deg - total : given * turn_deg / total;
-    const auto motion_at = [strokes, given](const MotionSpec& one, double value) {
-        const double ratio = value / given;
-        return with_strokes(one, strokes.rise ? ratio : 1.0, strokes.back ? ratio : 1.0);
-    };
     Adjustment adjustment = number_adjustment(
         strokes.rise ? "motion.rise_deg" : "motion.return_deg", given, given, Range::between(given, most),
-        [motion_at](const Scene& one, double value) {
-            Scene changed = one;
-            changed.motion = motion_at(one.motion, value);
-            rescale_limits_in_time(changed, changed.motion.rise / one.motion.rise);
-            return changed;
-        });
+        [strokes, given](Scene& changed, double value) { lengthen(changed, strokes, value / given); });
     adjustment.usefulness = Usefulness::angle;
     adjustment.fallback = strokes.rise && strokes.back;
     adjustment.begin = strokes.rise ? 0.0 : 1.0;
     adjustment.end = strokes.back || !motion.return_angle ? motion.length() : 1.0;
-    adjustment.also = [motion, motion_at, strokes](double value) {
+    adjustment.also = [scene, strokes, with = adjustment.with](double value) {
         std::vector<CompanionChange> also;
-        const MotionSpec now = motion_at(motion, value);
+        const MotionSpec motion = scene.motion, now = with(scene, value).motion;
         if (strokes.rise && strokes.back)
-            also.push_back({"motion.return_deg", in_degrees(*motion.return_angle), in_degrees(*now.return_angle)});
+            also.push_back(
+                {"motion.return_deg", in_degrees(*motion.return_angle), in_degrees(*now.return_angle)});
         add_moved_points(also, motion, now);
         return also;
     };
@@ -122,7 +117,9 @@ std::size_t dwell_beside(const MotionSpec& motion, std::size_t segment, bool for
     return nothing;
 }
 
-std::string angle_key(std::size_t segment) { return fmt::format("motion.segments[{}].angle_deg", segment); }
+std::string angle_key(std::size_t segment) {
+    return fmt::format("motion.segments[{}].angle_deg", segment);
+}
 
 /// `giver`: the segment it is taken from; nothing: what is left of the turn.
 void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::size_t which,
@@ -132,22 +129,21 @@ void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::si
     const double of_giver = giver == nothing ? 0.0 : in_degrees(motion.segments[giver].angle);
     const double room = giver == nothing ? turn_deg - in_degrees(motion.length() * motion.unit_angle())
                                          : (1.0 - least_dwell_left) * of_giver;
-    Adjustment adjustment = number_adjustment(
-        angle_key(which), given, given, Range::between(given, given + std::max(room, 0.0)),
-        [which, giver](const Scene& one, double value) {
-            std::vector<double> angles;
-            for (const ProgramSegment& segment : one.motion.segments) angles.push_back(segment.angle);
-            const double more = value * units::degree - angles[which];
-            angles[which] += more;
-            if (giver != nothing) angles[giver] -= more;
-            Scene changed = one;
-            changed.motion = with_angles(one.motion, angles);
-            rescale_limits_in_time(changed, changed.motion.unit_angle() / one.motion.unit_angle());
-            return changed;
-        });
+    Adjustment adjustment =
+        number_adjustment(angle_key(which), given, given, Range::between(given, given + std::max(room, 0.0)),
+                          [which, giver](Scene& changed, double value) {
+                              std::vector<double> angles;
+                              for (const ProgramSegment& segment : changed.motion.segments)
+                                  angles.push_back(segment.angle);
+                              const double more = value * units::degree - angles[which];
+                              angles[which] += more;
+                              if (giver != nothing) angles[giver] -= more;
+                              changed = with_segment_angles(changed, angles);
+                          });
     adjustment.usefulness = Usefulness::angle;
     adjustment.fallback = std::ranges::find(all, adjustment.key, &Adjustment::key) != all.end();
-    for (std::size_t i = 0; i < which; ++i) adjustment.begin += motion.segments[i].angle / motion.unit_angle();
+    for (std::size_t i = 0; i < which; ++i)
+        adjustment.begin += motion.segments[i].angle / motion.unit_angle();
     adjustment.end = adjustment.begin + motion.segments[which].angle / motion.unit_angle();
     if (giver != nothing)
         adjustment.also = [giver, given, of_giver](double value) {
@@ -185,32 +181,28 @@ void add_displacements(std::vector<Adjustment>& all, const Scene& scene) {
         const Spelling& spelling = spelling_of_unit(0, segment.to_unit);
         const double unit = segment.to_unit.empty() ? 1.0 : spelling.factor / motion.lift;  // lifts
         const double given = as_written(*segment.to / unit), reach = farthest_displacement / unit;
-        all.push_back(number_adjustment(fmt::format("motion.segments[{}].to{}", i, spelling.suffix), given,
-                                        std::max(std::abs(given), reach),
-                                        Range::between(given - reach, given + reach),
-                                        [i, unit](const Scene& one, double value) {
-                                            Scene changed = one;
-                                            changed.motion.segments[i].to = value * unit;
-                                            return changed;
-                                        }));
+        all.push_back(number_adjustment(
+            fmt::format("motion.segments[{}].to{}", i, spelling.suffix), given,
+            std::max(std::abs(given), reach), Range::between(given - reach, given + reach),
+            [i, unit](Scene& changed, double value) { changed.motion.segments[i].to = value * unit; }));
         all.back().usefulness = Usefulness::lift;
     }
 }
 
 void add_lift(std::vector<Adjustment>& all, const Scene& scene) {
     const MotionSpec& motion = scene.motion;
-    const auto by_lift = [](const ProgramSegment& one) { return one.to.value_or(0.0) != 0.0 && one.to_unit.empty(); };
+    const auto by_lift = [](const ProgramSegment& one) {
+        return one.to.value_or(0.0) != 0.0 && one.to_unit.empty();
+    };
     if (motion.type == MotionType::program && std::ranges::none_of(motion.segments, by_lift)) return;
     const double unit = motion.lift_is_angle ? units::degree : metres_of(scene.length_unit);
     const double given = as_written(motion.lift / unit);
     all.push_back(number_adjustment(
-        std::string("motion.lift_") + (motion.lift_is_angle ? "deg" : name_of(scene.length_unit)), given, given,
-        Range::between(least_lift_left * given, given), [unit](const Scene& one, double value) {
-            Scene changed = one;
+        std::string("motion.lift_") + (motion.lift_is_angle ? "deg" : name_of(scene.length_unit)), given,
+        given, Range::between(least_lift_left * given, given), [unit](Scene& changed, double value) {
+            const MotionSpec before = changed.motion;
             changed.motion.lift = value * unit;
-            keep_written(changed.motion, one.motion);
-            rescale_limits_by_lift(changed, one.motion.lift / changed.motion.lift);
-            return changed;
+            keep_written(changed, before);
         }));
     all.back().usefulness = Usefulness::lift;
 }

@@ -20,12 +20,10 @@ Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
     Adjustment adjustment =
         number_adjustment(limit.key, limit.given, limit.given,
                           Range::between(limit.given, farthest_operating_change * limit.given),
-                          [&row](const Scene& scene, double value) {
-                              Scene changed = scene;
+                          [&row](Scene& changed, double value) {
                               PeakLimit& own = *row.in(changed.limits);
                               own.normalised = value / own.unit_per_normalised();
                               own.given = value;
-                              return changed;
                           });
     adjustment.limit = true;
     adjustment.usefulness = Usefulness::limit;
@@ -43,13 +41,9 @@ struct ForceNumber {
 Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
     const double given = as_written((*scene.forces).*number.member / number.unit);
     const double size = std::max(std::abs(given), number.size);
-    return number_adjustment(number.key, given, size,
-                             Range::between(std::min(0.0, given), farthest_operating_change * size),
-                             [number](const Scene& one, double value) {
-                                 Scene changed = one;
-                                 (*changed.forces).*number.member = value * number.unit;
-                                 return changed;
-                             });
+    return number_adjustment(
+        number.key, given, size, Range::between(std::min(0.0, given), farthest_operating_change * size),
+        [number](Scene& changed, double value) { (*changed.forces).*number.member = value * number.unit; });
 }
 
 void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
@@ -71,13 +65,10 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
     const double unit = metres_of(scene.length_unit), given = as_written(*scene.forces->contact_width / unit);
-    all.push_back(number_adjustment(std::string("forces.contact_width_") + name_of(scene.length_unit), given,
-                                    given, Range::between(given, farthest_operating_change * given),
-                                    [unit](const Scene& one, double value) {
-                                        Scene changed = one;
-                                        changed.forces->contact_width = value * unit;
-                                        return changed;
-                                    }));
+    all.push_back(number_adjustment(
+        std::string("forces.contact_width_") + name_of(scene.length_unit), given, given,
+        Range::between(given, farthest_operating_change * given),
+        [unit](Scene& changed, double value) { changed.forces->contact_width = value * unit; }));
 }
 
 bool goes_by_time(const Scene& scene) {
@@ -90,29 +81,27 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.motion.speed || !goes_by_time(scene)) return;
     const double unit = units::revolution_per_minute;
     const double given = as_written(*scene.motion.speed / unit);
-    all.push_back(number_adjustment(
-        "motion.speed_rpm", given, given, Range::between(given / farthest_operating_change, given),
-        [unit](const Scene& one, double value) {
-            Scene changed = one;
-            changed.motion.speed = value * unit;
-            keep_written(changed.motion, one.motion);
-            rescale_limits_in_time(changed, *one.motion.speed / *changed.motion.speed);
-            return changed;
-        }));
+    all.push_back(number_adjustment("motion.speed_rpm", given, given,
+                                    Range::between(given / farthest_operating_change, given),
+                                    [unit](Scene& changed, double value) {
+                                        const MotionSpec before = changed.motion;
+                                        changed.motion.speed = value * unit;
+                                        keep_written(changed, before);
+                                    }));
     all.back().usefulness = Usefulness::speed;
 }
 
 }  // namespace
 
-void rescale_limits_in_time(Scene& scene, double ratio) {
+void keep_written(Scene& changed, const MotionSpec& before) {
+    MotionSpec& now = changed.motion;
+    keep_written(now, before);
+    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds.
+    const double pace =
+        before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(scene.limits); limit && limit->in_time())
-            limit->normalised *= std::pow(ratio, row.order());
-}
-
-void rescale_limits_by_lift(Scene& scene, double ratio) {
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(scene.limits); limit && limit->in_time()) limit->normalised *= ratio;
+        if (auto& limit = row.in(changed.limits); limit && limit->in_time())
+            limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
 }
 
 std::vector<Adjustment> peak_adjustments(const Scene& scene) {

@@ -23,37 +23,14 @@ namespace camopt {
 
 namespace {
 
-// Parts of the time that is left: for set points, for more segments, for naming what is impossible without the
-// others; for one change equal shares of what is left, but never less than least_share, and
-// more until something useful is found. Of these a part for the
-// search, the rest for the solve of what it found.
+// Parts of the time that is left: for set points, for more segments, for naming what is impossible without
+// the others; for one change equal shares of what is left, but never less than least_share, and more until
+// something useful is found. Of these a part for the search, the rest for the solve of what it found.
 constexpr double part_of_set_points = 0.5, part_of_segments = 0.25, part_of_impossible = 0.3;
 constexpr double shares_of_one = 2.0, least_share = 0.3, first_share = 0.6, part_of_search = 0.6;
 // A spline of so many segments is rarely too coarse, and takes long to refine: that comes last.
 constexpr int many_segments = 48;
 constexpr int most_set_points = 2, most_quick_segments = 16;
-
-/// The scene that asks for the least of one limited peak and keeps every other limit.
-Scene without_limit(const Scene& scene, const PeakLimitRow& one) {
-    Scene relaxed = scene;
-    one.in(relaxed.limits).reset();
-    relaxed.objective = {};
-    relaxed.own_terms.clear();
-    relaxed.objective.*one.term().weight = 1.0;
-    relaxed.objective.tie_break = TieBreak::none;
-    relaxed.solver.name = "auto";
-    relaxed.solver.options.clear();
-    return relaxed;
-}
-
-/// The least peak in the unit of its limit; none where the other limits allow no motion or the time is out.
-std::optional<double> least_peak(const Scene& scene, const PeakLimitRow& one, const Budget& budget) {
-    if (budget.spent()) return {};
-    Scene relaxed = without_limit(scene, one);
-    const Solution least = solve_without_explaining(relaxed, budget.control());
-    if (!least.motion) return {};
-    return one.term().measured.of(least.peaks) * one.in(scene.limits)->unit_per_normalised();
-}
 
 /// The scene with one of its limits alone.
 Scene only_limit(const Scene& scene, const std::string& key) {
@@ -77,9 +54,9 @@ std::vector<std::string> fighting_keys(const Solution& solution) {
     return keys;
 }
 
-/// A scene that is not convex, with so few segments that its searches are quick. Each of them is made of whole
-/// segments of the given spline, so that its motions are motions of that spline too. None where the scene is
-/// quick already, or its breakpoints are not uniform.
+/// A scene that is not convex, with so few segments that its searches are quick. Each of them is made of
+/// whole segments of the given spline, so that its motions are motions of that spline too. None where the
+/// scene is quick already, or its breakpoints are not uniform.
 std::optional<Scene> coarse_scene(const Scene& scene) {
     int segments = scene.spline.segments;
     while (segments > most_quick_segments && segments % 2 == 0) segments /= 2;
@@ -174,7 +151,9 @@ class Explainer {
 
     /// Those without which the scene has a motion, and of the first of them the number to change.
     void change_set_points() {
-        const std::vector<SetPointChanges> all = set_point_changes(scene_);
+        std::vector<SetPointChanges> all = set_point_changes(scene_);
+        std::ranges::stable_sort(all, {},
+                                 [](const SetPointChanges& one) { return !one.place; });  // regions last
         const Budget part = budget_.part(part_of_set_points);
         int changed = 0;
         for (const SetPointChanges& one : all) {
@@ -194,7 +173,8 @@ class Explainer {
     }
 
     /// The first useful change of one of its numbers, or any.
-    [[nodiscard]] std::optional<Relaxation> change_of(const SetPointChanges& point, const Budget& part) const {
+    [[nodiscard]] std::optional<Relaxation> change_of(const SetPointChanges& point,
+                                                      const Budget& part) const {
         std::optional<Relaxation> found;
         const auto settle = [&](const Adjustment& change, const std::optional<double>& needed) {
             if (!needed) return;
@@ -213,17 +193,16 @@ class Explainer {
             }
             const auto motion = solved_motion(*value.without, part);
             if (!motion) continue;
-            const double feasible = motion->at(point.at, Side::right).derivative[value.order] * value.per_normalised;
+            const double feasible =
+                motion->at(point.at, Side::right).derivative[value.order] * value.per_normalised;
             settle(value.change, value_towards(scene_, value.change, feasible, part.part(0.5)));
         }
-        for (const Adjustment& place : point.places) search(place);
+        if (point.place) search(*point.place);
         return found;
     }
 
-    /// One row, or the key of a search that did not end. `find`: the needed value within the time it is
-    /// given.
-    template <typename Find>
-    void add_row(const Adjustment& adjustment, double share, const Find& find) {
+    /// One row, or the key of a search that did not end. given: least_violation() of the scene.
+    void add_row(const Adjustment& adjustment, double share, double given) {
         if (is_over()) {
             found_.unsettled.push_back(adjustment.key);
             return;
@@ -234,7 +213,8 @@ class Explainer {
         if (coarse_)
             if (const auto needed = nearest_value(*coarse_, adjustment, infinity, searching))
                 row = solved_relaxation(*coarse_, adjustment, *needed, part);
-        const std::optional<double> needed = row ? std::nullopt : find(searching);
+        const std::optional<double> needed =
+            row ? std::nullopt : nearest_value(scene_, adjustment, given, searching);
         if (needed) {
             row = solved_relaxation(scene_, adjustment, *needed, part);
         } else if (!row && !searching.spent()) {
@@ -243,7 +223,8 @@ class Explainer {
             // A proof that the clock ended must not make two runs of one scene differ in silence.
             if (adjustment.limit && !row->ruled_out && part.spent()) row.reset();
         }
-        std::erase_if(solution_.relaxation, [&](const Relaxation& before) { return before.key == adjustment.key; });
+        std::erase_if(solution_.relaxation,
+                      [&](const Relaxation& before) { return before.key == adjustment.key; });
         if (row)
             solution_.relaxation.push_back(std::move(*row));
         else  // what was not searched to its end must not pass for "nothing helps"
@@ -296,13 +277,7 @@ class Explainer {
             if (has_enough()) return;
             if (is_idle_fallback(one)) continue;
             if (done == 1) given = least_violation(scene_, budget_.part(least_share));
-            const auto cap = std::ranges::find_if(peak_limit_rows(), [&](const PeakLimitRow& row) {
-                return row.in(scene_.limits) && row.in(scene_.limits)->key == one.key;
-            });
-            const bool by_least = cap != peak_limit_rows().end() && scene_.motion.type != MotionType::program;
-            add_row(one, share, [&](const Budget& part) {
-                return by_least ? least_peak(scene_, *cap, part) : nearest_value(scene_, one, given, part);
-            });
+            add_row(one, share, given);
         }
         if (!segments_tried_ && !has_enough()) try_segments();
     }

@@ -30,7 +30,6 @@ struct Place {
         Scene changed = scene;
         std::vector<SetPoint>& points = points_of(changed.motion, segment);
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
-        return changed;
     }
 };
 
@@ -42,36 +41,30 @@ SetPointChanges::Value value_of(const Scene& scene, const PlacedPoint& point, co
     SetPointChanges::Value value;
     value.order = order;
     value.per_normalised = written.per_normalised;
-    value.change = number_adjustment(written.key, given, std::abs(given) > 0.0 ? std::abs(given) : size,
-                                     Range::between(given - farthest_wanted * size, given + farthest_wanted * size),
-                                     [place, order, own_unit](const Scene& one, double wanted) {
-                                         Scene changed = one;
-                                         value_of(place.in(changed), order) = wanted * own_unit;
-                                         return changed;
-                                     });
+    value.change =
+        number_adjustment(written.key, given, std::abs(given) > 0.0 ? std::abs(given) : size,
+                          Range::between(given - farthest_wanted * size, given + farthest_wanted * size),
+                          [place, order, own_unit](Scene& changed, double wanted) {
+                              value_of(place.in(changed), order) = wanted * own_unit;
+                          });
     if (point.is_region() && order > 0) return value;
-    const bool only = std::ranges::count_if(point.wanted, [](const auto& one) { return one.has_value(); }) == 1;
+    const bool only =
+        std::ranges::count_if(point.wanted, [](const auto& one) { return one.has_value(); }) == 1;
     value.without = only ? place.removed_from(scene) : scene;
     if (!only) value_of(place.in(*value.without), order).reset();
     return value;
 }
 
-Adjustment place_change(const Scene& scene, const PlacedPoint& point, const Place& place, bool end) {
+Adjustment place_change(const Scene& scene, const PlacedPoint& point, const Place& place) {
+    const std::string& written = point.units.place;
+    const double unit = written.empty() ? 1.0 : unit_of_place(written) / place.angle;
     Scene copy = scene;
-    const SetPoint& own = place.in(copy);
-    const double at = end ? *own.until : own.at;
-    const double unit =
-        own.units.place.empty() ? 1.0 : unit_of_place(own.units.place) / place.angle;
-    const double given = as_written(at / unit), last = place.segment < 0 ? scene.motion.length() : 1.0;
-    const char* const name = end ? "to" : own.until ? "from" : "at";
-    const std::string suffix = own.units.place.empty() ? "" : "_" + own.units.place;
-    return number_adjustment(fmt::format("{}.{}{}", point.member, name, suffix), given, last / unit,
-                             Range::between(0.0, last / unit), [place, end, unit](const Scene& one, double value) {
-                                 Scene changed = one;
-                                 SetPoint& moved = place.in(changed);
-                                 (end ? *moved.until : moved.at) = value * unit;
-                                 return changed;
-                             });
+    const double given = as_written(place.in(copy).at / unit);
+    const double last = (place.segment < 0 ? scene.motion.length() : 1.0) / unit;
+    return number_adjustment(
+        fmt::format("{}.at{}{}", point.member, written.empty() ? "" : "_", written), given, last,
+        Range::between(0.0, last),
+        [place, unit](Scene& changed, double value) { place.in(changed).at = value * unit; });
 }
 
 }  // namespace
@@ -86,12 +79,11 @@ std::vector<SetPointChanges> set_point_changes(const Scene& scene) {
         Place place{segment, index, scene.motion.unit_angle(), 1.0};
         if (segment >= 0) place.angle = scene.motion.segments[static_cast<std::size_t>(segment)].angle;
         place.width = place.angle / scene.motion.unit_angle();
-        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, {}};
+        SetPointChanges changes{point.member, point.begin, place.removed_from(scene), {}, std::nullopt};
         for (int order = 0; order < 3; ++order)
             if (point.wanted[static_cast<std::size_t>(order)])
                 changes.values.push_back(value_of(scene, point, place, order));
-        changes.places.push_back(place_change(scene, point, place, false));
-        if (point.is_region()) changes.places.push_back(place_change(scene, point, place, true));
+        if (!point.is_region()) changes.place = place_change(scene, point, place);
         all.push_back(std::move(changes));
     }
     return all;

@@ -3,11 +3,8 @@
 
 #include "studies/explain/feasibility_question.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace camopt {
 
@@ -24,7 +21,7 @@ constexpr double least_margin = 1e-6;
 // Where the search's word was too good: how much further off a solve is tried, of the size.
 constexpr double further_off[] = {0.0, 1e-4, 1e-3, 1e-2, 5e-2};
 // Of a value that is determined: what is left of it after rounding errors are dropped.
-constexpr int exact_digits[] = {9, 15};
+constexpr int exact_digits = 9;
 
 class ValueSearch {
  public:
@@ -141,10 +138,10 @@ std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment
                        std::max(adjustment.most, adjustment.given));
         if (solved(told)) return row(margin == 0.0 ? needed : told, told);
     }
-    for (const int digits : exact_digits) {
-        const double told = std::stod(fmt::format("{:.{}g}", needed, digits));
+    const double scale =
+        needed == 0.0 ? 1.0 : std::pow(10.0, exact_digits - std::ceil(std::log10(std::abs(needed))));
+    for (const double told : {std::round(needed * scale) / scale, as_written(needed)})
         if (solved(told)) return row(needed, told);
-    }
     return {};
 }
 

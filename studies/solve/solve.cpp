@@ -289,7 +289,8 @@ Solution solve(const Scene& scene, const SolveControl& control) {
         timed.in_vain = {};
         explain(solution, timed);
     }
-    // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own limit.
+    // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own
+    // limit.
     const bool cut = solution.explanation && solution.explanation->end == ExplanationEnd::time_limit &&
                      !solution.explanation->own_limit;
     if (to_explain && (cut || timed.ending() == Termination::time_limit))

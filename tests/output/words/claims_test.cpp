@@ -69,14 +69,14 @@ std::vector<Change> changes_in(const std::string& text) {
     static const std::regex segments("use ([0-9]+) segments");
     std::vector<Change> all;
     for (std::sregex_iterator it(text.begin(), text.end(), form), end; it != end; ++it)
-        all.push_back(
-            {(*it)[1], ((*it)[2].length() > 0 ? -1.0 : 1.0) * std::atof((*it)[3].str().c_str())});
+        all.push_back({(*it)[1], ((*it)[2].length() > 0 ? -1.0 : 1.0) * std::atof((*it)[3].str().c_str())});
     if (std::smatch found; std::regex_search(text, found, segments))
         all.push_back({"segments", std::atof(found[1].str().c_str())});
     return all;
 }
 
 void apply(Scene& scene, const Change& change) {
+    const MotionSpec before = scene.motion;
     const auto peak = [&](std::optional<PeakLimit>& limit) {
         limit->normalised = change.value / limit->unit_per_normalised();
         limit->given = change.value;
@@ -91,13 +91,13 @@ void apply(Scene& scene, const Change& change) {
         {"segments", [&] { scene.spline.segments = static_cast<int>(change.value); }},
         {"rise",
          [&] {
-             rescale_limits_in_time(scene, change.value * degree / scene.motion.rise);
              scene.motion.rise = change.value * degree;
+             keep_written(scene, before);
          }},
         {"lift",
          [&] {
-             rescale_limits_by_lift(scene, scene.motion.lift / (change.value * millimetre));
              scene.motion.lift = change.value * millimetre;
+             keep_written(scene, before);
          }},
         {"velocity", [&] { peak(scene.limits.velocity); }},
         {"acceleration", [&] { peak(scene.limits.acceleration); }},
@@ -112,9 +112,8 @@ void apply(Scene& scene, const Change& change) {
         {"spring rate", [&] { scene.forces->spring_rate = change.value * 1e3; }},
         {"speed",
          [&] {
-             const double speed = change.value * units::revolution_per_minute;
-             rescale_limits_in_time(scene, *scene.motion.speed / speed);
-             scene.motion.speed = speed;
+             scene.motion.speed = change.value * units::revolution_per_minute;
+             keep_written(scene, before);
          }},
     };
     const auto found = setters.find(change.words);
@@ -224,7 +223,8 @@ TEST(InfeasibleClaims, SpringsAreTried) {
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    for (const char* part : {"preload >= ", "spring rate >= ", "speed <= "})
+    for (const char* part :
+         {"increase the preload to ", "increase the spring rate to ", "reduce the speed to "})
         EXPECT_TRUE(says(text, part)) << part << "\n" << text;
     EXPECT_GE(expect_each_does(scene, text), 3);
 }
