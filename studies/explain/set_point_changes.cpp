@@ -30,6 +30,7 @@ struct Place {
         Scene changed = scene;
         std::vector<SetPoint>& points = points_of(changed.motion, segment);
         points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+        return changed;
     }
 };
 
