@@ -5,10 +5,10 @@
 //   the least change of each angle, dimension, limit, … alone, the others kept; more segments of the spline;
 //   where no limit alone can give way far enough, the least common change of all limits.
 //
-// The most useful come first (Usefulness), and the search ends with solver.explain_changes useful ones or after
-// solver.explain_seconds. Values are searched by value_search.hpp. Nothing is told that was not solved: each
-// number, as it is rounded for people, was put into the scene, and a solve with it found a motion. Each change
-// ends within its share of the time; one whose search does not is named as such.
+// The most useful come first (Usefulness), and the search ends with solver.explain_changes useful ones or
+// after solver.explain_seconds. Values are searched by value_search.hpp. Nothing is told that was not solved:
+// each number, as it is rounded for people, was put into the scene, and a solve with it found a motion. Each
+// change ends within its share of the time; one whose search does not is named as such.
 #pragma once
 
 #include "studies/delivered/solution.hpp"

@@ -291,8 +291,8 @@ Solution solve(const Scene& scene, const SolveControl& control) {
     }
     // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own
     // limit.
-    const bool cut = solution.explanation && solution.explanation->end == ExplanationEnd::time_limit &&
-                     !solution.explanation->own_limit;
+    const bool cut = solution.explanation && !solution.explanation->own_limit && timed.deadline.was_felt() &&
+                     !timed.stopped();
     if (to_explain && (cut || timed.ending() == Termination::time_limit))
         solution.notes.push_back(fmt::format(
             "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
