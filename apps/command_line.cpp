@@ -5,6 +5,7 @@
 #include "apps/commands.hpp"
 #include "apps/completion/completion.hpp"
 #include "apps/manual/manual.hpp"
+#include "apps/scene_loading.hpp"
 #include "apps/sweep/pareto_run.hpp"
 #include "apps/sweep/surface_run.hpp"
 #include "apps/terminal.hpp"
@@ -21,11 +22,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace camopt::apps {
@@ -56,8 +58,9 @@ const char* examples =
     "  camopt table spline-vs-modified-sine         the published table beside the proved optima\n"
     "  camopt reproduce 004 --out paper             a paper's tables and figures beside ours\n"
     "\n"
-    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, or interrupted before a "
-    "motion was found; 2 wrong input; 3 proved infeasible; 130 a sweep was "
+    "Exit codes: 0 optimal, local or feasible, interrupted or not; 1 failed, interrupted before a "
+    "motion was found, or standard output not written (a full disk); 2 wrong input; 3 proved infeasible; 130 "
+    "a sweep was "
     "interrupted.\n";
 
 // Fewer do not make a cam; more than a file of some hundred megabytes holds is a slip of the keyboard.
@@ -417,7 +420,8 @@ constexpr const char* sweep_examples =
     "  camopt sweep scene.toml --surface 1e-4 --out surface                   all weights, proved to 1e-4\n"
     "  camopt sweep surface --at 0.4,0.4,0.2                                  looked up there\n"
     "\n"
-    "Exit codes: 0 every row solved or infeasible; 1 a row failed; 2 wrong input; 130 interrupted.\n";
+    "Exit codes: 0 every row solved or infeasible; 1 a row failed, or standard output not written; 2 wrong "
+    "input; 130 interrupted.\n";
 
 void add_sweep_work(CLI::App& command, SweepRequest& request) {
     constexpr int most_workers = 1024;
@@ -532,16 +536,24 @@ CLI::App& add_sweep_merge(CLI::App& sweep, SweepMergeRequest& request) {
     return command;
 }
 
+/// The scene file of the command that runs, and the settings on top of it.
+struct SceneWords {
+    std::string file;
+    std::vector<std::string> settings;
+};
+
 /// `--set a=1 b=2 scene.toml` is understood too: what has no '=' is the scene.
-void find_scene(std::string& scene, std::vector<std::string>& settings) {
-    const auto plain = std::find_if(settings.begin(), settings.end(), [](const std::string& setting) {
-        return setting.find('=') == std::string::npos;
-    });
-    if (scene.empty() && plain != settings.end()) {
-        scene = *plain;
-        settings.erase(plain);
+template <class Request>
+void find_scene(Request& request, SceneWords& asked) {
+    const auto plain = std::ranges::find_if(
+        request.settings, [](const std::string& setting) { return setting.find('=') == std::string::npos; });
+    if (request.scene.empty() && plain != request.settings.end()) {
+        request.scene = *plain;
+        request.settings.erase(plain);
     }
-    if (scene.empty()) throw InputError("the scene file is missing: camopt COMMAND SCENE; see camopt --help");
+    if (request.scene.empty())
+        throw InputError("the scene file is missing: camopt COMMAND SCENE; see camopt --help");
+    asked = {request.scene, request.settings};
 }
 
 /// The command as it could be typed into a shell again.
@@ -575,7 +587,7 @@ std::string version_text() {
     return fmt::format("camopt {}\nMIT license. With {}.\n{}", version(), with, terms_of_binary());
 }
 
-ExitCode parse_and_run(int count, const char* const* words) {
+ExitCode parse_and_run(int count, const char* const* words, SceneWords& asked) {
     CLI::App program("camopt: the best motion curve for a cam, found and proved", "camopt");
     program.set_version_flag("--version", version_text());
     program.footer(examples);
@@ -605,7 +617,10 @@ ExitCode parse_and_run(int count, const char* const* words) {
     try {
         program.parse(count, words);
     } catch (const CLI::Success& asked_for_help) {
-        return program.exit(asked_for_help) == 0 ? success : failure;
+        std::ostringstream text;
+        const int status = program.exit(asked_for_help, text, text);
+        print(text.str());
+        return status == 0 ? success : failure;
     } catch (const CLI::ParseError& error) {
         const std::string unknown =
             count > 1 ? unknown_word(program, std::span(words + 1, static_cast<std::size_t>(count - 1))) : "";
@@ -614,29 +629,29 @@ ExitCode parse_and_run(int count, const char* const* words) {
     }
     refuse_empty_values(program);
     if (solve.parsed()) {
-        find_scene(parsed.solve.scene, parsed.solve.settings);
+        find_scene(parsed.solve, asked);
         parsed.solve.command = joined(count, words);
         return solve_command(parsed.solve);
     }
     if (studio.parsed()) {
-        if (!parsed.studio.settings.empty()) find_scene(parsed.studio.scene, parsed.studio.settings);
+        if (!parsed.studio.settings.empty()) find_scene(parsed.studio, asked);
         return studio_command(parsed.studio);
     }
     if (compare.parsed()) {
-        find_scene(parsed.compare.scene, parsed.compare.settings);
+        find_scene(parsed.compare, asked);
         parsed.compare.command = joined(count, words);
         return compare_command(parsed.compare);
     }
     if (dynamics.parsed()) {
-        find_scene(parsed.dynamics.scene, parsed.dynamics.settings);
+        find_scene(parsed.dynamics, asked);
         return dynamics_command(parsed.dynamics);
     }
     if (check.parsed()) {
-        find_scene(parsed.check.scene, parsed.check.settings);
+        find_scene(parsed.check, asked);
         return check_command(parsed.check);
     }
     if (export_cam.parsed()) {
-        find_scene(parsed.export_cam.scene, parsed.export_cam.settings);
+        find_scene(parsed.export_cam, asked);
         return export_command(parsed.export_cam);
     }
     if (report.parsed()) return report_command(parsed.report);
@@ -644,7 +659,7 @@ ExitCode parse_and_run(int count, const char* const* words) {
     if (reproduce.parsed()) return reproduce_command(parsed.reproduce);
     if (sweep_merge.parsed()) return sweep_merge_command(parsed.sweep_merge);
     if (sweep.parsed()) {
-        find_scene(parsed.sweep.scene, parsed.sweep.settings);
+        find_scene(parsed.sweep, asked);
         return sweep_of(parsed.sweep);
     }
     return list_command(parsed.list);
@@ -653,12 +668,15 @@ ExitCode parse_and_run(int count, const char* const* words) {
 }  // namespace
 
 ExitCode run_command_line(int count, const char* const* words) noexcept {
+    SceneWords asked;
     try {
-        const ExitCode code = parse_and_run(count, words);
-        if (std::fflush(stdout) != 0) return complain("cannot write to standard output", failure);
-        return code;
+        return parse_and_run(count, words, asked);
+    } catch (const SceneError& error) {
+        return complain(placed_words(error, asked.file, asked.settings), wrong_input);
     } catch (const InputError& error) {
         return complain(error.what(), wrong_input);
+    } catch (const std::system_error& error) {
+        return complain(error.what(), failure);
     } catch (const std::exception& error) {
         return complain(fmt::format("internal error: {}", error.what()), failure);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/scene_loading.hpp"
 
+#include "core/text/text_file.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/report/text_file.hpp"
 
 namespace camopt::apps {
 
@@ -28,6 +28,17 @@ LoadedScene load_scene_and_text(const std::string& file, const std::vector<std::
     const SceneText given{file, input::scene_file_text(file)};
     return {load_scene(given, settings),
             input::scene_with_overrides(given.text, file, settings, folder_of(file))};
+}
+
+std::string placed_words(const SceneError& error, const std::string& file,
+                         std::span<const std::string> settings) {
+    if (!std::filesystem::is_regular_file(file)) return error.what();
+    try {
+        const std::string text = input::scene_file_text(file);
+        input::fail_in_scene({text, file, settings}, error.fault().member, words_of(error.fault()));
+    } catch (const InputError& placed) {
+        return placed.what();
+    }
 }
 
 LengthUnit length_unit_of(std::string_view units, LengthUnit otherwise) {

@@ -2,7 +2,7 @@
 // A scene file together with everything this camopt knows by name.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "scene/scene_error.hpp"
 
 #include <span>
 #include <string>
@@ -25,6 +25,11 @@ struct LoadedScene {
 };
 [[nodiscard]] LoadedScene load_scene_and_text(const std::string& file,
                                               const std::vector<std::string>& settings);
+
+/// What was found wrong with a scene after it was read, with file and line; as it stands where `file` is no
+/// scene file.
+[[nodiscard]] std::string placed_words(const SceneError& error, const std::string& file,
+                                       std::span<const std::string> settings);
 
 /// In which lengths people read it: "mm" or "in"; empty: as the scene is written.
 void show_in(Scene& scene, std::string_view units);

@@ -7,7 +7,8 @@
 
 namespace camopt::apps {
 
-/// To standard output.
+/// To standard output, all of it. Throws std::system_error where it does not take the text (a full disk, a
+/// closed pipe): a text that is cut short must not end in exit code 0.
 void print(std::string_view text);
 
 /// To standard error.

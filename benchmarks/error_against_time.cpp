@@ -10,8 +10,8 @@
 #include "benchmarks/parts/measurement.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 //
 // CSV on the standard output, a line a scene. Ends with code 1 where a scene without a cam evaluated a point
 // of a profile, or could not be solved at all.
+#include "benchmarks/parts/whole_output.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
@@ -70,6 +71,7 @@ bool print_table(const std::filesystem::path& folder) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     if (count != 2) {
         std::fputs("usage: evaluation_counts SCENES\n", stderr);
         return 2;

@@ -6,6 +6,7 @@
 // computed independently (an LP solver with exchange, ten digits), its relative difference, seconds, rounds,
 // iterations. `status` of a whole solve is its verdict.
 #include "benchmarks/parts/backend_runs.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "output/csv/csv_line.hpp"
 
 #include <cmath>
@@ -66,6 +67,7 @@ void print_table() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::print_table();
         return 0;

@@ -7,10 +7,10 @@
 
 #include "benchmarks/parts/combination.hpp"
 #include "benchmarks/parts/measurement.hpp"
+#include "core/text/text_file.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "splines/extrema.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -5,6 +5,7 @@
 // Processor time, because others on the machine do not count in it.
 // Uses nothing but what camopt could do before it knew cams, so that the same file measures an older commit
 // (against_commit.sh builds it there).
+#include "benchmarks/parts/whole_output.hpp"
 #include "input/scene_reader.hpp"
 #include "solvers/registry.hpp"
 #include "studies/solve/solve.hpp"
@@ -50,6 +51,7 @@ void print_seconds(const camopt::Scene& scene, int repeats) {
 }  // namespace
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     if (count != 3) {
         std::fputs("usage: solve_seconds SCENE REPEATS\n", stderr);
         return 2;

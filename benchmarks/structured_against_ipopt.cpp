@@ -7,6 +7,7 @@
 // on the final grid, the exchange, the whole library solve (up to 256 segments). CSV on the standard output.
 // `ratio`: seconds by those of the structured solver; `eligible`: error within 1e-8. Progress goes to stderr.
 #include "benchmarks/parts/backend_runs.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "output/csv/csv_line.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,7 @@ void print_table() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::print_table();
         return 0;

@@ -9,6 +9,7 @@
 // 1e-10 without a tie-break.
 #include "benchmarks/cam/cam_case.hpp"
 #include "benchmarks/parts/backend_runs.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "output/csv/csv_line.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/solve/solve.hpp"
@@ -95,6 +96,7 @@ void print_table(std::string_view only) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::print_table(count > 1 ? words[1] : "");
         return 0;

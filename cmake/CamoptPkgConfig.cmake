@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # camopt_pkg_config(<static|shared> <file>): camopt.pc for those who build without CMake. The shared library knows what it
 # needs; of the static ones the linker has to be told everything, packages too, so that a consumer does not say --static.
-# The prefix is that of configuring; pkg-config --define-prefix moves it.
+# The prefix is counted from where the file lies, so that `cmake --install --prefix` and a folder that was moved are right.
+file(RELATIVE_PATH camopt_pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" camopt_pc_prefix "${camopt_pc_prefix}")
 
 # camopt_linked_files(<result> <targets …>): what these imported targets put on a link line, as files and flags.
 function(camopt_linked_files result)

@@ -2,6 +2,7 @@
 #include "dynamics/linear_train.hpp"
 
 #include "core/errors.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -66,8 +67,8 @@ LinearTrain linear_train(const DynamicsSpec& spec) {
     train.return_stiffness = spec.return_stiffness;
     train.preload = spec.preload;
     if (train.masses() > most_masses)
-        throw InputError(fmt::format("dynamics.stage: found {} stages before the output; allowed: at most {}",
-                                     spec.stages.size(), most_masses - 1));
+        throw SceneError({"dynamics.stage", fmt::format("{} stages before the output", spec.stages.size()),
+                          fmt::format("at most {}", most_masses - 1)});
     for (const TrainStage& stage : train.stages)
         if (!(stage.mass > 0.0) || !(stage.stiffness > 0.0) || !(stage.damping >= 0.0))
             throw InputError(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/train_at_speed.hpp"
 
-#include "core/errors.hpp"
 #include "core/units.hpp"
 #include "dynamics/bounded_maxima.hpp"
+#include "scene/scene_error.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -77,10 +77,11 @@ struct Series {
 int steps_over(double radians) {
     const double steps = std::max(1.0, std::ceil(radians / taylor_radians));
     if (!(steps <= most_steps))
-        throw InputError(fmt::format(
-            "dynamics: found a train that vibrates {:.3g} times in one piece of the motion; allowed: "
-            "at most {:.3g}, a softer train or a higher speed",
-            radians / units::turn, most_steps * taylor_radians / units::turn));
+        throw SceneError({"dynamics",
+                          fmt::format("a train that vibrates {:.3g} times in one piece of the motion",
+                                      radians / units::turn),
+                          fmt::format("at most {:.3g}, a softer train or a higher speed",
+                                      most_steps * taylor_radians / units::turn)});
     return static_cast<int>(steps);
 }
 

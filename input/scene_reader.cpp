@@ -16,6 +16,7 @@
 #include "input/motion_reader.hpp"
 #include "input/peak_limits.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -54,8 +55,7 @@ class SceneReader {
         if (measured) scene.measured = measured->motion;
         if (const std::optional<SceneFault> fault = find_fault(scene)) {
             if (measured) fail_in_table(source_, *measured, *fault);
-            source_.fail_member(fault->member,
-                                fmt::format("found {}; allowed: {}", fault->found, fault->allowed));
+            source_.fail_member(fault->member, words_of(*fault));
         }
         return scene;
     }
@@ -178,11 +178,23 @@ Scene read_document(const SceneSource& source, const KnownNames& known) {
     return SceneReader(source, known).read();
 }
 
+namespace {
+
+SceneSource source_of(std::string_view toml, std::string_view name, std::span<const std::string> overrides) {
+    SceneSource source{.name = std::string(name), .root = parse_document(toml, name)};
+    apply_overrides(source.root, overrides);
+    return source;
+}
+
+}  // namespace
+
 Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                  std::span<const std::string> overrides) {
-    SceneSource source{.name = std::string(source_name), .root = parse_document(toml, source_name)};
-    apply_overrides(source.root, overrides);
-    return read_document(source, known);
+    return read_document(source_of(toml, source_name, overrides), known);
+}
+
+void fail_in_scene(const SceneOrigin& origin, std::string_view member, std::string_view what) {
+    source_of(origin.toml, origin.name, origin.overrides).fail_member(member, what);
 }
 
 std::string scene_with_overrides(std::string_view toml, std::string_view source_name,

@@ -41,6 +41,16 @@ struct KnownNames {
 [[nodiscard]] Scene read_scene(std::string_view toml, std::string_view source_name, const KnownNames& known,
                                std::span<const std::string> overrides = {});
 
+/// A scene's text, what it is called in messages, and the settings on top of it.
+struct SceneOrigin {
+    std::string_view toml, name;
+    std::span<const std::string> overrides;
+};
+
+/// Of a scene that was read, for what is wrong with it all the same: throws InputError
+/// "FILE:LINE:COLUMN: key: what". `member`: of the Scene, "motion.segments[1].law", or a table, "cam".
+[[noreturn]] void fail_in_scene(const SceneOrigin& origin, std::string_view member, std::string_view what);
+
 /// The scene as one text without overrides: read_scene of it is the same Scene, bit for bit. Where there are
 /// no overrides it is the text as given, comments and all; with some, and where the text holds what a
 /// terminal would obey instead of showing, it is written anew and says so in its first line. Throws

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/program_family.hpp"
 
-#include "core/errors.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/set_point_conditions.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -15,11 +15,10 @@ namespace {
 void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     const auto refuse = [&](const std::string& beside) {
-        throw InputError(
-            fmt::format("motion.segments[{}].law: found \"{}\", a law whose ends move, beside {}; allowed: "
-                        "spline segments "
-                        "on both sides, which join with its velocity",
-                        index, motion.segments[index].law, beside));
+        throw SceneError(
+            {fmt::format("motion.segments[{}].law", index),
+             fmt::format("\"{}\", a law whose ends move, beside {}", motion.segments[index].law, beside),
+             "spline segments on both sides, which join with its velocity"});
     };
     for (const bool after : {false, true}) {
         if (!motion.closed && index == (after ? count - 1 : 0)) refuse("the open end of the program");
@@ -35,10 +34,9 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
     std::shared_ptr<const Law> law = make_law(segment.law);
     if (!law->info().rests) require_splines_beside(motion, index);
     if (law->info().top == TopEnd::turning_point) {
-        throw InputError(
-            fmt::format("motion.segments[{}].law: found \"{}\", a law that turns back at its top; "
-                        "allowed: a law that ends at rest",
-                        index, segment.law));
+        throw SceneError({fmt::format("motion.segments[{}].law", index),
+                          fmt::format("\"{}\", a law that turns back at its top", segment.law),
+                          "a law that ends at rest"});
     }
     return law;
 }

@@ -14,6 +14,7 @@
 #include "objectives/set_point_conditions.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -79,10 +80,10 @@ std::vector<WeightedPeak> weighted_peaks(const Scene& scene, const Peaks& refere
 
 void require_finite(const CostTerm& term, double weight, double value, const std::string& law) {
     if (weight > 0.0 && !(std::isfinite(value) && value > 0.0)) {
-        throw InputError(
-            fmt::format("objective.reference: \"{}\" has no finite {}, which has the weight {}; allowed: a "
-                        "law whose {} is finite, numbers, or the weight 0",
-                        law, term.name(), weight, term.name()));
+        throw SceneError(
+            {"objective.reference",
+             fmt::format("\"{}\", which has no finite {}, with the weight {}", law, term.name(), weight),
+             fmt::format("a law whose {} is finite, numbers, or the weight 0", term.name())});
     }
 }
 
@@ -109,10 +110,8 @@ std::vector<PointCondition> scene_conditions(const Scene& scene) {
 std::unique_ptr<Law> reference_law(const std::string& key) {
     std::unique_ptr<Law> law = make_law(key);
     if (!law->info().rests)
-        throw InputError(
-            fmt::format("objective.reference: found \"{}\", a law whose ends move; allowed: a law "
-                        "that rests at its ends, or numbers",
-                        key));
+        throw SceneError({"objective.reference", fmt::format("\"{}\", a law whose ends move", key),
+                          "a law that rests at its ends, or numbers"});
     return law;
 }
 

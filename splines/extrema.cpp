@@ -11,9 +11,6 @@ namespace camopt {
 
 namespace {
 
-// Both sides of a breakpoint closer than this, relative to the larger, are one value.
-constexpr double same_value = 1e-12;
-
 // An optimum touches its peaks at many places, each to the tolerance of a solve, some 1e-9 of the peak;
 // places this close are the same peak reached again, and which of them is higher by the last digits says
 // nothing.
@@ -50,35 +47,6 @@ void add_candidates_on_segment(const SplineSpace& space, int segment, const Eige
         for (const double t : sign_changes(differentiated(polynomial), 0.0, width)) add(t);
     }
     all.push_back({evaluate_polynomial(polynomial, width), space.breakpoints()[segment + 1], Side::left});
-}
-
-std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
-                                            const Eigen::VectorXd& polynomial) {
-    std::vector<Extremum> found;
-    found.reserve(3);
-    add_candidates_on_segment(space, segment, polynomial, found);
-    return found;
-}
-
-std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFunction& function) {
-    std::vector<Extremum> candidates;
-    for (int i = 0; i < space.segments(); ++i) {
-        for (const Extremum& candidate : candidates_on_segment(space, i, function(i))) {
-            // Where the function is continuous both sides of a breakpoint are one point: keep the larger.
-            if (!candidates.empty() && candidates.back().at == candidate.at) {
-                const double jump = std::abs(candidates.back().value - candidate.value);
-                if (jump <= same_value * std::max(1.0, std::abs(candidate.value))) continue;
-            }
-            candidates.push_back(candidate);
-        }
-    }
-    std::vector<Extremum> maxima;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const bool above_left = k == 0 || candidates[k].value >= candidates[k - 1].value;
-        const bool above_right = k + 1 == candidates.size() || candidates[k].value >= candidates[k + 1].value;
-        if (above_left && above_right) maxima.push_back(candidates[k]);
-    }
-    return maxima;
 }
 
 namespace {

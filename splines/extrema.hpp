@@ -17,16 +17,10 @@ namespace camopt {
 /// Coefficients, ascending in t = x − x_i, of a function on one segment.
 using SegmentFunction = std::function<Eigen::VectorXd(int segment)>;
 
-/// Where the function may be largest or least on a segment: its two ends (seen from inside) and the
-/// stationary points, ascending.
-[[nodiscard]] std::vector<Extremum> candidates_on_segment(const SplineSpace& space, int segment,
-                                                          const Eigen::VectorXd& polynomial);
-/// Puts them behind those in `all`.
+/// Puts behind those in `all` where the function may be largest or least on a segment: its two ends (seen
+/// from inside) and the stationary points, ascending.
 void add_candidates_on_segment(const SplineSpace& space, int segment, const Eigen::VectorXd& polynomial,
                                std::vector<Extremum>& all);
-
-/// The local maxima over the whole space, in x order; a maximum that two segments share is given once.
-[[nodiscard]] std::vector<Extremum> local_maxima(const SplineSpace& space, const SegmentFunction& function);
 
 /// The extremum of largest magnitude; `value` is that magnitude. Of places that come to it within 1e-8 of it,
 /// as an optimum does at many, `at` is the first.

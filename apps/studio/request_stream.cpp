@@ -6,12 +6,11 @@
 #include <cstring>
 #include <poll.h>
 #include <sys/socket.h>
+#include <utility>
 
 namespace camopt::apps {
 
 namespace {
-
-constexpr int look_ms = 100;  // how often a waiting connection looks whether the studio ends
 
 RequestStream::Clock::time_point after_seconds(double seconds) {
     return RequestStream::Clock::now() +
@@ -20,17 +19,17 @@ RequestStream::Clock::time_point after_seconds(double seconds) {
 
 }  // namespace
 
-RequestStream::RequestStream(socket_t socket, const Limits& limits, const std::atomic<bool>& stopping)
-    : socket_(socket),
+RequestStream::RequestStream(RequestRoom::Connection begun, const Limits& limits,
+                             const std::atomic<bool>& stopping)
+    : from_(std::move(begun)),
       stopping_(stopping),
-      read_end_(after_seconds(limits.read_seconds)),
       write_seconds_(limits.write_seconds),
-      bytes_left_(limits.bytes) {}
+      bytes_left_(limits.bytes - std::min(limits.bytes, from_.bytes.size())) {}
 
 bool RequestStream::wait_for(short what, Clock::time_point end) const {
     while (!stopping_ && Clock::now() < end) {
-        pollfd entry{socket_, what, 0};
-        const int ready = poll(&entry, 1, look_ms);
+        pollfd entry{from_.socket, what, 0};
+        const int ready = poll(&entry, 1, RequestRoom::look_ms);
         if (ready > 0) return (entry.revents & (POLLERR | POLLNVAL)) == 0;
         if (ready < 0 && errno != EINTR) return false;
     }
@@ -38,7 +37,7 @@ bool RequestStream::wait_for(short what, Clock::time_point end) const {
 }
 
 bool RequestStream::is_readable() const {
-    return begin_ < end_ || wait_for(POLLIN, read_end_);
+    return begin_ < from_.bytes.size() || wait_for(POLLIN, from_.end);
 }
 
 bool RequestStream::is_writable() const {
@@ -47,16 +46,18 @@ bool RequestStream::is_writable() const {
 }
 
 ssize_t RequestStream::read(char* target, size_t size) {
-    if (begin_ == end_) {
-        if (bytes_left_ == 0 || !wait_for(POLLIN, read_end_)) return -1;
-        const ssize_t got = recv(socket_, buffer_.data(), std::min(buffer_.size(), bytes_left_), 0);
-        if (got <= 0) return got;
+    if (begin_ == from_.bytes.size()) {
+        if (bytes_left_ == 0 || !wait_for(POLLIN, from_.end)) return -1;
+        constexpr std::size_t part = 4096;
+        from_.bytes.resize(std::min(part, bytes_left_));
+        const ssize_t got = recv(from_.socket, from_.bytes.data(), from_.bytes.size(), 0);
+        from_.bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
         begin_ = 0;
-        end_ = static_cast<std::size_t>(got);
-        bytes_left_ -= end_;
+        if (got <= 0) return got;
+        bytes_left_ -= from_.bytes.size();
     }
-    const std::size_t count = std::min(size, end_ - begin_);
-    std::memcpy(target, buffer_.data() + begin_, count);
+    const std::size_t count = std::min(size, from_.bytes.size() - begin_);
+    std::memcpy(target, from_.bytes.data() + begin_, count);
     begin_ += count;
     return static_cast<ssize_t>(count);
 }
@@ -64,7 +65,7 @@ ssize_t RequestStream::read(char* target, size_t size) {
 ssize_t RequestStream::write(const char* source, size_t size) {
     if (write_end_ == Clock::time_point{}) write_end_ = after_seconds(write_seconds_.count());
     if (!wait_for(POLLOUT, write_end_)) return -1;
-    return send(socket_, source, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+    return send(from_.socket, source, size, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 void RequestStream::get_remote_ip_and_port(std::string& ip, int& port) const {

@@ -4,7 +4,8 @@
 // Internal to studio_server.cpp.
 #pragma once
 
-#include <array>
+#include "apps/studio/request_room.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -16,11 +17,12 @@ class RequestStream final : public httplib::Stream {
  public:
     using Clock = std::chrono::steady_clock;
     struct Limits {
-        double read_seconds = 0.0, write_seconds = 0.0;
+        double write_seconds = 0.0;
         std::size_t bytes = 0;  ///< read in all
     };
 
-    RequestStream(socket_t socket, const Limits& limits, const std::atomic<bool>& stopping);
+    /// `begun`: what of the request has come already, and when the rest must have.
+    RequestStream(RequestRoom::Connection begun, const Limits& limits, const std::atomic<bool>& stopping);
 
     [[nodiscard]] bool is_readable() const override;
     [[nodiscard]] bool is_writable() const override;
@@ -28,19 +30,17 @@ class RequestStream final : public httplib::Stream {
     ssize_t write(const char* source, size_t size) override;
     void get_remote_ip_and_port(std::string& ip, int& port) const override;
     void get_local_ip_and_port(std::string& ip, int& port) const override;
-    [[nodiscard]] socket_t socket() const override { return socket_; }
+    [[nodiscard]] socket_t socket() const override { return from_.socket; }
 
  private:
     [[nodiscard]] bool wait_for(short what, Clock::time_point end) const;
 
-    socket_t socket_;
+    RequestRoom::Connection from_;
     const std::atomic<bool>& stopping_;
-    Clock::time_point read_end_;
     std::chrono::duration<double> write_seconds_;
     Clock::time_point write_end_ = {};  ///< from the first byte of the answer on
     std::size_t bytes_left_;
-    std::array<char, 4096> buffer_ = {};
-    std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer was not read yet
+    std::size_t begin_ = 0;  ///< what of from_.bytes was not read yet
 };
 
 }  // namespace camopt::apps

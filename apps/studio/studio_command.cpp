@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <cstdio>
 
 namespace camopt::apps {
 
@@ -56,7 +55,6 @@ ExitCode studio_command(const StudioRequest& request) {
                               {.port = request.port});
     print(fmt::format("camopt studio: {}\nOpen it in a browser on this machine. Ctrl-C ends it.\n",
                       server.address()));
-    std::fflush(stdout);
     constexpr long look_ms = 500;
     while (server.running() && !signals.came_within(look_ms)) {
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_server.hpp"
 
+#include "apps/studio/request_room.hpp"
 #include "apps/studio/request_rules.hpp"
 #include "apps/studio/request_stream.hpp"
 #include "core/errors.hpp"
@@ -20,11 +21,33 @@ namespace {
 constexpr const char* loopback = "127.0.0.1";
 constexpr const char* nothing_runs = "default-src 'none'; frame-ancestors 'none'";
 
+/// What the library would do in a thread of its own is done at once: it only takes a connection on.
+class AtOnce final : public httplib::TaskQueue {
+ public:
+    void enqueue(std::function<void()> work) override { work(); }
+    void shutdown() override {}
+};
+
 /// Serves one request a connection. What follows the head of a refused request is never read, so no second
 /// one could hide in it; and no thread waits on a connection nobody uses.
 class LoopbackServer final : public httplib::Server {
  public:
-    explicit LoopbackServer(const StudioServerOptions& options) : options_(options) {}
+    explicit LoopbackServer(const StudioServerOptions& options)
+        : options_(options),
+          serving_(static_cast<std::size_t>(options.threads)),
+          room_(std::make_unique<RequestRoom>(
+              RequestRoom::Limits{options.request_seconds, options.header_bytes},
+              [this](RequestRoom::Connection begun) {
+                  serving_.enqueue([this, begun = std::move(begun)] { serve(begun); });
+              })) {
+        new_task_queue = [] { return new AtOnce; };
+    }
+    ~LoopbackServer() override {
+        room_.reset();  // nothing more comes to be served
+        serving_.shutdown();
+    }
+    LoopbackServer(const LoopbackServer&) = delete;
+    LoopbackServer& operator=(const LoopbackServer&) = delete;
 
     void end() {
         stopping_ = true;
@@ -33,19 +56,21 @@ class LoopbackServer final : public httplib::Server {
 
  private:
     bool process_and_close_socket(socket_t socket) override {
-        RequestStream stream(
-            socket,
-            {options_.request_seconds, options_.answer_seconds, options_.header_bytes + options_.body_bytes},
-            stopping_);
+        room_->take(socket);
+        return true;
+    }
+
+    void serve(const RequestRoom::Connection& begun) {
+        RequestStream stream(begun, {options_.answer_seconds, options_.header_bytes + options_.body_bytes},
+                             stopping_);
         bool closed = false;
         // Nothing is compressed, or sent in parts, for a reader on the same machine.
-        const bool served = process_request(stream, true, closed, [](httplib::Request& request) {
+        (void)process_request(stream, true, closed, [](httplib::Request& request) {
             request.headers.erase("Accept-Encoding");
             request.headers.erase("Range");
             request.ranges.clear();
         });
-        linger_and_close(socket);
-        return served;
+        linger_and_close(begun.socket);
     }
 
     /// Closing while unread bytes lie there would take the answer back: what comes is drained for a moment.
@@ -62,6 +87,8 @@ class LoopbackServer final : public httplib::Server {
 
     StudioServerOptions options_;
     std::atomic<bool> stopping_{false};
+    httplib::ThreadPool serving_;
+    std::unique_ptr<RequestRoom> room_;
 };
 
 RequestHead head_of(const httplib::Request& request) {
@@ -114,9 +141,6 @@ void set_up(httplib::Server& server, const StudioServerOptions& options) {
     server.set_default_headers(fixed_headers());
     server.set_tcp_nodelay(true);
     server.set_payload_max_length(options.body_bytes);
-    server.new_task_queue = [threads = options.threads] {
-        return new httplib::ThreadPool(static_cast<std::size_t>(threads));
-    };
     // The library would let a second program listen on the same port.
     server.set_socket_options([](socket_t socket) {
         const int yes = 1;

@@ -34,12 +34,12 @@ struct StudioHandlers {
 };
 
 struct StudioServerOptions {
-    int port = 0;                          ///< 0: any free one
-    double request_seconds = 10.0;         ///< in which a request must have come
-    double answer_seconds = 60.0;          ///< in which an answer must have been taken
-    std::size_t body_bytes = 1'000'000;    ///< of a request: hundreds of times a scene
-    std::size_t header_bytes = 32 * 1024;  ///< of a request
-    int threads = 16;                      ///< connections served at the same time
+    int port = 0;                        ///< 0: any free one
+    double request_seconds = 10.0;       ///< in which a request must have come
+    double answer_seconds = 60.0;        ///< in which an answer must have been taken
+    std::size_t body_bytes = 1'000'000;  ///< of a request: hundreds of times a scene
+    std::size_t header_bytes = 32'000;   ///< of a request
+    int threads = 16;  ///< requests answered at the same time; those still coming wait apart
 };
 
 class StudioServer {

@@ -4,7 +4,7 @@
 #include "apps/scene_loading.hpp"
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -10,9 +10,10 @@
 #include "benchmarks/parts/child_process.hpp"
 #include "benchmarks/parts/machine.hpp"
 #include "benchmarks/parts/solver_variants.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -155,6 +156,7 @@ void run(const std::filesystem::path& folder, double most_seconds) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     if (count != 2 && count != 3) {
         std::fputs("usage: cam_error_against_time FOLDER [SECONDS]\n", stderr);
         return 2;

@@ -8,6 +8,7 @@
 // tests/studies/cam_samples.hpp (e = 8, prime radius 45, roller radius 10 mm; flat 60 mm; a = 100, l = 80
 // mm).
 
+#include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/csv/csv_line.hpp"
@@ -86,6 +87,7 @@ void print_table() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::print_table();
         return 0;

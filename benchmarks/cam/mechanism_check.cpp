@@ -6,6 +6,7 @@
 // the output (m or rad), relative (as the check of that mechanism counts it), theta_deg of the largest
 // deviation, seconds to make the points and to look up the design, seconds of the contact simulation. The
 // motion is the scene's optimum from one start.
+#include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
@@ -60,6 +61,7 @@ void print_table(const std::string& folder) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** arguments) {
+    const camopt::benchmarks::WholeOutput output;
     try {
         if (count != 2) throw std::runtime_error("give the folder of the scenes");
         camopt::benchmarks::print_table(arguments[1]);

@@ -8,6 +8,7 @@
 // evaluated one profile point, or the two optima differ.
 #include "benchmarks/parts/combination.hpp"
 #include "benchmarks/parts/measurement.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "studies/solve/solve.hpp"
@@ -122,6 +123,7 @@ bool print_table() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         return camopt::benchmarks::print_table() ? 0 : 1;
     } catch (const std::exception& error) {

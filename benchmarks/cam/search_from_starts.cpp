@@ -7,6 +7,7 @@
 // seconds by those of the structured solver (target: at least 20), `excess` by how much the structured
 // solver's best lies above that of the row, relative (target: at most 1e-7).
 #include "benchmarks/parts/paired_runs.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "objectives/grid/cam_problem.hpp"
@@ -116,6 +117,7 @@ void print_rows(const SearchCase& one, const std::vector<std::string>& solvers) 
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     using namespace camopt::benchmarks;
     if (count < 2) {
         std::fputs("search_from_starts SCENES [SOLVER …]: the folder of the example scenes\n", stderr);

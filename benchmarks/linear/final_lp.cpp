@@ -12,10 +12,11 @@
 #include "benchmarks/linear/linear_program_text.hpp"
 #include "benchmarks/parts/backend_runs.hpp"
 #include "benchmarks/parts/measurement.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/report/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -161,6 +162,7 @@ void run(const std::string& action, const Task& task) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     if (count != 5) {
         std::fputs("usage: final_lp export|structured|rivals|judge|versions DEGREE SEGMENTS FOLDER\n",
                    stderr);

@@ -5,6 +5,7 @@
 // option `factorization` allows. CSV on the standard output; the error is against the exchange at 1e-10.
 // Ways slower than some seconds are timed once. Progress goes to stderr.
 #include "benchmarks/parts/backend_runs.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "output/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 
@@ -110,6 +111,7 @@ void print_table() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::print_table();
         return 0;

@@ -5,6 +5,7 @@
 // largest violation, iterations. What a backend does not find in its seconds stays in the table.
 #include "benchmarks/outside/camshape.hpp"
 #include "benchmarks/parts/measurement.hpp"
+#include "benchmarks/parts/whole_output.hpp"
 #include "output/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
 
@@ -57,6 +58,7 @@ void run(const SolverEntry& entry, const CamshapeOptimum& optimum) {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     fmt::print(
         "n,solver,termination,native_status,seconds_median,objective,above_optimum,violation,iterations\n");
     for (const camopt::benchmarks::CamshapeOptimum& optimum : camopt::benchmarks::camshape_optima())

@@ -9,7 +9,8 @@
 #include "apps/sweep/ranks/rank_launch.hpp"
 #include "apps/sweep/ranks/rank_message.hpp"
 #include "benchmarks/parts/measurement.hpp"
-#include "output/report/text_file.hpp"
+#include "benchmarks/parts/whole_output.hpp"
+#include "core/text/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,7 @@ void ask_and_do_nothing(MessagePassing& messages) {
 }  // namespace camopt::benchmarks
 
 int main(int count, char** words) {
+    const camopt::benchmarks::WholeOutput output;
     using namespace camopt::apps;
     const RankLaunch launch = rank_launch();
     if (count != 2 || launch.size < 2) {

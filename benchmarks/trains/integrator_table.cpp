@@ -6,6 +6,7 @@
 // implicit, explicit), control (tolerance, or steps), status, error (of place and rate of the output at the
 // end of the rise, by their largest over it, against 113 bits), seconds, ratio (to the exact response of the
 // same case), evaluations. What each needs for an error of 1e-6 goes to stderr, as ratios.
+#include "benchmarks/parts/whole_output.hpp"
 #include "benchmarks/trains/exact_chain.hpp"
 #include "benchmarks/trains/integrators.hpp"
 #include "dynamics/train_formulas.hpp"
@@ -179,6 +180,7 @@ void run() {
 }  // namespace camopt::benchmarks
 
 int main() {
+    const camopt::benchmarks::WholeOutput output;
     try {
         camopt::benchmarks::run();
         return 0;

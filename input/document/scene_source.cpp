@@ -95,9 +95,11 @@ void SceneSource::fail_member(std::string_view member, std::string_view what) co
         std::optional<Given> given;
         if (node) given = find_in(*node, table_path, quantity);
         if (node && !given) given = find_in(*node, table_path, other_name(quantity));
+        // A table of the file is no quantity of the key table.
+        const Member* const table = node && !given ? node->find(quantity) : nullptr;
         key = joined_key(key, given ? std::string_view(given->member->name) : quantity);
         table_path = joined_key(table_path, quantity);
-        node = given ? &given->value() : nullptr;
+        node = given ? &given->value() : table ? &table->value : nullptr;
         if (index) {
             key += fmt::format("[{}]", *index);
             if (node && *index < node->items.size()) node = &node->items[*index];

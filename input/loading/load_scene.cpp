@@ -3,14 +3,26 @@
 
 #include "dynamics/train_formulas.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
+#include "scene/scene_error.hpp"
 
 namespace camopt {
 
+namespace {
+
+/// What the formulas of the cam and of the train refuse is told with its place in the file.
+void complete(Scene& scene, const input::SceneOrigin& origin) {
+    try {
+        complete_mechanism(scene);
+        complete_dynamics(scene);
+    } catch (const SceneError& error) {
+        input::fail_in_scene(origin, error.fault().member, words_of(error.fault()));
+    }
+}
+
+}  // namespace
+
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings) {
-    Scene scene = input::read_scene_file(file, known_names(), settings);
-    complete_mechanism(scene);
-    complete_dynamics(scene);
-    return scene;
+    return scene_of_toml(input::scene_file_text(file), settings, file.string(), file.parent_path());
 }
 
 Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings, std::string_view name,
@@ -18,8 +30,7 @@ Scene scene_of_toml(std::string_view toml, std::span<const std::string> settings
     input::KnownNames known = known_names();
     known.folder = folder;
     Scene scene = input::read_scene(toml, name, known, settings);
-    complete_mechanism(scene);
-    complete_dynamics(scene);
+    complete(scene, {toml, name, settings});
     return scene;
 }
 

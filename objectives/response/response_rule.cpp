@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/response/response_rule.hpp"
 
-#include "core/errors.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/response/response_rows.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -370,10 +370,11 @@ double response_reference(const Scene& scene, const ResponseTerm& term) {
     if (const std::optional<double>& number = reference.*term.reference) return *number;
     const double own = worst_response_of_rise(scene, kind_of(term.figure), *make_law(reference.law)).value;
     if (!(own > least_reference_residual))
-        throw InputError(fmt::format(
-            "objective.{}: found the reference law \"{}\" with a {} of {:.3g}; allowed: a law that "
-            "vibrates at these speeds, or a number, objective.reference.{}",
-            term.name, reference.law, term.name, own, term.name));
+        throw SceneError(
+            {fmt::format("objective.{}", term.name),
+             fmt::format("the reference law \"{}\" with a {} of {:.3g}", reference.law, term.name, own),
+             fmt::format("a law that vibrates at these speeds, or a number, objective.reference.{}",
+                         term.name)});
     return own;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/chart/axis_ticks.hpp"
 
+#include "output/words/number_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,8 +59,8 @@ std::string tick_text(double value, double step) {
     const double size = std::abs(value) < step ? step : std::abs(value);
     const int digits = std::max(
         3, 1 + static_cast<int>(std::floor(std::log10(size)) - std::floor(std::log10(step) + rounding)));
-    std::string text =
-        plain ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.{}g}", value, digits);
+    if (!plain) return power_text(value, digits);
+    std::string text = fmt::format("{:.{}f}", value, decimals);
     if (text.front() == '-') text.replace(0, 1, "−");
     return text;
 }

@@ -39,9 +39,9 @@ struct Plot {
 
 Plot make_plot(const PanelFrame& frame, const PanelContent& content) {
     ValueRange range = value_range(*content.optimum, content.order);
-    if (content.peak) {
-        range.lower = std::min(range.lower, content.peak->value);
-        range.upper = std::max(range.upper, content.peak->value);
+    for (const PanelPeak& peak : content.peaks) {
+        range.lower = std::min(range.lower, peak.where.value);
+        range.upper = std::max(range.upper, peak.where.value);
     }
     for (const Motion* beside : {content.reference, content.measured}) {
         if (!beside) continue;
@@ -127,17 +127,16 @@ void draw_limit(SvgCanvas& canvas, const Plot& plot, const PanelContent& content
     if (-value >= plot.lower)
         canvas.line(plot.frame.left, plot.y(-value), plot.right(), plot.y(-value), "limit");
     // The label goes to the end of the line that is farther from the peak.
-    const bool peak_left =
-        content.peak && plot.x(content.peak->at) < plot.frame.left + 0.5 * plot.frame.width;
+    const bool peak_left = !content.peaks.empty() &&
+                           plot.x(content.peaks.front().where.at) < plot.frame.left + 0.5 * plot.frame.width;
     if (peak_left)
         canvas.text(plot.right() - 6, plot.y(value) - 6, content.limit->words, "limit-label end");
     else
         canvas.text(plot.frame.left + 6, plot.y(value) - 6, content.limit->words, "limit-label");
 }
 
-void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content) {
-    if (!content.peak) return;
-    const double x = plot.x(content.peak->at), y = plot.y(content.peak->value);
+void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content, const PanelPeak& peak) {
+    const double x = plot.x(peak.where.at), y = plot.y(peak.where.value);
     canvas.circle(x, y, 4, "peak");
     const bool left = x<plot.frame.left + edge, right = x> plot.right() - edge;
     const double label_x = left    ? std::max(x, plot.frame.left + 8)
@@ -147,8 +146,8 @@ void draw_peak(SvgCanvas& canvas, const Plot& plot, const PanelContent& content)
     // Under a limit line that is close above, the label goes below the curve.
     const bool limit_close = content.limit && plot.y(content.limit->normalised) < y - 3 &&
                              plot.y(content.limit->normalised) > y - 26;
-    const bool above = content.peak->value >= 0.0 && !limit_close;
-    canvas.text(label_x, above ? y - 9 : y + 19, content.peak_words, anchor);
+    const bool above = peak.where.value >= 0.0 && !limit_close;
+    canvas.text(label_x, above ? y - 9 : y + 19, peak.words, anchor);
 }
 
 /// A set point as an open square, a region as a thick line between two of them.
@@ -193,7 +192,7 @@ void draw_panel(SvgCanvas& canvas, const PanelFrame& frame, const PanelContent& 
     canvas.path(curve_path(*content.optimum, content.order, map), "optimum");
     draw_marks(canvas, plot, content);
     draw_limit(canvas, plot, content);
-    draw_peak(canvas, plot, content);
+    for (const PanelPeak& peak : content.peaks) draw_peak(canvas, plot, content, peak);
     // Both captions in a line where they fit.
     const double words =
         text_width(content.caption, caption_font, true) + text_width(content.caption_right, compare_font);

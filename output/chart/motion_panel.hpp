@@ -34,6 +34,12 @@ struct PanelMark {
     double x = 0.0, end = 0.0, value = 0.0;
 };
 
+/// A value that is marked on the curve, signed.
+struct PanelPeak {
+    Extremum where;
+    std::string words;
+};
+
 struct PanelContent {
     int order = 0;  ///< which derivative
     const Motion* optimum = nullptr;
@@ -44,8 +50,7 @@ struct PanelContent {
     double factor = 1.0;                 ///< shown value = factor · normalised, for the left axis
     std::string unit;                    ///< of the left axis
     double degrees_per_x = 1.0;
-    std::optional<Extremum> peak;  ///< signed value
-    std::string peak_words;
+    std::vector<PanelPeak> peaks;  ///< the largest magnitude first
     std::optional<PanelLimit> limit;
     std::vector<PanelSegment> segments;
     std::vector<double> angle_ticks;  ///< degrees

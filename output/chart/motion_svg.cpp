@@ -55,31 +55,25 @@ std::optional<PanelLimit> panel_limit(const Picture& picture, int order) {
 
 /// For a program the mark is at the peak of the motion itself; the normalised peak, of some spline segment,
 /// stands in the caption.
-void add_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
-    const std::string physical = row.first_text(5), beside = row.beside_text(5);
-    const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value, 5));
+std::string peak_words(PanelContent& content, const Picture& picture, const PeakRow& row) {
+    const std::string physical = row.first_text(), beside = row.beside_text();
+    const std::string normalised = fmt::format("{} = {}", row.symbol, short_text(row.optimum.value));
     const bool program = !picture.solution.segments.empty();
-    if (program)
-        content.peak_words = beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
-    else if (picture.shown.in_time)
-        content.peak_words = physical + " · " + normalised;
-    else
-        content.peak_words = normalised + " · " + physical;
     if (!program && !beside.empty()) content.caption += fmt::format(" (peak {})", beside);
     if (program) content.caption_right = normalised + " of the spline segments";
-    if (!row.reference) return;
-    content.caption_right += fmt::format(
-        "{}{} {} = {} · change {}", program ? " · " : "", reference_title(picture.reference), row.symbol,
-        short_text(*row.reference, 5), change_text(row.optimum.value, *row.reference));
+    if (row.reference)
+        content.caption_right += fmt::format(
+            "{}{} {} = {} · change {}", program ? " · " : "", reference_title(picture.reference), row.symbol,
+            short_text(*row.reference), change_text(row.optimum.value, *row.reference));
+    if (program) return beside.empty() ? physical : fmt::format("{} ({})", physical, beside);
+    return picture.shown.in_time ? physical + " · " + normalised : normalised + " · " + physical;
 }
 
-void add_peak(PanelContent& content, const Picture& picture) {
+void add_peaks(PanelContent& content, const Picture& picture) {
     const PeakRow& row = picture.peaks[static_cast<std::size_t>(content.order) - 1];
-    Extremum peak = row.motion;
-    const MotionPoint point = content.optimum->at(peak.at, peak.side);
-    peak.value = std::copysign(peak.value, point.derivative[static_cast<std::size_t>(content.order)]);
-    if (std::isfinite(peak.value)) content.peak = peak;
-    add_words(content, picture, row);
+    const std::string words = peak_words(content, picture, row);
+    if (std::isfinite(row.sides.largest.value)) content.peaks.push_back({row.sides.largest, words});
+    if (row.sides.opposite) content.peaks.push_back({*row.sides.opposite, row.opposite_text()});
     content.limit = panel_limit(picture, content.order);
 }
 
@@ -117,12 +111,15 @@ PanelContent panel_content(const Picture& picture, int order) {
     content.angle_ticks = degree_ticks(0.0, content.degrees_per_x * content.optimum->end(), 14);
     content.angle_labels = order == 3;
     content.segments = panel_segments(picture.solution, order == 0);
-    if (order > 0)
-        add_peak(content, picture);
-    else
+    if (order > 0) {
+        add_peaks(content, picture);
+    } else {
+        for (const Excursion& one : excursions(picture.solution))
+            content.peaks.push_back({one.farthest, unit.normalised_text(one.farthest.value)});
         content.caption_right =
             fmt::format("left axis: physical units · right axis: normalised by lift and {}",
                         picture.solution.segments.empty() ? "rise" : "the angle of the first spline segment");
+    }
     return content;
 }
 
@@ -142,8 +139,8 @@ void draw_legend(SvgCanvas& canvas, const Picture& picture) {
                             [&](const PeakLimitRow& row) { return row.in(limits).has_value(); }))
         entry("limit", "limit");
     canvas.circle(x + 4, y - 4, 4, "peak");
-    canvas.text(x + 15, y, "peak", "subtitle");
-    x += 70;
+    canvas.text(x + 15, y, "peaks", "subtitle");
+    x += 76;
     if (!placed_points(picture.solution.scene.motion).empty()) {
         canvas.rectangle(x, y - 8, 8, 8, "set-point");
         canvas.text(x + 15, y, "set points", "subtitle");

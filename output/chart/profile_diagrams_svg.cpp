@@ -119,7 +119,9 @@ std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagram
     for (const double knot : shape.knots) diagram.knots.push_back(knot / degree);
     if (shape.other)
         return turn_diagram_svg(two_sided(std::move(diagram), std::move(pressure), shape, limits));
-    diagram.panels = {std::move(pressure), std::move(curvature)};
+    // The pressure angle of a translating flat face is 0 everywhere: nothing to draw.
+    if (shape.cam.follower != FollowerType::translating_flat) diagram.panels.push_back(std::move(pressure));
+    diagram.panels.push_back(std::move(curvature));
     return turn_diagram_svg(diagram);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
-#include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
@@ -88,13 +87,8 @@ void LegendColumn::words(std::string_view text, const char* css_class) {
 }
 
 void add_dimensions(LegendColumn& column, const Solution& solution) {
-    const ShownUnits shown = shown_units(solution.scene);
-    for (const DimensionValue& dimension : cam_dimensions(solution)) {
-        const ShownUnit& unit = dimension.is_angle ? shown.angle : shown.length;
-        const double si = dimension.is_angle ? units::degree : units::millimetre;
-        column.value(words_of(dimension.name),
-                     std::string_view(dimension.shown ? unit.text(*dimension.shown * si) : "free"));
-    }
+    for (const DimensionValue& dimension : cam_dimensions(solution))
+        column.value(words_of(dimension.name), std::string_view(dimension.text));
 }
 
 void add_figures(LegendColumn& column, const Solution& solution) {

@@ -8,6 +8,7 @@
 #include "output/json/verdict_json.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/display_scale.hpp"
+#include "studies/delivered/limit_activity.hpp"
 
 namespace camopt {
 
@@ -17,15 +18,16 @@ Json limits_json(const ComparisonRow& row, double degrees_per_x) {
     Json list = Json::array();
     for (const LimitOutcome& outcome : row.limits) {
         const ConstraintReport& reached = outcome.reached;
-        list.push_back({{"name", reached.name},
-                        {"limit", number_json(reached.limit)},
-                        {"worst", number_json(reached.worst)},
-                        {"unit", reached.unit},
-                        {"at_deg", number_json(reached.at * degrees_per_x)},
-                        {"kept", outcome.kept},
-                        {"no_contact", reached.no_contact},
-                        {"excess", number_json(outcome.excess)},
-                        {"key", reached.key}});
+        list.push_back(
+            {{"name", reached.name},
+             {"limit", number_json(reached.limit)},
+             {"worst", number_json(reached.worst)},
+             {"unit", reached.unit},
+             {"at_deg", is_nowhere(reached) ? Json(nullptr) : number_json(reached.at * degrees_per_x)},
+             {"kept", outcome.kept},
+             {"no_contact", reached.no_contact},
+             {"excess", number_json(outcome.excess)},
+             {"key", reached.key}});
     }
     return list;
 }

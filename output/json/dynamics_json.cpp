@@ -55,10 +55,11 @@ Json steady_json(const TrainStudy& study) {
     return list;
 }
 
-Json worst_json(const Scene& scene, const char* name, const ResponseReport& worst) {
-    return {{name, number_json(worst.value)},
-            {"speed_rpm", number_json(rpm_of(worst.speed))},
-            {"at_deg", number_json(worst.at * display_scale(scene.motion).degrees_per_x)}};
+Json worst_json(const Scene& scene, const char* name, const std::optional<ResponseReport>& worst) {
+    if (!worst) return nullptr;
+    return {{name, number_json(worst->value)},
+            {"speed_rpm", number_json(rpm_of(worst->speed))},
+            {"at_deg", number_json(worst->at * display_scale(scene.motion).degrees_per_x)}};
 }
 
 }  // namespace
@@ -83,12 +84,10 @@ Json train_json(const Solution& solution) {
     json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
     json["frequency_ratio"] = number_json(train.frequency_ratio);
     json["speed_range_rpm"] = {number_json(rpm_of(train.speeds[0])), number_json(rpm_of(train.speeds[1]))};
-    json["residual"] = train.residual ? worst_json(scene, "lifts", *train.residual) : Json(nullptr);
+    json["residual"] = worst_json(scene, "lifts", train.residual);
     json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
     json["contact_force"] =
-        train.least_force
-            ? worst_json(scene, scene.motion.lift_is_angle ? "least_nm" : "least_n", *train.least_force)
-            : Json(nullptr);
+        worst_json(scene, scene.motion.lift_is_angle ? "least_nm" : "least_n", train.least_force);
     json["terms"] = Json::array();
     for (const ResponseTermReport& term : train.terms)
         json["terms"].push_back({{"name", term.name},

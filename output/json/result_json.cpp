@@ -11,6 +11,7 @@
 #include "output/words/display_scale.hpp"
 #include "output/words/shown_units.hpp"
 #include "scene/cost_table.hpp"
+#include "studies/delivered/limit_activity.hpp"
 #include "studies/delivered/set_point_reports.hpp"
 
 #include <optional>
@@ -102,7 +103,7 @@ Json constraints_json(const Solution& solution) {
                         {"limit", number_json(row.limit)},
                         {"worst", number_json(row.worst)},
                         {"unit", row.unit},
-                        {"at_deg", number_json(row.at * degrees_per_x)},
+                        {"at_deg", is_nowhere(row) ? Json(nullptr) : number_json(row.at * degrees_per_x)},
                         {"active", row.active},
                         {"verified", row.verified},
                         {"no_contact", row.no_contact},

@@ -144,9 +144,11 @@ Json pressure_curve(const CamCurves& course) {
     const CamSummary& summary = course.solution.cam->summary;
     for (const auto& extreme :
          {std::optional(summary.pressure_angle), summary.rise_pressure_angle, summary.return_pressure_angle})
-        if (extreme && extreme->value > 0.0)
-            add_mark(curve, course, text.unit, extreme, sign_at(course, extreme->at, figure),
-                     text.unit.text(extreme->value, extreme_digits));
+        if (extreme && extreme->value > 0.0) {
+            const double sign = sign_at(course, extreme->at, figure);
+            add_mark(curve, course, text.unit, extreme, sign,
+                     text.unit.text(sign * extreme->value, extreme_digits));
+        }
     for (const PressureLimit& span : pressure_spans(course.solution.scene, *course.rows.whole))
         for (const int side : {1, -1})
             add_limit(curve, span.begin / units::degree, span.end / units::degree,
@@ -221,7 +223,7 @@ Json load_curve(const CamCurves& course, const LoadCurve& load, const std::vecto
             sign = load.value(loads[place]) < 0.0 ? -1.0 : 1.0;
         }
         add_mark(curve, course, load.text.unit, extreme, sign,
-                 load.text.unit.text(extreme->value, extreme_digits));
+                 load.text.unit.text(sign * extreme->value, extreme_digits));
     }
     if (!load.limit) return curve;
     const std::optional<WrittenLimit>& limit = limit_on(course.solution.scene.limits, *load.limit);
@@ -280,7 +282,8 @@ Json cam_curves(const Solution& solution, const PageRows& rows) {
     if (!solution.cam || !rows.whole) return all;
     const CamCurves course = cam_course(solution, rows);
     const CamMechanism& formulas = *solution.cam->cam.formulas;
-    all.push_back(pressure_curve(course));
+    // A translating flat face has the pressure angle 0 everywhere: nothing to draw.
+    if (solution.cam->summary.pressure_angle.value > 0.0) all.push_back(pressure_curve(course));
     if (formulas.planar())
         all.push_back(curvature_curve(course));
     else

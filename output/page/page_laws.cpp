@@ -24,17 +24,8 @@ std::vector<LawStroke> strokes_for(const Solution& solution) {
 Json law_curves(const Motion& law, const Solution& solution, const PageRows& rows) {
     const ShownUnits units = shown_units(solution.scene);
     Json curves = Json::object();
-    for (std::size_t order = 0; order < curve_keys.size(); ++order) {
-        Json values = Json::array();
-        for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-            const MotionRow& row = rows.rows[i];
-            const bool inside = i < rows.own && row.x >= law.begin() && row.x <= law.end();
-            values.push_back(inside ? rounded_json(units.motion[order].first.per_normalised *
-                                                   law.at(row.x, row.side).derivative[order])
-                                    : Json(nullptr));
-        }
-        curves[curve_keys[order]] = std::move(values);
-    }
+    for (std::size_t order = 0; order < curve_keys.size(); ++order)
+        curves[curve_keys[order]] = values_along(law, rows, units.motion[order].first);
     return curves;
 }
 

@@ -3,7 +3,7 @@
 #include "output/chart/limit_spans.hpp"
 #include "output/chart/reference_motion.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace camopt {
 
 namespace {
 
-constexpr int mark_digits = 5;
+constexpr int mark_digits = 6;  // as in the tables
 constexpr std::array<const char*, 4> motion_keys = {"displacement", "velocity", "acceleration", "jerk"};
 constexpr std::array<const char*, 4> motion_titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
 
@@ -46,14 +46,7 @@ Json values_of(const MotionCurve& curve) {
 /// Another motion beside it, by the same rows: null where there is none.
 Json values_beside(const MotionCurve& curve, const Motion* motion, const std::string& title) {
     if (motion == nullptr) return nullptr;
-    Json values = Json::array();
-    for (std::size_t i = 0; i < curve.rows.rows.size(); ++i) {
-        const MotionRow& row = curve.rows.rows[i];
-        const bool inside = i < curve.rows.own && row.x >= motion->begin() && row.x <= motion->end();
-        const auto order = static_cast<std::size_t>(curve.order);
-        values.push_back(inside ? curve.value(motion->at(row.x, row.side).derivative[order]) : Json(nullptr));
-    }
-    return {{"title", title}, {"values", std::move(values)}};
+    return {{"title", title}, {"values", values_along(*motion, curve.rows, curve.shown().first)}};
 }
 
 Json limits_of(const MotionCurve& curve) {
@@ -76,16 +69,23 @@ Json limits_of(const MotionCurve& curve) {
     return all;
 }
 
-Json peak_mark(const MotionCurve& curve, const PeakRow& row) {
+Json mark_of(const MotionCurve& curve, const Extremum& peak) {
+    return {{"at", curve.angle(peak.at)},
+            {"value", curve.value(peak.value)},
+            {"words", curve.shown().first.normalised_text(peak.value, mark_digits)},
+            {"given", false}};
+}
+
+/// The peaks of both signs; of the displacement where it leaves the range of its stroke.
+Json peak_marks(const MotionCurve& curve) {
     Json all = Json::array();
-    const Extremum& peak = row.motion;
-    if (!std::isfinite(peak.value)) return all;
-    const double there =
-        curve.solution.motion->at(peak.at, peak.side).derivative[static_cast<std::size_t>(curve.order)];
-    all.push_back({{"at", curve.angle(peak.at)},
-                   {"value", curve.value(std::copysign(peak.value, there))},
-                   {"words", curve.shown().first.normalised_text(peak.value, mark_digits)},
-                   {"given", false}});
+    if (curve.order == 0) {
+        for (const Excursion& one : excursions(curve.solution)) all.push_back(mark_of(curve, one.farthest));
+        return all;
+    }
+    const SignedPeaks peaks = signed_peaks(curve.solution, curve.order);
+    if (std::isfinite(peaks.largest.value)) all.push_back(mark_of(curve, peaks.largest));
+    if (peaks.opposite) all.push_back(mark_of(curve, *peaks.opposite));
     return all;
 }
 
@@ -108,13 +108,24 @@ void add_given_points(Json& curves, const Solution& solution, const ShownUnits& 
 
 }  // namespace
 
+Json values_along(const Motion& motion, const PageRows& rows, const MotionUnit& unit) {
+    Json values = Json::array();
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        const MotionRow& row = rows.rows[i];
+        const bool inside = i < rows.own && row.x >= motion.begin() && row.x <= motion.end();
+        values.push_back(
+            inside ? rounded_json(unit.per_normalised * motion.at(row.x, row.side).derivative[unit.order])
+                   : Json(nullptr));
+    }
+    return values;
+}
+
 Json motion_curves(const Solution& solution, const PageRows& rows) {
     Json all = Json::array();
     if (!solution.motion) return all;
     const ShownUnits units = shown_units(solution.scene);
     const ReferenceMotion reference = reference_motion(solution.scene);
     const Motion* const measured = solution.measured ? solution.measured->motion.get() : nullptr;
-    const std::vector<PeakRow> peaks = peak_comparison(solution, reference);
     for (int order = 0; order < 4; ++order) {
         const auto index = static_cast<std::size_t>(order);
         const MotionCurve curve{solution, rows, units, order};
@@ -134,7 +145,7 @@ Json motion_curves(const Solution& solution, const PageRows& rows) {
                        {"reference", values_beside(curve, reference.motion.get(), reference.title)},
                        {"measured", values_beside(curve, measured, "measured")},
                        {"limits", limits_of(curve)},
-                       {"marks", order == 0 ? Json::array() : peak_mark(curve, peaks[index - 1])}});
+                       {"marks", peak_marks(curve)}});
     }
     add_given_points(all, solution, units);
     return all;

@@ -31,6 +31,8 @@ struct PageRows {
 /// The motion at a row.
 [[nodiscard]] MotionPoint page_motion_at(const Solution& solution, const PageRows& rows, std::size_t index);
 
+/// A derivative of any motion at the rows; null outside of it.
+[[nodiscard]] Json values_along(const Motion& motion, const PageRows& rows, const MotionUnit& unit);
 /// Displacement to jerk.
 [[nodiscard]] Json motion_curves(const Solution& solution, const PageRows& rows);
 /// Pressure angle, curvature, forces: what this cam has. Empty without a cam.

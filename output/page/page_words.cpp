@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a page says in words and tables: for the engineer first, how it was found last.
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/chart/reference_motion.hpp"
@@ -10,6 +9,7 @@
 #include "output/words/comparison_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
@@ -28,28 +28,32 @@ namespace camopt {
 
 namespace {
 
-constexpr int value_digits = 6, headline_digits = 5;  // fewer would make 22637 a power of ten
-constexpr double noticed = 0.05;                      // per cent: a smaller change is none
+constexpr int value_digits = 6;   // of headline and tables: one number, one text
+constexpr double noticed = 0.05;  // per cent: a smaller change is none
 
 struct PlainVerdict {
     const char* tone;
     const char* headline;
-    const char* meaning;
+    std::string meaning;
 };
 
 /// For who never heard of a bound.
-PlainVerdict plain_verdict(Verdict verdict) {
-    switch (verdict) {
+PlainVerdict plain_verdict(const Certificate& certificate) {
+    const std::string gap = gap_words(certificate);
+    const std::string proved = gap.empty() ? gap : "Proved: it is " + gap + ".";
+    switch (certificate.verdict) {
         case Verdict::optimal:
             return {"good", "The best motion, and proved to be it",
                     "It keeps every limit, and no motion of this spline does better by the weights of the "
                     "scene."};
         case Verdict::local:
             return {"good", "A good motion: no small change makes it better",
-                    "It keeps every limit. That quite another motion is better still is not ruled out."};
+                    "It keeps every limit. " +
+                        (gap.empty() ? "That a quite different motion is better is not ruled out." : proved)};
         case Verdict::feasible:
             return {"fair", "A motion that keeps every limit",
-                    "Whether it is the best one is not known: the search ended before."};
+                    gap.empty() ? "Whether it is the best one is not known: the search ended before."
+                                : proved + " The search for a better one ended before."};
         case Verdict::infeasible:
             return {"bad", "No motion keeps all of these limits",
                     "This is proved, not only tried: something in the scene has to give way."};
@@ -64,8 +68,8 @@ std::string active_sentence(const Solution& solution) {
     std::vector<std::string> active;
     for (const ConstraintReport& row : solution.constraints)
         if (row.active)
-            active.push_back(fmt::format("{} ({} {} at {} deg)", key_words(row.key).words,
-                                         short_text(row.limit), row.unit, degrees_at(solution, row.at)));
+            active.push_back(fmt::format("{} ({} at {} deg)", key_words(row.key).words, limit_text(row),
+                                         degrees_at(solution, row.at)));
     if (solution.constraints.empty()) return "The scene sets no limits.";
     if (active.empty()) return "Every limit is kept with room to spare: none of them shapes the motion.";
     return fmt::format("What shapes it: {}. More room there would make the motion better.",
@@ -91,11 +95,11 @@ Json table_json(std::string_view key, std::string_view title, const TextTable& t
 
 Json verdict_part(const Solution& solution) {
     const Verdict verdict = solution.certificate.verdict;
-    const PlainVerdict plain = plain_verdict(verdict);
+    const PlainVerdict plain = plain_verdict(solution.certificate);
     Json sentences = Json::array({plain.meaning});
-    if (has_motion(solution))
-        sentences.push_back(active_sentence(solution));
-    else
+    if (has_motion(solution)) sentences.push_back(active_sentence(solution));
+    for (const std::string& sentence : excursion_sentences(solution)) sentences.push_back(sentence);
+    if (!has_motion(solution))
         for (const std::string& remark : infeasible_remarks(solution)) sentences.push_back(remark);
     return {{"key", name_of(verdict)},
             {"tone", plain.tone},
@@ -121,19 +125,20 @@ Json figures_part(const Solution& solution) {
     const auto add = [&](const std::string& name, const std::string& value, double x) {
         all.push_back({{"name", name}, {"value", value}, {"at", degrees_at(solution, x) + " deg"}});
     };
-    const std::array<const Extremum*, 3> peaks = {
-        &solution.motion_peaks.velocity, &solution.motion_peaks.acceleration, &solution.motion_peaks.jerk};
-    for (std::size_t i = 0; i < peaks.size(); ++i)
-        add("peak " + units.motion[i + 1].name,
-            units.motion[i + 1].first.normalised_text(peaks[i]->value, headline_digits), peaks[i]->at);
+    for (int order = 1; order <= 3; ++order) {
+        const ShownDerivative& shown = units.motion[static_cast<std::size_t>(order)];
+        const Extremum peak = signed_peaks(solution, order).largest;
+        add("peak " + shown.name, shown.first.normalised_text(peak.value, value_digits), peak.at);
+    }
     if (!solution.cam) return all;
     const CamSummary& cam = solution.cam->summary;
-    add("largest pressure angle", units.angle.text(cam.pressure_angle.value, headline_digits),
-        cam.pressure_angle.at);
+    if (cam.pressure_angle.value > 0.0)
+        add("largest pressure angle", units.angle.text(cam.pressure_angle.value, value_digits),
+            cam.pressure_angle.at);
     if (const std::optional<CamExtreme> radius = convex_radius(cam))
-        add("least convex radius", units.length.text(radius->value, headline_digits), radius->at);
+        add("least convex radius", units.length.text(radius->value, value_digits), radius->at);
     if (cam.forces && cam.forces->hertz_pressure)
-        add("largest Hertz pressure", units.pressure.text(cam.forces->hertz_pressure->value, headline_digits),
+        add("largest Hertz pressure", units.pressure.text(cam.forces->hertz_pressure->value, value_digits),
             cam.forces->hertz_pressure->at);
     return all;
 }
@@ -182,7 +187,7 @@ Json reference_part(const Solution& solution, PageReference wish) {
                 ? fmt::format("In its place the {} law would lose {} % of the objective.", name,
                               short_text(*law.loss_percent, 3))
                 : fmt::format("By the weights of the scene the {} law would be no worse.", name));
-    else
+    else if (std::isinf(law.objective))
         sentences.push_back(fmt::format("The {} law has no finite objective here.", name));
     if (const std::string changes = peak_changes(solution, law); !changes.empty())
         sentences.push_back(fmt::format("Its peaks against this motion: {}.", changes));
@@ -193,35 +198,25 @@ Json reference_part(const Solution& solution, PageReference wish) {
 
 namespace {
 
-std::string optional_words(const std::optional<double>& value) {
-    return value ? short_text(*value) : "–";
-}
-
 TextTable peak_rows(const Solution& solution) {
     const ReferenceMotion reference = reference_motion(solution.scene);
-    const ShownUnits units = shown_units(solution.scene);
+    const bool beside = shown_units(solution.scene).in_time;
     TextTable table;
-    const bool beside = units.motion[1].beside.has_value();
-    table.columns = {{"", true}, {"peak"}, {"at (deg)"}};
+    table.columns = {{"", true}, {"peak"}, {"at (deg)"}, {"other side"}, {"at (deg)"}};
     if (beside) table.columns.push_back({"by cam angle"});
     for (const std::string& title :
          {std::string("normalised"), reference_title(reference), std::string("change")})
         table.columns.push_back({title});
-    const std::vector<PeakRow> rows = peak_comparison(solution, reference);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const PeakRow& row = rows[i];
-        const bool derivative = i + 1 < units.motion.size();
-        std::vector<std::string> cells = {row.name};
-        cells.push_back(derivative ? units.motion[i + 1].first.normalised_text(row.motion.value, value_digits)
-                                   : "–");
-        cells.push_back(degrees_at(solution, row.motion.at));
-        if (beside)
-            cells.push_back(derivative
-                                ? units.motion[i + 1].beside->normalised_text(row.motion.value, value_digits)
-                                : "–");
+    const auto words = [](std::string text) { return text.empty() ? std::string("–") : std::move(text); };
+    for (const PeakRow& row : peak_comparison(solution, reference)) {
+        const std::optional<Extremum>& opposite = row.sides.opposite;
+        std::vector<std::string> cells = {
+            row.name, words(row.first_text(value_digits)), degrees_at(solution, row.motion.at),
+            words(row.opposite_text(value_digits)), opposite ? degrees_at(solution, opposite->at) : "–"};
+        if (beside) cells.push_back(words(row.beside_text(value_digits)));
         cells.push_back(fmt::format("{} = {}", row.symbol, short_text(row.optimum.value)));
-        cells.push_back(optional_words(row.reference));
-        cells.push_back(row.reference ? change_text(row.optimum.value, *row.reference) : "–");
+        cells.push_back(short_text(row.reference));
+        cells.push_back(row.change());
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -232,11 +227,8 @@ TextTable limit_rows_of(const Solution& solution) {
     table.columns = {{"limit", true}, {"allowed"}, {"reached"}, {"at (deg)"}, {"", true}};
     for (const ConstraintReport& row : solution.constraints)
         table.rows.push_back(
-            {key_words(row.key).words, fmt::format("{} {}", short_text(row.limit), row.unit),
-             row.no_contact
-                 ? std::string(no_contact_words)
-                 : fmt::format("{} {}{}", short_text(row.worst, value_digits), row.unit, on_side(row)),
-             degrees_at(solution, row.at),
+            {key_words(row.key).words, limit_text(row), reached_text(row, value_digits),
+             reached_degrees(solution, row),
              std::string(row.active ? "shapes the motion" : "kept") + (row.verified ? ", verified" : "")});
     return table;
 }
@@ -245,39 +237,14 @@ TextTable dimension_rows(const Solution& solution) {
     TextTable table;
     table.columns = {{"dimension", true}, {"value"}, {"", true}};
     const MechanismSpec spec = cam_of(solution.scene).value();
-    const ShownUnits shown = shown_units(solution.scene);
-    const auto value_text = [&](const DimensionValue& dimension) {
-        if (!dimension.shown) return std::string("free");
-        return dimension.is_angle ? shown.angle.text(*dimension.shown * units::degree)
-                                  : shown.length.text(*dimension.shown * units::millimetre);
-    };
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
         const auto found = std::ranges::find(spec.dimensions, dimension.name, &MechanismDimension::name);
         const bool given = found != spec.dimensions.end();
-        table.rows.push_back({words_of(dimension.name), value_text(dimension),
+        table.rows.push_back({words_of(dimension.name), dimension.text,
                               !given                       ? "follows"
                               : found->value.is_variable() ? "chosen by the optimiser"
                                                            : "given"});
     }
-    return table;
-}
-
-TextTable figure_rows(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"", true}, {"value"}, {"at (deg)"}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
-    return table;
-}
-
-TextTable relaxation_rows(const Solution& solution) {
-    TextTable table;
-    table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
-    for (const Relaxation& row : solution.relaxation)
-        table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row) + also_words(row)
-                              : row.ruled_out ? "no change helps"
-                                              : "no value tried helps"});
     return table;
 }
 
@@ -286,7 +253,7 @@ TextTable relaxation_rows(const Solution& solution) {
 Json tables_part(const Solution& solution) {
     Json all = Json::array();
     if (!solution.relaxation.empty())
-        all.push_back(table_json("changes", "What would have to change", relaxation_rows(solution)));
+        all.push_back(table_json("changes", "What would have to change", relaxation_table(solution)));
     if (!solution.motion) return all;
     all.push_back(
         table_json("peaks", "Peaks of the motion", peak_rows(solution),
@@ -298,7 +265,8 @@ Json tables_part(const Solution& solution) {
     if (!solution.cam) return all;
     all.push_back(table_json("dimensions", "Dimensions", dimension_rows(solution),
                              cam_text(cam_of(solution.scene).value()) + "."));
-    all.push_back(table_json("cam", "Figures of the cam", figure_rows(solution)));
+    all.push_back(
+        table_json("cam", "Figures of the cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
     return all;
 }
 
@@ -306,21 +274,7 @@ Json appendix_part(const Solution& solution, const RunOrigin& origin) {
     Json sentences = Json::array({verdict_sentence(solution)});
     if (const std::string line = objective_line(solution, "; "); !line.empty())
         sentences.push_back(line + ".");
-    const SolverReport& solver = solution.solver;
-    if (!solver.name.empty())
-        sentences.push_back(fmt::format("Solver: {}{}; {} iterations, {} exchange rounds, {} s in all.",
-                                        solver.name, solver.choice.empty() ? "" : " (" + solver.choice + ")",
-                                        solver.iterations, solver.exchange_rounds,
-                                        short_text(solution.seconds_total, 3)));
-    if (!solver.convex && solver.starts > 0)
-        sentences.push_back(
-            fmt::format("The scene is not convex; searches from different starts: {}.", solver.starts));
-    if (!solver.proof_source.empty())
-        sentences.push_back(fmt::format("The proof's multipliers: {}.", solver.proof_source));
-    if (solution.certificate.proof)
-        sentences.push_back(
-            "certificate.json beside this page holds the proof with a recipe to check it without camopt: one "
-            "sum.");
+    for (const std::string& sentence : solver_sentences(solution)) sentences.push_back(sentence);
     for (const OwnTermReport& term : solution.own_terms) sentences.push_back(own_term_sentence(term));
     for (const std::string& sentence : train_sentences(solution)) sentences.push_back(sentence);
     return {{"sentences", std::move(sentences)}, {"command", origin.command}};

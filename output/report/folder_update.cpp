@@ -3,8 +3,8 @@
 
 #include "core/errors.hpp"
 #include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 
 #include <fmt/format.h>
 

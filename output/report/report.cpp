@@ -2,13 +2,13 @@
 #include "output/report/report.hpp"
 
 #include "core/text/printable.hpp"
-#include "core/units.hpp"
 #include "core/version.hpp"
 #include "output/report/report_sections.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/infeasible_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
-#include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
@@ -21,10 +21,6 @@
 namespace camopt {
 
 namespace {
-
-std::string optional_text(const std::optional<double>& value) {
-    return value ? short_text(*value) : "–";
-}
 
 std::string asked(const Scene& scene) {
     std::string text = "## What was asked\n\n";
@@ -71,16 +67,13 @@ std::string verdict_section(const Solution& solution) {
 }
 
 std::string peak_table(const Solution& solution) {
-    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     const TextTable table =
         peak_rows(solution, "peak",
                   {"normalised", "at (deg)", reference_title(reference_motion(solution.scene)), "change",
                    "curve of least objective"},
                   [&](const PeakRow& row) -> std::vector<std::string> {
-                      return {short_text(row.optimum.value), short_text(row.optimum.at * degrees_per_x),
-                              optional_text(row.reference),
-                              row.reference ? change_text(row.optimum.value, *row.reference) : "–",
-                              optional_text(row.any_curve)};
+                      return {short_text(row.optimum.value), degrees_at(solution, row.optimum.at),
+                              short_text(row.reference), row.change(), short_text(row.any_curve)};
                   });
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Without a unit: normalised by lift and rise angle.\n" +
@@ -120,12 +113,9 @@ std::string limits_section(const Solution& solution) {
     if (!solution.motion) return {};  // nothing was reached; the relaxation names the limits
     if (solution.constraints.empty()) return "\n## Limits\n\nNone was set.\n";
     std::string text = "\n## Limits\n\n| limit | allowed | reached | at (deg) | |\n|---|--:|--:|--:|---|\n";
-    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     for (const ConstraintReport& row : solution.constraints)
-        text += fmt::format("| `{}` | {} {} | {} | {} | {} |\n", row.key, short_text(row.limit), row.unit,
-                            row.no_contact ? std::string(no_contact_words)
-                                           : short_text(row.worst, 9) + " " + row.unit + on_side(row),
-                            short_text(row.at * degrees_per_x),
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, limit_text(row), reached_text(row),
+                            reached_degrees(solution, row),
                             std::string(row.active ? "active: it shapes the motion" : "not active") +
                                 (row.verified ? "; verified" : ""));
     return text + verification_words(solution.constraints);
@@ -150,24 +140,8 @@ std::string design_section(const DesignReport& design) {
 }
 
 std::string solver_section(const Solution& solution, const RunOrigin& origin) {
-    const SolverReport& solver = solution.solver;
-    std::string text = fmt::format("\n## How it was found\n\n- Solver: {}{}; ", solver.name,
-                                   solver.choice.empty() ? "" : " (" + solver.choice + ")");
-    text +=
-        solver.termination == Termination::not_run
-            ? std::string("it was not asked: the search for a first point settled the scene")
-            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
-                          words_of(name_of(solver.termination)), solver.iterations, solver.exchange_rounds);
-    text += fmt::format("; {} s in all\n", short_text(solution.seconds_total, 3));
-    if (!solver.convex && solver.starts > 0)
-        text += fmt::format("- The scene is not convex: searches from different starts: {}\n", solver.starts);
-    if (!solver.proof_source.empty())
-        text += fmt::format("- The proof's multipliers: {}\n", solver.proof_source);
-    if (solution.certificate.proof)
-        text +=
-            "- To check the proof without camopt: `certificate.json` holds the rows, the multipliers, the "
-            "box and "
-            "the bound; its entry `how_to_check` is the recipe, one sum\n";
+    std::string text = "\n## How it was found\n\n";
+    for (const std::string& sentence : solver_sentences(solution)) text += fmt::format("- {}\n", sentence);
     if (!origin.command.empty()) text += fmt::format("- Command: `{}`\n", printable(origin.command));
     return text + fmt::format("- camopt {}\n", version());
 }
@@ -188,6 +162,7 @@ std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     if (solution.motion)
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);
+    for (const std::string& sentence : excursion_sentences(solution)) text += "\n" + sentence + "\n";
     text += own_terms_section(solution);
     text += dynamics_section(solution);
     text += limits_section(solution) + set_point_section(solution);

@@ -4,6 +4,7 @@
 #include "core/text/printable.hpp"
 #include "input/keys/written_keys.hpp"
 #include "output/report/cam_files.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
@@ -38,10 +39,7 @@ std::string pictures_of(const Solution& solution) {
 
 std::string cam_section(const Solution& solution) {
     if (!solution.cam) return {};
-    TextTable table;
-    table.columns = {{"", true}, {""}, {"at (deg)"}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    const TextTable table = cam_table(solution, {{"", true}, {""}, {"at (deg)"}});
     return fmt::format("\n## The cam\n\n{}: {}.\n\n{}\n{}\n{}", cam_text(cam_of(solution.scene).value()),
                        dimensions_text(solution), markdown_text(table), list_of(cam_remarks(solution)),
                        pictures_of(solution));
@@ -55,27 +53,29 @@ TextTable peak_rows(const Solution& solution, const std::string& first_title,
     table.columns = {{"", true}, {first_title}};
     if (in_time) table.columns.push_back({"by the cam angle"});
     for (const std::string& title : titles) table.columns.push_back({title});
+    table.columns.push_back({"peak of the other sign"});
     for (const PeakRow& row : peak_comparison(solution, reference_motion(solution.scene))) {
         std::vector<std::string> all = {fmt::format("{} {}", row.name, row.symbol), row.first_text()};
         if (in_time) all.push_back(row.beside_text());
         const std::vector<std::string> further = cells(row);
         all.insert(all.end(), further.begin(), further.end());
+        all.emplace_back();
+        if (const auto& opposite = row.sides.opposite)
+            all.back() = fmt::format("{} at {} deg", row.opposite_text(), degrees_at(solution, opposite->at));
         table.rows.push_back(std::move(all));
     }
     return table;
 }
 
 std::string program_peak_section(const Solution& solution) {
-    const double degrees_per_x = shown_units(solution.scene).degrees_per_x;
     const TextTable table =
         peak_rows(solution, "whole motion",
                   {"at (deg)", "spline segments", "at (deg)",
                    reference_title(reference_motion(solution.scene)), "change"},
                   [&](const PeakRow& row) -> std::vector<std::string> {
-                      return {row.shown ? short_text(row.motion.at * degrees_per_x) : std::string{},
-                              short_text(row.optimum.value), short_text(row.optimum.at * degrees_per_x),
-                              row.reference ? short_text(*row.reference) : "–",
-                              row.reference ? change_text(row.optimum.value, *row.reference) : "–"};
+                      return {row.shown ? degrees_at(solution, row.motion.at) : std::string{},
+                              short_text(row.optimum.value), degrees_at(solution, row.optimum.at),
+                              short_text(row.reference), row.change()};
                   });
     return "\n## Peaks\n\n" + markdown_text(table) +
            "\nPeaks are exact, not sampled. Those of the spline segments are normalised, each by its "
@@ -132,13 +132,8 @@ std::string infeasible_section(const Solution& solution) {
     if (remarks.empty()) return {};
     std::string text = fmt::format("\n## {}\n\n{}", title_of_infeasible(solution), list_of(remarks));
     if (solution.relaxation.empty()) return text;
-    TextTable table;
-    table.columns = {{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}};
-    for (const Relaxation& row : solution.relaxation)
-        table.rows.push_back({fmt::format("`{}`", row.key), short_text(row.given),
-                              row.needed      ? needed_number(row) + also_words(row)
-                              : row.ruled_out ? "no change helps"
-                                              : "no value tried helps"});
+    TextTable table = relaxation_table(solution);
+    for (std::vector<std::string>& row : table.rows) row[0] = fmt::format("`{}`", row[0]);
     return text + "\n" + markdown_text(table) +
            "\nEach number is rounded to the side that does and was put into the scene: a solve found a "
            "motion "

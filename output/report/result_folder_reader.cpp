@@ -3,13 +3,13 @@
 
 #include "core/errors.hpp"
 #include "core/text/printable.hpp"
+#include "core/text/text_file.hpp"
 #include "input/result/result_reader.hpp"
 #include "output/json/certificate/certificate_reader.hpp"
 #include "output/json/json_difference.hpp"
 #include "output/json/json_text.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/folder_update.hpp"
-#include "output/report/text_file.hpp"
 #include "studies/delivered/delivered_objective.hpp"
 #include "studies/restored/restored_solution.hpp"
 

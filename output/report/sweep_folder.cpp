@@ -2,9 +2,9 @@
 #include "output/report/sweep_folder.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "studies/pareto/sweep_front.hpp"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/sheet/cam_sheet.hpp"
+#include "output/words/shown_units.hpp"
 
 #include <fmt/format.h>
 
@@ -81,18 +82,18 @@ DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, cons
     if (!drawing.thickness) drawing.thickness = default_thickness;
     if (shape.cam.form.is_grooved() && !drawing.groove_depth) drawing.groove_depth = 0.5 * *drawing.thickness;
     const double least = least_radius(shape);
-    const auto mm = [](double length) { return fmt::format("{:.6g} mm", length / units::millimetre); };
+    const ShownUnit shown = shown_units(solution.scene).length;
     if (drawing.keyway && drawing.bore && !(drawing.keyway->width < *drawing.bore))
         throw InputError(fmt::format("drawing.keyway.width: found {}; allowed: less than the bore's {}",
-                                     mm(drawing.keyway->width), mm(*drawing.bore)));
+                                     shown.text(drawing.keyway->width), shown.text(*drawing.bore)));
     if (drawing.groove_depth && !(*drawing.groove_depth < *drawing.thickness))
         throw InputError(fmt::format("drawing.groove_depth: found {}; allowed: less than the thickness, {}",
-                                     mm(*drawing.groove_depth), mm(*drawing.thickness)));
+                                     shown.text(*drawing.groove_depth), shown.text(*drawing.thickness)));
     if (!(drawing.reach() < least))
         throw InputError(
             fmt::format("drawing.{}: found {} from the centre; allowed: less than {}, the least radius of "
                         "the cam",
-                        drawing.keyway ? "keyway" : "bore", mm(drawing.reach()), mm(least)));
+                        drawing.keyway ? "keyway" : "bore", shown.text(drawing.reach()), shown.text(least)));
     return drawing;
 }
 

@@ -23,7 +23,7 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree, units::millimetre;
+using units::degree;
 
 constexpr std::array<SheetFormat, 2> sheet_formats = {{{"A4", 0.297, 0.210}, {"A3", 0.420, 0.297}}};
 constexpr double outline_tolerance = 1e-6;  // m: of the arcs
@@ -133,6 +133,7 @@ class CamSheetMaker {
         add_dimensions();
         add_rotation();
         add_furniture();
+        for (SheetDimension& dimension : sheet_.dimensions) dimension.lengths = sheet_.lengths;
         return std::move(sheet_);
     }
 
@@ -170,8 +171,10 @@ class CamSheetMaker {
         table.head = rollers ? std::vector<std::string>{"α", "R", "Rc"} : std::vector<std::string>{"α", "R"};
         if (disk_) table.head.emplace_back("Ro");
         const int step = format.width > 0.3 ? 5 : 10;
-        const auto shown = [](const std::optional<double>& radius) {
-            return radius ? fmt::format("{:.3f}", *radius / millimetre) : std::string("open");
+        const LengthUnit unit = solution_.scene.length_unit;
+        const auto shown = [unit](const std::optional<double>& radius) {
+            return radius ? fmt::format("{:.{}f}", *radius / metres_of(unit), drawn_decimals(unit))
+                          : std::string("open");
         };
         for (int alpha = 0; alpha < 360; alpha += step) {
             const Vector2d ray = ray_at(cam_, drawing_.datum + alpha * degree);
@@ -202,6 +205,7 @@ class CamSheetMaker {
         }
         sheet_.view.scale = chosen->value;
         sheet_.scale_words = chosen->words;
+        sheet_.lengths = solution_.scene.length_unit;
         sheet_.title = solution_.scene.title.empty() ? "Cam" : solution_.scene.title;
         if (!piece_.empty()) sheet_.title += ", " + piece_;
     }
@@ -425,6 +429,9 @@ class CamSheetMaker {
                                 true});
     }
 
+    [[nodiscard]] std::string length_text(double metres) const {
+        return drawn_length(metres, sheet_.lengths);
+    }
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> notes;
         if (!shape_.closed)
@@ -433,17 +440,19 @@ class CamSheetMaker {
                             shape_.open_because.empty() ? "not a whole turn" : shape_.open_because));
         if (solution_.cam->summary.undercut())
             notes.emplace_back("UNDERCUT: the outline crosses itself; this cam cannot be made as designed.");
+        if (solution_.cam->summary.cusp())
+            notes.emplace_back("CUSP: the least radius of curvature is 0, an edge that wears.");
         std::string follower = words_of(name_of(cam_.follower));
         for (int i = 0; i < dimension_count; ++i) {
             const auto index = static_cast<DimensionIndex>(i);
             if (index != DimensionIndex::base_radius && has_dimension(cam_.follower, index))
-                follower += fmt::format(", {} {}", words_of(name_of(index)), drawn_length(cam_[index]));
+                follower += fmt::format(", {} {}", words_of(name_of(index)), length_text(cam_[index]));
         }
         notes.push_back("Follower: " + follower + ".");
         if (disk_)
             notes.push_back(fmt::format("Groove: {} wide, {} deep in the upper face.",
-                                        drawn_length(2.0 * surface_offset(cam_, 1)),
-                                        drawn_length(*drawing_.groove_depth)));
+                                        length_text(2.0 * surface_offset(cam_, 1)),
+                                        length_text(*drawing_.groove_depth)));
         notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation)));
         std::string limits;
         for (const LimitRow& row : limit_rows())
@@ -456,10 +465,10 @@ class CamSheetMaker {
         const CamSummary& summary = solution_.cam->summary;
         std::string radii;
         if (summary.convex_radius)
-            radii = fmt::format("convex {}", drawn_length(summary.convex_radius->value));
+            radii = fmt::format("convex {}", length_text(summary.convex_radius->value));
         if (summary.concave_radius)
             radii += fmt::format("{}concave {}", radii.empty() ? "" : ", ",
-                                 drawn_length(summary.concave_radius->value));
+                                 length_text(summary.concave_radius->value));
         if (!radii.empty())
             notes.push_back(fmt::format("Least radii of curvature{}: {}.",
                                         piece_.empty() ? "" : " of both disks", radii));

@@ -14,7 +14,7 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector2d;
-using units::degree, units::millimetre;
+using units::degree;
 
 std::string trimmed(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -42,7 +42,7 @@ double SheetDimension::measured() const {
 std::string SheetDimension::words() const {
     if (kind == Kind::angle) return trimmed(measured() / degree, 2) + "°";
     const bool diameter = kind == Kind::diameter || (across && kind == Kind::linear);
-    return (diameter ? "⌀" : kind == Kind::radius ? "R" : "") + drawn_length(measured());
+    return (diameter ? "⌀" : kind == Kind::radius ? "R" : "") + drawn_length(measured(), lengths);
 }
 
 void Sheet::line(const std::string& layer, SheetPen pen, const Vector2d& from, const Vector2d& to,
@@ -84,8 +84,12 @@ double widest_text(std::string_view words, double height) {
     return width * height / capital;
 }
 
-std::string drawn_length(double metres) {
-    return trimmed(metres / millimetre, 3);
+int drawn_decimals(LengthUnit unit) {
+    return unit == LengthUnit::inch ? 4 : 3;
+}
+
+std::string drawn_length(double metres, LengthUnit unit) {
+    return trimmed(metres / metres_of(unit), drawn_decimals(unit));
 }
 
 StandardScale standard_scale(const Vector2d& size, const Vector2d& room) {

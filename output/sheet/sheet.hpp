@@ -6,6 +6,7 @@
 // Nothing here knows a cam.
 #pragma once
 
+#include "core/units.hpp"
 #include "output/drawing/arc_chain.hpp"
 
 #include <Eigen/Core>
@@ -74,10 +75,11 @@ struct SheetDimension {
     double direction = 0.0, sweep = 0.0;                      ///< rad
     Eigen::Vector2d place = {0.0, 0.0};                       ///< paper
     bool across = false;  ///< linear: it measures a diameter, and its words say so
+    LengthUnit lengths = LengthUnit::millimetre;
 
     /// m, or rad of an angle.
     [[nodiscard]] double measured() const;
-    /// "⌀25", "R40.5", "30°": mm with three decimals at most, degrees with two.
+    /// "⌀25", "R40.5", "30°": lengths as drawn_length, degrees with two decimals.
     [[nodiscard]] std::string words() const;
 };
 
@@ -86,7 +88,8 @@ struct Sheet {
     std::string format;                    ///< "A4"
     double width = 0.297, height = 0.210;  ///< m
     SheetView view;
-    std::string scale_words;  ///< "1:2"
+    std::string scale_words;                      ///< "1:2"
+    LengthUnit lengths = LengthUnit::millimetre;  ///< of all numbers on it
     std::vector<SheetPath> paths;
     std::vector<SheetCircle> circles;
     std::vector<SheetText> texts;
@@ -104,8 +107,10 @@ struct Sheet {
 /// height of a capital letter; m.
 [[nodiscard]] double widest_text(std::string_view words, double height);
 
-/// mm, three decimals at most, no trailing zeros.
-[[nodiscard]] std::string drawn_length(double metres);
+/// A micrometre, or a ten-thousandth of an inch.
+[[nodiscard]] int drawn_decimals(LengthUnit unit);
+/// That many decimals at most, no trailing zeros.
+[[nodiscard]] std::string drawn_length(double metres, LengthUnit unit = LengthUnit::millimetre);
 
 /// The largest scale of ISO 5455 (…, 2:1, 1:1, 1:2, 1:5, 1:10, …) at which `size` fits into `room`; m.
 struct StandardScale {

@@ -90,7 +90,8 @@ void add_frame(Sheet& sheet, const TitleCells& cells) {
           TitleCell{middle, 2.0 * third, end, 3.0 * third, "tolerances", cells.tolerance},
           TitleCell{middle, third, end, 2.0 * third, "drawn by", cells.drawn_by},
           TitleCell{middle, 0.0, middle + column, third, "scale", sheet.scale_words},
-          TitleCell{middle + column, 0.0, end, third, "format, lengths", sheet.format + ", mm"}})
+          TitleCell{middle + column, 0.0, end, third, "format, lengths",
+                    sheet.format + ", " + name_of(sheet.lengths)}})
         add_cell(sheet, corner, cell);
     sheet.rectangle(block_layer, SheetPen::thick, corner,
                     corner + Vector2d(title_block_width, title_block_height), SheetSpace::paper);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/spatial/cam_export.hpp"
 
-#include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "core/whole_turn.hpp"
 #include "output/spatial/drum_pictures.hpp"
 #include "output/spatial/flank_surfaces.hpp"
@@ -9,12 +9,8 @@
 #include "output/surface/mesh_files.hpp"
 #include "output/surface/step/step_file.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <system_error>
 #include <utility>
 
 namespace camopt {
@@ -25,16 +21,8 @@ using Paths = std::vector<std::filesystem::path>;
 
 constexpr double same_angle = 1e-9;  // rad
 
-/// Whole or not at all: beside its place first, then named.
 void write_bytes(Paths& written, const std::filesystem::path& path, const std::string& bytes) {
-    std::filesystem::path beside = path;
-    beside += ".part";
-    std::ofstream file(beside, std::ios::binary);
-    file << bytes;
-    file.close();
-    std::error_code error;
-    if (file) std::filesystem::rename(beside, path, error);
-    if (!file || error) throw InputError(fmt::format("cannot write the file {}", path.string()));
+    write_text_file(path, bytes);
     written.push_back(path);
 }
 

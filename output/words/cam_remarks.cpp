@@ -38,10 +38,17 @@ std::string undercut_remark(const Solution& solution) {
     const CamSummary& summary = solution.cam->summary;
     const std::string words = cam.undercut_words();
     if (words.empty()) return "No undercut: a knife edge follows any pitch curve.";
+    const std::string limit =
+        limit_row(cam.planar() ? LimitedFigure::convex_radius : LimitedFigure::regularity).first_key();
+    const std::string where = degrees_at(solution, summary.regularity.at);
+    if (summary.cusp())
+        return fmt::format(
+            "A CUSP at {} deg: the cam comes to a point there, just short of undercut; a limit {} above 0 "
+            "rounds it.",
+            where, limit);
     if (!summary.undercut()) return "No undercut: the cam has neither a cusp nor a loop.";
-    const LimitedFigure limited = cam.planar() ? LimitedFigure::convex_radius : LimitedFigure::regularity;
-    return fmt::format("UNDERCUT at {} deg: {}; the limit {} = 0 rules undercut out.",
-                       degrees_at(solution, summary.regularity.at), words, limit_row(limited).first_key());
+    return fmt::format("UNDERCUT at {} deg: {}; a limit {} of 0 or more rules undercut out.", where, words,
+                       limit);
 }
 
 /// Of a disk cam.
@@ -109,6 +116,7 @@ std::string rest_of_the_turn(const Solution& solution) {
 constexpr int force_samples = 3600;  // over the motion, for changes of sign
 constexpr int force_bisections = 50;
 constexpr double no_force = 1e-9;       // of the largest
+constexpr double just_reached = 1e-7;   // of the largest: a limit of 0 is met to the tolerance of the solve
 constexpr std::size_t most_places = 8;  // that a sentence names
 
 /// Where the force on the follower changes its sign: x, ascending. A force that is rounding has none.
@@ -158,7 +166,13 @@ std::string crossover_remark(const Solution& solution) {
 
 std::string lift_off_remark(const Solution& solution, const ForceSummary& forces) {
     if (!solution.cam->summary.sides.empty()) return crossover_remark(solution);
-    if (forces.least_force.value > 0.0) return {};
+    const double none =
+        just_reached * std::max(std::abs(forces.least_force.value), std::abs(forces.largest_force.value));
+    if (forces.least_force.value > none) return {};
+    if (forces.least_force.value >= -none)
+        return fmt::format(
+            "The force on the cam just reaches 0 at {} deg: the follower stays on it without any reserve.",
+            degrees_at(solution, forces.least_force.at));
     // Where the follower is down a stiffer spring presses no harder.
     const bool raised = solution.motion->at(forces.least_force.at).derivative[0] > raised_follower;
     return fmt::format("The follower LIFTS OFF the cam at {} deg: it needs {}more preload.",

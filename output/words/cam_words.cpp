@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace camopt {
 
@@ -55,7 +56,9 @@ class Figures {
 
     void add(std::string name, const std::optional<CamExtreme>& extreme, const ShownUnit& unit) {
         if (!extreme) return;
-        std::string value = std::isinf(extreme->value) ? no_contact_words : unit.text(extreme->value);
+        // Of a cusp the pressure is infinite.
+        const bool untouched = std::isinf(extreme->value) && solution_.cam->summary.no_contact;
+        std::string value = untouched ? no_contact_words : unit.text(extreme->value);
         all_.push_back({std::move(name), std::move(value), degrees_at(solution_, extreme->at)});
     }
     [[nodiscard]] std::vector<CamFigure> take() { return std::move(all_); }
@@ -123,20 +126,18 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
     }
     if (cam->formulas && cam->formulas->is_direct())
         all.push_back({"prime_radius", false, prime_radius(all)});
+    const ShownUnits shown = shown_units(solution.scene);
+    for (DimensionValue& one : all)
+        one.text = !one.shown     ? "free"
+                   : one.is_angle ? shown.angle.text(*one.shown * degree)
+                                  : shown.length.text(*one.shown * millimetre);
     return all;
 }
 
 std::string dimensions_text(const Solution& solution) {
-    const ShownUnits shown = shown_units(solution.scene);
-    const auto value_text = [&](const DimensionValue& dimension) {
-        if (!dimension.shown) return std::string("free");
-        return dimension.is_angle ? shown.angle.text(*dimension.shown * degree)
-                                  : shown.length.text(*dimension.shown * millimetre);
-    };
     std::string text;
     for (const DimensionValue& dimension : cam_dimensions(solution))
-        text +=
-            fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name), value_text(dimension));
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words_of(dimension.name), dimension.text);
     return text;
 }
 
@@ -164,6 +165,13 @@ std::vector<CamFigure> cam_figures(const Solution& solution) {
     add_forces(figures, *solution.cam, shown);
     add_sides(figures, *solution.cam, shown);
     return figures.take();
+}
+
+TextTable cam_table(const Solution& solution, std::vector<TextTable::Column> columns) {
+    TextTable table{std::move(columns), {}};
+    for (const CamFigure& figure : cam_figures(solution))
+        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    return table;
 }
 
 }  // namespace camopt

@@ -2,6 +2,7 @@
 // The cam of a solution in words, of whatever kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
+#include "output/words/tables/text_table.hpp"
 #include "scene/mechanism_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -16,6 +17,7 @@ struct DimensionValue {
     std::string name;  ///< "base_radius"
     bool is_angle = false;
     std::optional<double> shown;  ///< none: free, and nothing was delivered
+    std::string text = {};        ///< as people read it: "30 mm", "1.2 in", "free"
 };
 
 /// The dimensions this cam has, of a disk cam then the prime radius (base + roller). None without a cam.
@@ -39,5 +41,7 @@ struct CamFigure {
 
 /// Pressure angles, radii, contact, forces: what exists. For a solution with a cam.
 [[nodiscard]] std::vector<CamFigure> cam_figures(const Solution& solution);
+/// Their table: name, value, cam angle.
+[[nodiscard]] TextTable cam_table(const Solution& solution, std::vector<TextTable::Column> columns);
 
 }  // namespace camopt

@@ -20,18 +20,13 @@ namespace {
 constexpr int table_figures = 4;
 constexpr int base_decimals = 3, base_decimals_of_inches = 4;  // a micrometre, a ten-thousandth of an inch
 
-bool is_exact(const LimitOutcome& outcome) {
-    return outcome.reached.key.starts_with("motion.") || outcome.reached.key == "spline.end_jerk";
-}
-
 std::string with_unit(double value, const std::string& unit) {
     return short_text(value, table_figures) + (unit.empty() ? "" : " " + unit);
 }
 
-/// By how much of the limit it is passed.
+/// By how much of its scale the limit is passed.
 double weight_of(const LimitOutcome& outcome) {
-    const double size = std::max(std::abs(outcome.reached.limit), 1e-12);
-    return std::isnan(outcome.excess) ? infinity : outcome.excess / size;
+    return std::isnan(outcome.excess) ? infinity : outcome.excess / std::max(outcome.scale, 1e-12);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ std::string broken_words(const LimitOutcome& outcome) {
         return fmt::format("{}, allowed {}", found, short_text(reached.limit, table_figures));
     const bool below = reached.worst < reached.limit;
     return fmt::format("{}, {} {} {}", found,
-                       short_text(std::abs(outcome.excess), is_exact(outcome) ? 3 : table_figures),
+                       short_text(std::abs(outcome.excess), outcome.exact ? 3 : table_figures),
                        below ? "below" : "above", short_text(reached.limit, table_figures));
 }
 

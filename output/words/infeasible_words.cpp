@@ -292,4 +292,14 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
     return all;
 }
 
+TextTable relaxation_table(const Solution& solution) {
+    TextTable table{{{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}}, {}};
+    for (const Relaxation& row : solution.relaxation)
+        table.rows.push_back({row.key, short_text(row.given),
+                              row.needed      ? needed_number(row) + also_words(row)
+                              : row.ruled_out ? "no change helps"
+                                              : "no value tried helps"});
+    return table;
+}
+
 }  // namespace camopt

@@ -18,6 +18,16 @@ std::string with_minus_sign(std::string text) {
     return text;
 }
 
+/// "2.5e+07" → "2.5e7".
+std::string with_short_power(std::string text) {
+    const std::size_t power = text.find('e');
+    if (power == std::string::npos) return text;
+    if (text[power + 1] == '+') text.erase(power + 1, 1);
+    const std::size_t digit = power + (text[power + 1] == '-' ? 2 : 1);
+    text.erase(digit, text.find_first_not_of('0', digit) - digit);
+    return text;
+}
+
 }  // namespace
 
 std::string round_trip_text(double value) {
@@ -31,7 +41,15 @@ std::string short_text(double value, int digits) {
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
     if (unit >= 1.0 && std::abs(value) < plain_below)
         return with_minus_sign(fmt::format("{:.0f}", unit * std::round(value / unit)));
-    return with_minus_sign(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits));
+    return power_text(value, digits);
+}
+
+std::string short_text(const std::optional<double>& value) {
+    return value ? short_text(*value) : "–";
+}
+
+std::string power_text(double value, int digits) {
+    return with_minus_sign(with_short_power(fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits)));
 }
 
 std::string change_text(double value, double reference) {

@@ -2,6 +2,7 @@
 // Numbers as text: exact for machines, short for people. None of them depends on the locale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,15 @@ inline constexpr const char* no_contact_words = "undercut, no contact";
 /// The shortest decimal text that reads back as the same double. Empty for a value that is not finite.
 [[nodiscard]] std::string round_trip_text(double value);
 
-/// `digits` significant digits, without trailing zeros behind the point; no power of ten below 1e7: "134150",
-/// not "1.3415e+05". "∞" or "–" for what is not finite.
+/// The number as people read it, everywhere: `digits` significant digits, without trailing zeros behind the
+/// point; no power of ten from 1e-4 to 1e7: "134150", "2.5e7", "1.6e-6". "∞" or "–" for what is not finite.
+/// numberText of page/assets/base.js writes the same.
 [[nodiscard]] std::string short_text(double value, int digits = 6);
+/// "–" for none.
+[[nodiscard]] std::string short_text(const std::optional<double>& value);
+
+/// The same with a power of ten from 10^digits on: "2e6" on an axis. Finite.
+[[nodiscard]] std::string power_text(double value, int digits);
 
 /// Relative change in percent, signed: "−2.6 %". "–" where it does not exist.
 [[nodiscard]] std::string change_text(double value, double reference);

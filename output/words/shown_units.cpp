@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/shown_units.hpp"
 
+#include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -48,6 +52,16 @@ constexpr UnitRows swing_by_angle = {{{"deg", 1.0 / degree, "s_deg"},
                                       {"deg/deg", 1.0, "ds_deg_deg"},
                                       {"deg/deg²", degree, "dds_deg_deg2"},
                                       {"deg/deg³", degree* degree, "ddds_deg_deg3"}}};
+
+/// A cap or a set point of the motion is given in deg/s, deg/s² or deg/s³.
+bool writes_degrees_in_time(const Scene& scene) {
+    const auto in_degrees = [](const std::string& unit) { return unit.starts_with("deg/s"); };
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (const auto& limit = row.in(scene.limits); limit && in_degrees(limit->unit)) return true;
+    return std::ranges::any_of(placed_points(scene.motion), [&](const PlacedPoint& point) {
+        return in_degrees(point.units.velocity) || in_degrees(point.units.acceleration);
+    });
+}
 
 const UnitRows& rows_of(const MotionSpec& motion, LengthUnit length, bool in_time) {
     if (motion.lift_is_angle) return in_time ? swing_in_time : swing_by_angle;
@@ -112,7 +126,16 @@ ShownUnits shown_units(const MotionSpec& motion, LengthUnit length) {
 }
 
 ShownUnits shown_units(const Scene& scene) {
-    return shown_units(scene.motion, scene.length_unit);
+    ShownUnits shown = shown_units(scene.motion, scene.length_unit);
+    if (!shown.in_time || !scene.motion.lift_is_angle || !writes_degrees_in_time(scene)) return shown;
+    for (std::size_t order = 1; order < derivatives; ++order) {
+        MotionUnit& unit = shown.motion[order].first;
+        unit.per_normalised /= degree;
+        unit.factor /= degree;
+        unit.name.replace(0, 3, "deg");  // "rad/s²", "v_rad_s"
+        unit.column.replace(2, 3, "deg");
+    }
+    return shown;
 }
 
 }  // namespace camopt

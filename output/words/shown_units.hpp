@@ -5,7 +5,8 @@
 //     shown = per_normalised · y⁽ʳ⁾    (derivatives of the motion, y = s / lift over x = θ / unit angle)
 //
 // With a speed the motion stands first in time, v = ω ds/dθ, a = ω² d²s/dθ², j = ω³ d³s/dθ³, in mm/s, m/s²,
-// m/s³ (swinging: rad/s, rad/s², rad/s³), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
+// m/s³ (swinging: rad/s, rad/s², rad/s³; where the scene writes a cap or a set point in deg/s, deg/s²,
+// deg/s³ these), and beside it by the cam angle in mm/rad, mm/rad², mm/rad³
 // (swinging: deg/deg …). Without a speed it stands by the cam angle only. Where the scene is written in
 // inches (Scene::length_unit) in, in/s, in/s², in/s³ and in/rad take their places. Angles are in degrees,
 // forces in N and N m, pressures in MPa, whatever the lengths are in. Files keep the units that their columns

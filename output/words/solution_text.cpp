@@ -2,10 +2,12 @@
 #include "output/words/solution_text.hpp"
 
 #include "core/text/printable.hpp"
+#include "output/words/angle_words.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
@@ -13,10 +15,13 @@
 #include "output/words/tables/set_point_table.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/scene_cam.hpp"
+#include "scene/limit_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
+#include "studies/delivered/limit_activity.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace camopt {
@@ -24,8 +29,9 @@ namespace camopt {
 namespace {
 
 constexpr int solution_line_width = 110;
-// Of a peak in its unit, and by the cam angle beside it: "−123456 mm/rad³", "(0.00287425 deg/deg³)".
-constexpr int width_of_first = 15, width_of_beside = 21;
+// Of a peak in its unit, and by the cam angle beside it: "−123456 mm/rad³", "(−0.00287425 deg/deg³)".
+constexpr int width_of_first = 17, width_of_beside = 22;
+constexpr double least_shown_gap = 1e-9;
 constexpr int figures = 9;  // of objective and bound: enough to see a gap of 1e-7
 
 std::string because(const Certificate& certificate) {
@@ -45,7 +51,7 @@ std::string indented(const std::string& lines) {
 
 std::string peak_line(const PeakRow& row, const std::string& reference_name, bool in_time) {
     std::string line =
-        fmt::format("  {:<12} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
+        fmt::format("  {:<14} {} = {:<8}", row.name, row.symbol, short_text(row.optimum.value));
     const std::string beside = row.beside_text();
     line += fmt::format("  {:<{}}", row.first_text(), width_of_first);
     if (in_time)
@@ -80,6 +86,14 @@ bool is_beyond_doubles(const Solution& solution) {
            is_no_motion(solution.certificate.reason);
 }
 
+/// Rounded up, to one digit below 1 %.
+std::string percent_above(double part) {
+    const double percent = 100.0 * part;
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(percent))));
+    const double unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f} %", unit * std::ceil(percent / unit * (1.0 - 1e-9)), decimals);
+}
+
 /// "8 starts" or "from one start"
 std::string starts_text(int starts) {
     return starts == 1 ? std::string("from one start") : fmt::format("the best of {} starts", starts);
@@ -88,6 +102,12 @@ std::string starts_text(int starts) {
 /// The user stopped it, and that is why it is no better.
 bool was_interrupted(const Certificate& certificate) {
     return certificate.reason == Reason::interrupted;
+}
+
+/// Of a motion without a proof that it is the best one: what is proved.
+std::string not_optimal_words(const Certificate& certificate) {
+    const std::string gap = gap_words(certificate);
+    return gap.empty() ? "that it is optimal is not shown" : "proved to be " + gap;
 }
 
 std::string interrupted_sentence(const Solution& solution) {
@@ -100,9 +120,8 @@ std::string interrupted_sentence(const Solution& solution) {
             "Interrupted{}: until then no motion that keeps every limit was found. Whether there is one is "
             "open.",
             where);
-    return fmt::format(
-        "Interrupted{}: the best motion found until then keeps every limit; that it is optimal is not shown.",
-        where);
+    return fmt::format("Interrupted{}: the best motion found until then keeps every limit; {}.", where,
+                       not_optimal_words(solution.certificate));
 }
 
 std::string segment_lines(const Solution& solution) {
@@ -121,10 +140,7 @@ std::string set_point_lines(const Solution& solution) {
 std::string cam_lines(const Solution& solution) {
     if (!solution.cam) return {};
     const MechanismSpec cam = cam_of(solution.scene).value();
-    TextTable table;
-    table.columns = {{"The cam", true}, {"", true}, {"at deg"}};
-    for (const CamFigure& figure : cam_figures(solution))
-        table.rows.push_back({figure.name, figure.value, figure.degrees});
+    const TextTable table = cam_table(solution, {{"The cam", true}, {"", true}, {"at deg"}});
     const std::string dimensions = "dimensions: " + dimensions_text(solution);
     std::string text = fmt::format("  cam: {}\n", cam_text(cam));
     text += wrapped_text(dimensions, "  ", solution_line_width);
@@ -143,6 +159,17 @@ std::string relaxation_lines(const Solution& solution) {
 
 }  // namespace
 
+std::string gap_words(const Certificate& certificate) {
+    if (!certificate.gap) return {};
+    double part = std::max(*certificate.gap, least_shown_gap);
+    // The gap is relative to 1 at least; the objective may be smaller.
+    if (const std::optional<double>& bound = certificate.lower_bound) {
+        if (!(*bound > 0.0)) return {};
+        part = std::max(part, certificate.objective / *bound - 1.0);
+    }
+    return part <= 1.0 ? fmt::format("at most {} from the optimum", percent_above(part)) : std::string{};
+}
+
 std::string verdict_sentence(const Solution& solution) {
     const Certificate& certificate = solution.certificate;
     const SolverReport& solver = solution.solver;
@@ -159,13 +186,14 @@ std::string verdict_sentence(const Solution& solution) {
     if (!searched(solution) || certificate.verdict == Verdict::optimal ||
         certificate.verdict == Verdict::infeasible)
         return verdict_sentence(certificate);
+    const std::string gap = gap_words(certificate);
     if (certificate.verdict == Verdict::local)
-        return fmt::format(
-            "Local optimum, {}: no small change improves it. That a better one exists is not ruled out.",
-            starts_text(solver.starts));
+        return fmt::format("Local optimum, {}: no small change improves it{}", starts_text(solver.starts),
+                           gap.empty() ? ". That a better one exists is not ruled out."
+                                       : ", and it is proved to be " + gap + ".");
     if (certificate.verdict == Verdict::feasible)
-        return fmt::format("Feasible, {}: every limit is kept; that it is optimal is not shown{}.",
-                           starts_text(solver.starts), because(certificate));
+        return fmt::format("Feasible, {}: every limit is kept; {}{}.", starts_text(solver.starts),
+                           not_optimal_words(certificate), because(certificate));
     return fmt::format(
         "Failed: no motion that keeps every limit was found from {} {}, and no proof that there is none{}.",
         solver.starts, solver.starts == 1 ? "start" : "starts", because(certificate));
@@ -182,14 +210,13 @@ std::string verdict_sentence(const Certificate& certificate) {
                     short_text(certificate.proof->limits_relaxed_by, 2));
             return "Proved optimal: no curve of this spline space is better by more than the gap.";
         case Verdict::local:
-            if (certificate.gap)
-                return fmt::format(
-                    "Feasible and stationary; the proof leaves a gap of {}, wider than solver.gap allows.",
-                    short_text(*certificate.gap, 2));
+            if (const std::string gap = gap_words(certificate); !gap.empty())
+                return fmt::format("Feasible and stationary, and proved to be {}; solver.gap asks for less.",
+                                   gap);
             return "Local optimum: feasible, and no small change improves it; not proved to be the best of "
                    "all.";
         case Verdict::feasible:
-            return fmt::format("Feasible: every limit is kept; that it is optimal is not shown{}.",
+            return fmt::format("Feasible: every limit is kept; {}{}.", not_optimal_words(certificate),
                                because(certificate));
         case Verdict::infeasible:
             if (certificate.reason == Reason::conditions_contradict) {
@@ -222,18 +249,32 @@ std::string objective_line(const Solution& solution, std::string_view separator)
     return line;
 }
 
-std::string on_side(const ConstraintReport& row) {
-    return row.side.empty() ? row.side : " on the " + row.side;
+std::string limit_text(const ConstraintReport& row) {
+    return short_text(row.limit) + (row.unit.empty() ? "" : " " + row.unit);
+}
+
+std::string reached_text(const ConstraintReport& row, int digits) {
+    if (row.no_contact) return no_contact_words;
+    if (is_nowhere(row))
+        return row.name == limit_row(LimitedFigure::concave_radius).name ? "nowhere concave"
+                                                                         : "nowhere convex";
+    return short_text(row.worst, digits) + (row.unit.empty() ? "" : " " + row.unit) +
+           (row.side.empty() ? "" : " on the " + row.side);
+}
+
+std::string reached_degrees(const Solution& solution, const ConstraintReport& row) {
+    return is_nowhere(row) ? "–" : degrees_at(solution, row.at);
 }
 
 std::string constraint_sentence(const ConstraintReport& row) {
     if (row.no_contact)
         return fmt::format("{} = {}: {} does not exist: {}", row.key, short_text(row.limit), row.name,
                            no_contact_words);
-    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    return fmt::format("{} = {}: {} reaches {}{}{} ({})", row.key, short_text(row.limit), row.name,
-                       short_text(row.worst, figures), unit, on_side(row),
-                       row.active ? "active" : "not active");
+    if (is_nowhere(row))
+        return fmt::format("{} = {}: the cam is {} (not active)", row.key, short_text(row.limit),
+                           reached_text(row));
+    return fmt::format("{} = {}: {} reaches {} ({})", row.key, short_text(row.limit), row.name,
+                       reached_text(row), row.active ? "active" : "not active");
 }
 
 std::string own_term_sentence(const OwnTermReport& term) {
@@ -250,6 +291,32 @@ std::string relaxation_sentence(const Relaxation& row) {
     return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
+std::vector<std::string> solver_sentences(const Solution& solution) {
+    const SolverReport& solver = solution.solver;
+    std::vector<std::string> all;
+    if (!solver.name.empty())
+        all.push_back(
+            fmt::format("Solver: {}{}; {}; {} s in all.", solver.name,
+                        solver.choice.empty() ? "" : " (" + solver.choice + ")",
+                        solver.termination == Termination::not_run
+                            ? std::string("it was not asked: the search for a first point settled the scene")
+                            : fmt::format("it stopped as \"{}\" (iterations: {}, exchange rounds: {})",
+                                          words_of(name_of(solver.termination)), solver.iterations,
+                                          solver.exchange_rounds),
+                        short_text(solution.seconds_total, 3)));
+    if (searched(solution))
+        all.push_back(
+            fmt::format("The scene is not convex; searches from different starts: {}.", solver.starts));
+    if (!solver.proof_source.empty())
+        all.push_back(fmt::format("The proof's multipliers: {}.", solver.proof_source));
+    if (solution.certificate.proof)
+        all.emplace_back(
+            "To check the proof without camopt: certificate.json holds the rows, the multipliers, the box "
+            "and "
+            "the bound; its entry how_to_check is the recipe, one sum.");
+    return all;
+}
+
 std::string summary_text(const Solution& solution, std::span<const std::filesystem::path> written) {
     std::string text;
     if (!solution.scene.title.empty()) text += printable(solution.scene.title) + "\n";
@@ -257,6 +324,7 @@ std::string summary_text(const Solution& solution, std::span<const std::filesyst
     const std::string objective = objective_line(solution);
     if (!objective.empty()) text += "  " + objective + "\n";
     if (solution.motion) text += peak_lines(solution) + segment_lines(solution);
+    for (const std::string& sentence : excursion_sentences(solution)) text += fmt::format("  {}\n", sentence);
     for (const OwnTermReport& term : solution.own_terms)
         text += fmt::format("  term: {}\n", own_term_sentence(term));
     for (const std::string& sentence : train_sentences(solution)) text += fmt::format("  {}\n", sentence);

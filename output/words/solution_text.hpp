@@ -17,18 +17,30 @@ namespace camopt {
 /// The same, and what a search from several starts can say and cannot.
 [[nodiscard]] std::string verdict_sentence(const Solution& solution);
 
-/// "objective 0.940489277   proved bound 0.940489270   gap 7e-09". Only what exists.
+/// "at most 0.0002 % from the optimum": what a bound proves of a motion that is not proved optimal, rounded
+/// up. Empty without a bound, or where it allows a motion of half the objective.
+[[nodiscard]] std::string gap_words(const Certificate& certificate);
+
+/// "objective 0.940489277   proved bound 0.940489270   gap 7e-9". Only what exists.
 [[nodiscard]] std::string objective_line(const Solution& solution, std::string_view separator = "   ");
 
-/// "limits.velocity = 1.8 is kept: at most 1.79 …"
 /// "speed reaches 1.7, 0.4 in the objective (weight …)"
 [[nodiscard]] std::string own_term_sentence(const OwnTermReport& term);
-/// " on the outer flank": where a cam with two sides is at its worst; empty: it has one side.
-[[nodiscard]] std::string on_side(const ConstraintReport& row);
+
+/// "30 deg"
+[[nodiscard]] std::string limit_text(const ConstraintReport& row);
+/// "29.8 deg on the outer flank", "undercut, no contact", "nowhere concave".
+[[nodiscard]] std::string reached_text(const ConstraintReport& row, int digits = 9);
+/// The cam angle of it; "–" where it is nowhere.
+[[nodiscard]] std::string reached_degrees(const Solution& solution, const ConstraintReport& row);
+/// "limits.velocity = 1.8: velocity reaches 1.79 (not active)"
 [[nodiscard]] std::string constraint_sentence(const ConstraintReport& row);
 
 /// "limits.velocity: 1.2 given, 1.31 needed if this is the only change". Units stand in the key.
 [[nodiscard]] std::string relaxation_sentence(const Relaxation& row);
+
+/// How it was found, for reports: solver, starts, where the proof comes from and stands.
+[[nodiscard]] std::vector<std::string> solver_sentences(const Solution& solution);
 
 /// What `camopt solve` prints: a compact summary of a dozen lines, ending in a line feed.
 [[nodiscard]] std::string summary_text(const Solution& solution,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/factory/mechanism_factory.hpp"
 
-#include "core/errors.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
@@ -9,6 +8,7 @@
 #include "profiles/remote/remote_spec.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -45,8 +45,7 @@ void complete_mechanism(Scene& scene) {
     }
     const auto found = makers().find(spec.type);
     if (found == makers().end())
-        throw InputError(
-            fmt::format("cam.type: found \"{}\"; allowed: {}", spec.type, quoted_choices(cam_types())));
+        throw SceneError({"cam.type", fmt::format("\"{}\"", spec.type), quoted_choices(cam_types())});
     spec.formulas = found->second(spec);
     validate(scene);
 }

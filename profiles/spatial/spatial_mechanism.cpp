@@ -244,11 +244,6 @@ SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<co
     return cam;
 }
 
-SpatialCam middle_spatial_cam(const MechanismSpec& spec) {
-    const std::vector<double> numbers = spec.middle();
-    return spatial_cam(spatial_follower(spec), spec.rotation, numbers);
-}
-
 std::shared_ptr<const CamMechanism> spatial_mechanism(const MechanismSpec& spec) {
     return std::make_shared<SpatialMechanism>(spatial_follower(spec), spec.rotation);
 }

@@ -26,7 +26,5 @@ inline constexpr int mechanism_heights = 3;
 /// The cam with these numbers, in the order of SpatialNumber.
 [[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,
                                      std::span<const double> numbers);
-/// With each variable dimension in the middle of its range.
-[[nodiscard]] SpatialCam middle_spatial_cam(const MechanismSpec& spec);
 
 }  // namespace camopt

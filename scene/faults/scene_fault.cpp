@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The checks of a scene: numbers against their ranges (one table), then what must hold between members.
-#include "core/errors.hpp"
 #include "core/numbers/range.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 namespace {
@@ -156,9 +157,14 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
 }
 
 void validate(const Scene& scene) {
-    if (const Fault fault = find_fault(scene))
-        throw InputError(
-            fmt::format("{}: found {}; allowed: {}", fault->member, fault->found, fault->allowed));
+    if (const Fault fault = find_fault(scene)) throw SceneError(*fault);
+}
+
+SceneError::SceneError(SceneFault fault)
+    : InputError(fmt::format("{}: {}", fault.member, words_of(fault))), fault_(std::move(fault)) {}
+
+std::string words_of(const SceneFault& fault) {
+    return fmt::format("found {}; allowed: {}", fault.found, fault.allowed);
 }
 
 }  // namespace camopt

@@ -19,8 +19,8 @@ struct PointStretch {
     std::string member;   ///< of the list
     double length = 1.0;  ///< largest place
     double angle = 1.0;   ///< rad, of the unit of places
-    /// Whether a region may begin at 0, or end at `length`.
-    bool open_begin = true, open_end = true;
+    /// Why no region may begin at 0, or end at `length`; empty: it may.
+    std::string at_begin = {}, at_end = {};
     bool segment = false;  ///< of a program
 };
 
@@ -54,21 +54,20 @@ Fault numbers_fault(const SetPoint& point, const std::string& member) {
 }
 
 Fault region_fault(const PointStretch& stretch, const SetPoint& point, const std::string& member) {
-    const bool begins = stretch.open_begin ? point.at >= -same_place : point.at > same_place;
+    const bool begins = stretch.at_begin.empty() ? point.at >= -same_place : point.at > same_place;
     const double left = stretch.length - *point.until;
-    const bool ends = stretch.open_end ? left >= -same_place : left > same_place;
+    const bool ends = stretch.at_end.empty() ? left >= -same_place : left > same_place;
     if (!begins || !std::isfinite(point.at))
-        return SceneFault{member + ".from", place_text(stretch, point, point.at),
-                          stretch.open_begin ? "a place from the beginning on"
-                                             : "a place after the beginning, where a neighbour that is no "
-                                               "spline gives the velocity"};
-    if (!ends || !std::isfinite(*point.until))
         return SceneFault{
-            member + ".to", place_text(stretch, point, *point.until),
-            fmt::format(
-                "{} {}", stretch.open_end ? "at most" : "before",
-                place_text(stretch, point, stretch.length) +
-                    (stretch.open_end ? "" : ", where a neighbour that is no spline gives the velocity"))};
+            member + ".from", place_text(stretch, point, point.at),
+            stretch.at_begin.empty()
+                ? "a place from the beginning on"
+                : fmt::format("a place after {}, {}", place_text(stretch, point, 0.0), stretch.at_begin)};
+    if (!ends || !std::isfinite(*point.until))
+        return SceneFault{member + ".to", place_text(stretch, point, *point.until),
+                          fmt::format("{} {}{}", stretch.at_end.empty() ? "at most" : "before",
+                                      place_text(stretch, point, stretch.length),
+                                      stretch.at_end.empty() ? "" : ", " + stretch.at_end)};
     if (!(*point.until > point.at + same_place))
         return SceneFault{
             member + ".to", place_text(stretch, point, *point.until),
@@ -121,6 +120,19 @@ Fault list_fault(const PointStretch& stretch, const std::vector<SetPoint>& point
     return std::nullopt;
 }
 
+/// Why no region of constant velocity may touch an end of a segment; empty: its neighbour is a spline, which
+/// joins with that velocity.
+std::string end_words(const MotionSpec& motion, std::size_t segment, bool after) {
+    const std::size_t count = motion.segments.size();
+    const bool outer = segment == (after ? count - 1 : 0);
+    if (outer && !motion.closed) return after ? "where the motion ends at rest" : "where it starts from rest";
+    const std::size_t other = (segment + (after ? 1 : count - 1)) % count;
+    const SegmentKind kind = motion.segments[other].kind;
+    if (kind != SegmentKind::spline)
+        return fmt::format("where segments[{}], a {}, gives the velocity", other, name_of(kind));
+    return outer ? "where the turn closes" : "";
+}
+
 }  // namespace
 
 Fault set_point_fault(const MotionSpec& motion) {
@@ -135,12 +147,8 @@ Fault set_point_fault(const MotionSpec& motion) {
             return SceneFault{member,
                               fmt::format("set points in a segment of kind \"{}\"", name_of(segment.kind)),
                               "only in kind \"spline\""};
-        const PointStretch stretch{member,
-                                   1.0,
-                                   segment.angle,
-                                   i > 0 && is_spline(i - 1),
-                                   i + 1 < motion.segments.size() && is_spline(i + 1),
-                                   true};
+        const PointStretch stretch{
+            member, 1.0, segment.angle, end_words(motion, i, false), end_words(motion, i, true), true};
         if (Fault fault = list_fault(stretch, segment.via)) return fault;
     }
     return std::nullopt;

@@ -51,15 +51,6 @@ const char* name_of(Reason value) {
     return named_reasons[static_cast<std::size_t>(value)].name;
 }
 
-std::span<const Reason> all_reasons() {
-    static constexpr auto reasons = [] {
-        std::array<Reason, named_reasons.size() - 1> all{};
-        for (std::size_t i = 0; i < all.size(); ++i) all[i] = named_reasons[i + 1].reason;
-        return all;
-    }();
-    return reasons;
-}
-
 Reason reason_named(std::string_view name) {
     for (const Named& row : named_reasons)
         if (name == row.name) return row.reason;

@@ -5,7 +5,6 @@
 #include "solvers/solver.hpp"
 
 #include <iosfwd>
-#include <span>
 #include <string_view>
 
 namespace camopt {
@@ -45,8 +44,6 @@ enum class Reason {
 
 /// The word in files and messages, as in the comments above where it is not the name.
 [[nodiscard]] const char* name_of(Reason value);
-/// Every reason but none.
-[[nodiscard]] std::span<const Reason> all_reasons();
 /// The reason of this name; throws InputError for a word that is none.
 [[nodiscard]] Reason reason_named(std::string_view name);
 /// A search that ended like this is the reason.

@@ -105,17 +105,17 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
     const MotionFigures figures{*row.motion, row.peaks, motion_peaks};
     row.limits = motion_limits(bench.scene, figures);
     const std::size_t of_motion = row.limits.size();
+    std::optional<CamReport> cam;
+    const auto add = [&](const std::vector<ConstraintReport>& all) {
+        for (const ConstraintReport& reached : all)
+            row.limits.push_back(outcome_of(bench.scene, cam ? &*cam : nullptr, reached));
+    };
     if (bench.dimensions) {
-        const CamReport report = cam_report(bench.scene, *bench.dimensions, *row.motion);
-        for (const ConstraintReport& reached : cam_constraints(bench.scene, report))
-            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+        cam = cam_report(bench.scene, *bench.dimensions, *row.motion);
+        add(cam_constraints(bench.scene, *cam));
     }
-    for (const ConstraintReport& reached : own_constraints(bench.scene, *row.motion))
-        row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
-    if (bench.limits_train)
-        for (const ConstraintReport& reached :
-             response_constraints(bench.scene, train_report(bench.scene, *row.motion)))
-            row.limits.push_back(outcome_of(reached, bench.scene.solver.tolerance));
+    add(own_constraints(bench.scene, *row.motion));
+    if (bench.limits_train) add(response_constraints(bench.scene, train_report(bench.scene, *row.motion)));
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
     if (!bench.limits_disk) return;
     std::string broken = broken_without_cam(row, of_motion);
@@ -156,9 +156,11 @@ ComparisonRow law_row(const Bench& bench, const LawInfo& info, std::optional<dou
     row.peaks = placed.peaks;
     row.motion_peaks = placed.motion_peaks;
     row.objective = objective_of(bench, *row.motion, row.peaks);
-    if (optimum && *optimum > 0.0 && std::isfinite(row.objective))
-        row.loss_percent = 100.0 * (row.objective / *optimum - 1.0);
     judge_limits(row, bench, placed.motion_peaks);
+    if (optimum && *optimum > 0.0 && std::isfinite(row.objective) && meets_conditions(row)) {
+        const double loss = 100.0 * (row.objective / *optimum - 1.0);
+        if (row.feasible || loss >= 0.0) row.loss_percent = loss;
+    }
     return row;
 }
 
@@ -179,6 +181,11 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
 }
 
 }  // namespace
+
+bool meets_conditions(const ComparisonRow& row) {
+    return std::ranges::all_of(row.limits,
+                               [](const LimitOutcome& limit) { return limit.kept || !limit.exact; });
+}
 
 ComparisonRow compare_law(const Solution& solution, const std::string& law) {
     if (!solution.motion) throw InputError("a law is compared with a motion, and this solution has none");

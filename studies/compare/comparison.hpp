@@ -26,10 +26,12 @@ struct ComparisonRow {
     Peaks peaks;
     Peaks motion_peaks;      ///< of the whole motion in lifts and units of x: what physical peaks come from
     double objective = 0.0;  ///< infinite where an infinite peak has a weight
-    std::optional<double> loss_percent;  ///< against the optimum; none where infinite or without an optimum
-    std::vector<LimitOutcome> limits;    ///< the same ones, in the same order, in every row
-    bool feasible = false;               ///< every limit is kept
-    std::optional<NeededBase> base;      ///< where the scene limits its cam
+    /// Against the optimum. None where infinite, without an optimum, of a law that misses a condition of the
+    /// motion (another motion is no loss), and where a broken limit alone makes it better.
+    std::optional<double> loss_percent;
+    std::vector<LimitOutcome> limits;  ///< the same ones, in the same order, in every row
+    bool feasible = false;             ///< every limit is kept
+    std::optional<NeededBase> base;    ///< where the scene limits its cam
 
     [[nodiscard]] bool is_optimum() const { return key.empty(); }
 };
@@ -45,6 +47,9 @@ struct Comparison {
 /// Throws as solve() does. A failed or infeasible optimum is a verdict in Comparison::optimum; its relaxation
 /// is not looked for.
 [[nodiscard]] Comparison compare(const Scene& scene, const SolveControl& control = {});
+
+/// No set point or other exact condition of the scene is missed.
+[[nodiscard]] bool meets_conditions(const ComparisonRow& row);
 
 /// One law in the place of a motion that is delivered already: nothing is solved. Its limits are judged with
 /// the delivered cam. Throws InputError for an unknown law and for a solution without a motion.

@@ -128,7 +128,7 @@ LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<
     LossFinder finder(scene, losses.reference, control);
     for (const PeakTriple& peaks : known) finder.add_cut(peaks);
     for (const ComparisonRow& row : comparison.rows) {
-        if (row.is_optimum() || !row.misfit.empty()) continue;
+        if (row.is_optimum() || !row.misfit.empty() || !meets_conditions(row)) continue;
         const PeakTriple peaks = triple(row.peaks);
         if (!std::ranges::all_of(peaks, usable)) continue;
         if (control.progress) {
@@ -136,6 +136,7 @@ LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<
             control.progress(line);
         }
         LawLoss loss{row.key, row.title, peaks, row.feasible, row.loss_percent, finder.closest(peaks), {}};
+        if (loss.closest && loss.closest->loss_percent < 0.0 && !row.feasible) loss.closest.reset();
         for (std::size_t i = 0; i < 3; ++i) loss.least[i] = finder.least(peaks, i);
         losses.laws.push_back(std::move(loss));
     }

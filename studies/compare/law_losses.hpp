@@ -30,10 +30,10 @@ struct ClosestApproach {
 
 struct LawLoss {
     std::string key, title;
-    PeakTriple peaks{};                  ///< normalised, finite
-    bool feasible = false;               ///< keeps every limit of the scene
-    std::optional<double> loss_percent;  ///< at the scene's own weights, of its whole objective
-    std::optional<ClosestApproach> closest;
+    PeakTriple peaks{};                      ///< normalised, finite
+    bool feasible = false;                   ///< keeps every limit of the scene
+    std::optional<double> loss_percent;      ///< at the scene's own weights, of its whole objective
+    std::optional<ClosestApproach> closest;  ///< none, too, where a broken limit alone makes it better
     /// The least V at the law's A and J, the least A at its V and J, the least J at its V and A; none where
     /// no motion of the spline space has those two, or a limit in time stands in the way.
     std::array<std::optional<double>, 3> least;
@@ -41,7 +41,7 @@ struct LawLoss {
 
 struct LawLosses {
     PeakTriple reference{};     ///< of V, A, J
-    std::vector<LawLoss> laws;  ///< that fit the scene and have finite peaks, by least loss
+    std::vector<LawLoss> laws;  ///< that fit the scene, meet its conditions, have finite peaks; by least loss
     int solves = 0;
     bool complete = false;  ///< not stopped
 };

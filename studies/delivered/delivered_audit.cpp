@@ -8,6 +8,7 @@
 #include "studies/delivered/delivered_conditions.hpp"
 #include "studies/delivered/delivered_objective.hpp"
 #include "studies/delivered/extremes_along.hpp"
+#include "studies/delivered/limit_activity.hpp"
 
 #include <fmt/format.h>
 
@@ -127,38 +128,14 @@ std::optional<Fault> cam_fault(const Solution& solution) {
     return Fault{Reason::cam_cannot_be_built, "the cam of this motion cannot be built: " + fault};
 }
 
-/// What a limit is measured by: itself, and where it may be 0 the cam's own size, in the unit of the report.
-double size_of_limit(const Solution& solution, const ConstraintReport& report) {
-    for (const OwnLimit& limit : solution.scene.own_limits)
-        if (limit.key() == report.key) return limit.scale();
-    const double size = std::abs(report.limit);
-    const LimitRow* const row = limit_named(report.name);
-    if (row == nullptr || !row->in(solution.scene.limits)) return size;
-    const double unit = row->in(solution.scene.limits)->unit_value;
-    switch (row->size) {
-        case LimitRow::Size::itself:
-            break;
-        case LimitRow::Size::base_radius: {
-            const double base = solution.cam ? solution.cam->summary.base_radius : 0.0;
-            return std::isfinite(base) ? std::max(size, base / unit) : size;
-        }
-        case LimitRow::Size::one:
-            return 1.0;
-        case LimitRow::Size::largest_force:
-            if (solution.cam && solution.cam->summary.forces)
-                return std::max(size, solution.cam->summary.forces->largest_force.value / unit);
-            break;
-    }
-    return size;
-}
-
 std::optional<Fault> limit_fault(const Solution& solution) {
+    const CamReport* const cam = solution.cam ? &*solution.cam : nullptr;
     for (const ConstraintReport& report : solution.constraints) {
         const bool least = is_least_limit(report.name);
-        const double excess = least ? report.limit - report.worst : report.worst - report.limit;
         const double tolerance = std::max(solution.scene.solver.tolerance, figure_rounding);
         const bool has_value = least ? !std::isnan(report.worst) : std::isfinite(report.worst);
-        if (has_value && excess <= tolerance * size_of_limit(solution, report)) continue;
+        if (has_value && limit_excess(report) <= tolerance * limit_scale(solution.scene, cam, report))
+            continue;
         const std::string unit = report.unit.empty() ? "" : " " + report.unit;
         return Fault{Reason::limit_not_kept,
                      fmt::format("{} = {:.9g}{} is not kept: {} reaches {:.9g}{} at x = {:.6g}", report.key,

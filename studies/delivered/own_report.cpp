@@ -18,8 +18,7 @@ std::vector<ConstraintReport> own_constraints(const Scene& scene, const Motion& 
     std::vector<ConstraintReport> reports;
     for (const OwnLimit& limit : scene.own_limits) {
         const Extremum worst = largest_of_own(limit, motion);
-        const bool active = limit.limit - worst.value <= active_limit * limit.scale();
-        reports.push_back({limit.key(), limit.key(), limit.limit, worst.value, limit.unit, worst.at, active});
+        reports.push_back({limit.key(), limit.key(), limit.limit, worst.value, limit.unit, worst.at});
     }
     return reports;
 }

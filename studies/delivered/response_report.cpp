@@ -6,8 +6,6 @@
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 
-#include <cmath>
-
 namespace camopt {
 
 namespace {
@@ -33,9 +31,10 @@ TrainReport train_report(const Scene& scene, const Motion& motion) {
     if (spec.pressed()) report.least_force = response_report_of(scene, ResponseKind::contact_force, motion);
     for (const ResponseTerm& term : response_terms())
         if (const double weight = term.weight_in(scene.objective); weight > 0.0)
-            report.terms.push_back({term.name, weight, response_reference(scene, term),
-                                    kind_of(term.figure) == ResponseKind::residual ? report.residual.value()
-                                                                                   : report.acceleration});
+            report.terms.push_back(
+                {term.name, weight, response_reference(scene, term),
+                 (kind_of(term.figure) == ResponseKind::residual ? report.residual : report.acceleration)
+                     .value()});
     return report;
 }
 
@@ -48,9 +47,8 @@ std::vector<ConstraintReport> response_constraints(const Scene& scene, const Tra
         const std::optional<ResponseReport>& worst = residual ? train.residual : train.least_force;
         if (!worst) continue;
         const double value = residual ? worst->value * scene.motion.lift : worst->value;
-        const double distance = row.is_least() ? value - limit->value : limit->value - value;
-        reports.push_back({row.name, limit->key, limit->given(), value / limit->unit_value, limit->unit,
-                           worst->at, distance <= active_limit * std::abs(limit->value)});
+        reports.push_back(
+            {row.name, limit->key, limit->given(), value / limit->unit_value, limit->unit, worst->at});
     }
     return reports;
 }

@@ -2,6 +2,7 @@
 #include "studies/delivered/scene_limits.hpp"
 
 #include "scene/limit_table.hpp"
+#include "studies/delivered/limit_activity.hpp"
 #include "studies/delivered/set_point_reports.hpp"
 
 #include <fmt/format.h>
@@ -25,17 +26,20 @@ void add_peak_limit(std::vector<LimitOutcome>& all, const PeakLimitRow& row, con
     if (!limit) return;
     const Extremum& found =
         derivative_peak(limit->in_time() ? figures.motion_peaks : figures.peaks, row.order());
-    all.push_back(outcome_of({row.name(), limit->key, limit->given,
-                              found.value * limit->unit_per_normalised(), limit->unit, found.at, false},
-                             scene.solver.tolerance));
+    all.push_back(outcome_of(scene, nullptr,
+                             {row.name(), limit->key, limit->given,
+                              found.value * limit->unit_per_normalised(), limit->unit, found.at}));
 }
 
 /// A value that must be `wanted`, found to be `found` at x.
 LimitOutcome exact_point(std::string name, std::string key, double wanted, double found, double x) {
     const double distance = std::abs(found - wanted);
+    const double size = std::max(1.0, std::abs(wanted));
     return {{std::move(name), std::move(key), wanted, found, "", x, true},
-            distance <= just_reached * std::max(1.0, std::abs(wanted)),
-            distance};
+            distance <= just_reached * size,
+            distance,
+            size,
+            true};
 }
 
 void add_set_points(std::vector<LimitOutcome>& all, const Scene& scene, const Motion& motion) {
@@ -45,7 +49,9 @@ void add_set_points(std::vector<LimitOutcome>& all, const Scene& scene, const Mo
         all.push_back({{set_point_name(report.order), std::move(report.key), report.wanted, report.found,
                         std::move(report.unit), report.at, true},
                        kept,
-                       off});
+                       off,
+                       std::max(std::abs(report.wanted), off),
+                       true});
     }
 }
 
@@ -101,11 +107,9 @@ std::vector<std::pair<double, Side>> quiet_places(const Scene& scene, const Moti
     return places;
 }
 
-LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance) {
-    const double excess =
-        is_least_limit(reached.name) ? reached.limit - reached.worst : reached.worst - reached.limit;
-    const double size = std::max(std::abs(reached.limit), std::min(std::abs(reached.worst), 1e300));
-    return {reached, excess <= std::max(just_reached, 10.0 * tolerance) * size, excess};
+LimitOutcome outcome_of(const Scene& scene, const CamReport* cam, const ConstraintReport& reached) {
+    const double excess = limit_excess(reached), scale = limit_scale(scene, cam, reached);
+    return {reached, excess <= std::max(just_reached, 10.0 * scene.solver.tolerance) * scale, excess, scale};
 }
 
 std::vector<LimitOutcome> motion_limits(const Scene& scene, const MotionFigures& figures) {

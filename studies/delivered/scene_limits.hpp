@@ -15,6 +15,8 @@ struct LimitOutcome {
     ConstraintReport reached;
     bool kept = true;
     double excess = 0.0;  ///< how far beyond the limit, in its unit; <= 0 (to rounding) where kept
+    double scale = 1.0;   ///< of the limited quantity (limit_activity.hpp), in its unit
+    bool exact = false;   ///< a condition that holds or does not: a set point, symmetry, ends without jerk
 };
 
 struct MotionFigures {
@@ -32,7 +34,9 @@ struct MotionFigures {
 [[nodiscard]] std::vector<std::pair<double, Side>> quiet_places(const Scene& scene,
                                                                 const MotionChain& motion);
 
-/// tolerance: of the solve. A limit that is missed by no more than it, relative, is kept.
-[[nodiscard]] LimitOutcome outcome_of(const ConstraintReport& reached, double tolerance);
+/// A limit that is passed by no more than the tolerance of the solve, of its scale, is kept. `cam`: null
+/// where there is none.
+[[nodiscard]] LimitOutcome outcome_of(const Scene& scene, const CamReport* cam,
+                                      const ConstraintReport& reached);
 
 }  // namespace camopt

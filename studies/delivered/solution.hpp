@@ -29,15 +29,12 @@ struct ConstraintReport {
     double limit = 0.0, worst = 0.0;
     std::string unit;
     double at = 0.0;
-    bool active = false;
+    bool active = false;  ///< limit_activity.hpp
     /// Its worst value was enclosed along the whole motion: none hides between points.
     bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
     std::string side = {};    ///< where it is worst: "outer flank"; empty: the cam has one side
 };
-
-/// A limit counts as active where the motion comes this close to it, relative.
-inline constexpr double active_limit = 1e-6;
 
 /// A term of the objective that the program brought: weight · value / reference of it is in the objective.
 struct OwnTermReport {
@@ -61,13 +58,14 @@ struct ResponseTermReport {
     ResponseReport worst;
 };
 
-/// What the train makes of the delivered motion, from rest over every rise and return.
+/// What the train makes of the delivered motion, from rest over every rise and return. A program without a
+/// dwell never rests: it has none of these figures.
 struct TrainReport {
     std::vector<double> natural_frequencies;  ///< rad/s, ascending
     double frequency_ratio = 0.0;             ///< time of x = 1 over the longest natural period
     std::array<double, 2> speeds{};           ///< rad/s: the range
     std::optional<ResponseReport> residual;   ///< none: no mode vibrates
-    ResponseReport acceleration;
+    std::optional<ResponseReport> acceleration;
     std::optional<ResponseReport> least_force;  ///< none: the cam guides the follower both ways
     std::vector<ResponseTermReport> terms;      ///< those with a weight
 };

@@ -7,6 +7,7 @@
 #include "splines/extrema.hpp"
 #include "studies/compare/peak_arithmetic.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
+#include "studies/delivered/limit_activity.hpp"
 #include "studies/delivered/own_report.hpp"
 #include "studies/delivered/response_report.hpp"
 
@@ -28,8 +29,8 @@ void report_peak_limit(Solution& solution, const char* name, const std::optional
                        const Extremum& peak) {
     if (!limit) return;
     const double unit = limit->unit_per_normalised();
-    solution.constraints.push_back({name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at,
-                                    peak.value >= limit->normalised * (1.0 - active_limit), true});
+    solution.constraints.push_back(
+        {name, limit->key, limit->given, peak.value * unit, limit->unit, peak.at, false, true});
 }
 
 /// The highest derivative that is continuous at x, to rounding.
@@ -155,6 +156,7 @@ void report_delivered(Solution& solution, Delivered delivered) {
     const std::vector<ConstraintReport> own = own_constraints(solution.scene, *solution.motion);
     solution.constraints.insert(solution.constraints.end(), own.begin(), own.end());
     report_responses(solution);
+    judge_activity(solution);
 }
 
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/measured/measured_fit.hpp"
 
-#include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
+#include "scene/scene_error.hpp"
 #include "studies/delivered/delivered_objective.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
@@ -115,8 +115,7 @@ class NearestMotion {
             found += factor.solve(right_ - system * found);  // what the first left of the equations
         }
         if (factor.info() != Eigen::Success || !found.allFinite())
-            throw InputError(
-                "measured: found rows from which no spline follows; allowed: rows all along the motion");
+            throw SceneError({"measured", "rows from which no spline follows", "rows all along the motion"});
         return units_.cwiseProduct(found.head(size()));
     }
 
@@ -158,10 +157,10 @@ Eigen::VectorXd nearest_design(const MotionFamily& family, const MotionSpec& mot
                                const MeasuredMotion& measured) {
     const std::vector<MeasuredRow> rows = rows_of(family, motion, measured);
     if (static_cast<int>(rows.size()) < family.freedom())
-        throw InputError(fmt::format(
-            "measured: found {} rows for a spline with {} free numbers; allowed: as many rows at least, or "
-            "fewer spline.segments",
-            rows.size(), family.freedom()));
+        throw SceneError(
+            {"measured",
+             fmt::format("{} rows for a spline with {} free numbers", rows.size(), family.freedom()),
+             "as many rows at least, or fewer spline.segments"});
     NearestMotion nearest(family);
     nearest.add_rows(rows);
     nearest.smooth();

@@ -8,6 +8,7 @@
 #include "objectives/response/train_figures.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/scene_error.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -178,7 +179,7 @@ bool asks_train(const Scene& scene) {
 
 void require_train(const Scene& scene) {
     if (!scene.dynamics)
-        throw InputError("dynamics: found a scene without a [dynamics] table; allowed: a scene with one");
+        throw SceneError({"dynamics", "a scene without a [dynamics] table", "a scene with one"});
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ void set_figures(SweepRow& row, const Peaks& peaks) {
 
 void set_train(SweepRow& row, const TrainReport& train) {
     if (train.residual) row.train.residual = finite(train.residual->value);
-    row.train.dynamic_acceleration = finite(train.acceleration.value);
+    if (train.acceleration) row.train.dynamic_acceleration = finite(train.acceleration->value);
     if (train.least_force) row.train.contact_force = finite(train.least_force->value);
 }
 

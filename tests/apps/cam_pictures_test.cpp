@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of cams say what the report says, and are to scale where they claim it.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/output/temporary_folder.hpp"

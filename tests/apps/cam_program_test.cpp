@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The camopt program on scenes with cams and programs: what is printed, what is written.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // camopt compare from outside: what goes to which stream, what is written, exit codes.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

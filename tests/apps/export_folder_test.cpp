@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // camopt export of a result folder: the very cam that was delivered, without solving again.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

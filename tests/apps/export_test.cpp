@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // camopt export: what is written, what is refused.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "output/surface/step/step_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"

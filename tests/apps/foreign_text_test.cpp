@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Control characters in a scene are shown, never sent: to the terminal, to reports, drawings and programs.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the rapids of exported programs go, read from the text without the project's own reader.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep --pareto and --surface from outside: files, exit codes, words.
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "program.hpp"
 
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <cstdlib>

@@ -2,8 +2,8 @@
 // The camopt program from outside: exit codes, what goes to which stream, what is written.
 #include "program.hpp"
 
+#include "core/text/text_file.hpp"
 #include "output/json/certificate/certificate_reader.hpp"
-#include "output/report/text_file.hpp"
 #include "tests/output/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -180,6 +180,28 @@ TEST(Program, RefusesAnIncompleteCamOrProgram) {
     expect_refused("solve '" + path + "'", "cam");
     write_text_file(path, "[motion]\ntype = \"program\"\n" + rest);
     expect_refused("solve '" + path + "'", "program");
+}
+
+// What no reader can see (it needs the formulas of a cam, the spline, a law) names its place all the same.
+TEST(Program, RefusalsOfAReadSceneNameFileAndLine) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path() + "/scene.toml";
+    const std::string motion = "[motion]\ntype = \"DRD\"\nspeed_rpm = 60\n";
+    write_text_file(path, motion + "[objective]\njerk = 1\n");
+    expect_refused(
+        "dynamics '" + path + "'",
+        path + ":1:1: dynamics: found a scene without a [dynamics] table; allowed: a scene with one");
+    write_text_file(path, motion + "[objective]\njerk = 1\n[spline]\nsegments = 24\n[measured]\n" +
+                              "theta_deg = [0, 20, 50, 80, 100, 130, 160, 180]\n" +
+                              "s_mm = [0, 0, 0.1, 0.4, 0.6, 0.9, 1, 1]\n");
+    expect_refused("solve '" + path + "'", path + ":8:1: measured: found 8 rows for a spline with ");
+    expect_refused("check " + scene("inverse_feeder") + " --set motion.lift_mm=5000",
+                   "inverse_feeder.toml:23:1: cam: found the feeder's linkage does not reach");
+    write_text_file(path, motion + "[objective]\njerk = 1\nreference = \"parabolic\"\n");
+    expect_refused("solve '" + path + "'",
+                   path + ":6:13: objective.reference: found \"parabolic\", which has no finite jerk");
+    expect_refused("solve '" + path + "' --set objective.reference=simple_harmonic",
+                   "--set objective.reference=simple_harmonic: objective.reference: found ");
 }
 
 TEST(Program, CheckNeedsNoSolve) {

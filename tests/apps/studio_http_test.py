@@ -281,6 +281,25 @@ class Refusals(Served):
         self.assertLess(time.monotonic() - begun, 25.0)
         self.assertEqual(self.studio.ask("GET", "")[0], 200)
 
+    def test_64_half_open_connections_do_not_delay_the_page(self):
+        held = [socket.create_connection(("127.0.0.1", self.studio.port)) for _ in range(64)]
+        try:
+            for line in held[::2]:
+                line.sendall(b"GET / HTTP/1.1\r\nHost: 127")
+            begun = time.monotonic()
+            self.assertEqual(self.studio.ask("GET", "")[0], 200)
+            self.assertLess(time.monotonic() - begun, 3.0)
+            for line in held:  # and each of them is closed in the end, whatever it has sent
+                line.settimeout(20.0)
+                try:
+                    self.assertEqual(line.recv(100), b"")
+                except ConnectionResetError:
+                    pass
+            self.assertLess(time.monotonic() - begun, 15.0)
+        finally:
+            for line in held:
+                line.close()
+
     def test_slow_clients_hold_nobody_up(self):
         held = [socket.create_connection(("127.0.0.1", self.studio.port)) for _ in range(12)]
         try:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_run_of_program.hpp"
 
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 
 #include <algorithm>
 #include <csignal>

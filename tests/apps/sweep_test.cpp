@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep from outside: what is solved, refused, interrupted, continued and joined.
+#include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/report/text_file.hpp"
 #include "program.hpp"
 #include "sweep_run_of_program.hpp"
 #include "tests/output/temporary_folder.hpp"

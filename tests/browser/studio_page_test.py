@@ -68,6 +68,33 @@ class StudioPage:
     def objective(self):
         return float(self.run("return document.querySelector('.headline').dataset.objective"))
 
+    def write(self, key, text, leave=True):
+        """As by keyboard: the field has the focus, and what it had is replaced."""
+        from selenium.webdriver.common.keys import Keys
+        field = self.driver.find_element("css selector", f'[data-key="{key}"] input[type=number]')
+        self.run("arguments[0].focus(); arguments[0].select()", field)
+        field.send_keys(Keys.DELETE, text, *([Keys.ENTER] if leave else []))
+        return field
+
+    def differences(self):
+        """Fields, sliders, choices and ticks that do not show what the scene holds."""
+        return self.run("""
+            return Camopt.studio.answer.controls.filter((one) => one.given).flatMap((one) => {
+                const path = Camopt.controlPath(one), row = document.querySelector(`[data-key="${CSS.escape(path)}"]`);
+                const wanted = one.type === 'range' ? [one.value.min, one.value.max] : [one.value];
+                const shown = [...row.querySelectorAll('input[type=number]')].map((field) => field.value);
+                const found = shown.length ? shown.map(Number) : row.querySelector('select') ? [row.querySelector('select').value]
+                    : row.querySelector('input[type=checkbox]') ? [row.querySelector('input[type=checkbox]').checked] : [row.querySelector('input[type=text]').value];
+                const slider = row.querySelector('input[type=range]');
+                const right = found.length === wanted.length && found.every((text, i) => String(text) === String(wanted[i]) && shown[i] !== '');
+                const placed = !slider || Math.abs(Number(slider.value) - one.value) <= 1e-12 * Math.abs(one.value);
+                return right && placed ? [] : [path + ': ' + found + (slider ? ', slider ' + slider.value : '') + '; the scene holds ' + wanted];
+            });""")
+
+    def use(self, text):
+        self.after(lambda: self.run("""document.querySelector('.editor textarea').value = arguments[0];
+                    document.querySelector('[data-control=use-scene]').click();""", text))
+
     def fault(self):
         return self.run("return document.querySelector('.fault').textContent")
 
@@ -204,6 +231,98 @@ class CamScene(OnePage):
             "pressure angle" in text for text in page.run("return [...document.querySelectorAll('[data-table] td, .verdict p')].map((one) => one.textContent)")))
         page.after(lambda: page.click("[data-control=undo]"))
         self.assertEqual(page.fault(), "")
+
+    def test_fields_show_what_the_scene_holds(self):
+        page = self.page
+        self.assertEqual(page.differences(), [])
+        for name in ("cam_drdrd", "drd_physical_limits", "cam_smallest", "handbook_nine_points", "cam_arm_roller", "inverse_feeder"):
+            page.use((SCENES / f"{name}.toml").read_text())
+            self.assertEqual(page.fault(), "", name)
+            self.assertEqual(page.differences(), [], name)
+        # Between the steps of a slider, far beyond its end and back, next to an end that is not allowed.
+        page.use(CAM.read_text())
+        for key, value in (("objective.velocity", 0.123456789), ("objective.velocity", 250), ("objective.velocity", 0.4),
+                           ("solver.max_seconds", 0.75)):
+            if key == "solver.max_seconds":
+                page.after(lambda: page.run("Camopt.studio.actions.set('solver.max_seconds', 0.75, false)"))
+            else:
+                page.type(key, value)
+            self.assertEqual(page.shown(key), value)
+            self.assertEqual(page.differences(), [], key)
+
+    def test_a_refused_edit_leaves_the_fields_as_the_scene_is(self):
+        page = self.page
+        page.after(lambda: page.write("limits.pressure_angle_deg", "95"))
+        self.assertIn("found 95", page.fault())
+        self.assertEqual(page.shown("limits.pressure_angle_deg"), 30)
+        self.assertEqual(page.differences(), [])
+        self.assertTrue(all("422" in line for line in page.page.complaints()))
+        # What is no number was never asked for.
+        field = page.write("limits.pressure_angle_deg", "", leave=False)
+        page.run("arguments[0].blur()", field)
+        self.assertEqual(page.differences(), [])
+        # Undo from within the field.
+        from selenium.webdriver.common.keys import Keys
+        page.after(lambda: page.write("limits.pressure_angle_deg", "25"))
+        self.assertEqual(page.shown("limits.pressure_angle_deg"), 25)
+        field = page.driver.find_element("css selector", '[data-key="limits.pressure_angle_deg"] input[type=number]')
+        page.run("arguments[0].focus()", field)
+        page.after(lambda: field.send_keys(Keys.CONTROL, "z"))
+        self.assertEqual(page.differences(), [])
+        self.assertEqual(page.shown("limits.pressure_angle_deg"), 30)
+        # A slider that was drawn into what is refused comes back too, and what it passed is proved.
+        page.after(lambda: page.run("Camopt.studio.actions.set('limits.pressure_angle_deg', 28, true)"))
+        self.assertEqual(page.run("return document.querySelector('.headline').dataset.stage"), "curve")
+        page.after(lambda: page.run("Camopt.studio.actions.set('limits.pressure_angle_deg', 95, true)"))
+        self.assertEqual(page.shown("limits.pressure_angle_deg"), 28)
+        self.assertEqual(page.run("return document.querySelector('.headline').dataset.stage"), "rest")
+        self.assertEqual(page.differences(), [])
+        # A text that is refused stays to be mended, and says that it is not in use.
+        page.use("[motion]\nlift_mm = -1\n")
+        self.assertIn("lift_mm", page.fault())
+        self.assertFalse(page.run("return document.querySelector('.unused').hidden"))
+        self.assertEqual(page.differences(), [])
+        page.use(CAM.read_text())
+        self.assertTrue(page.run("return document.querySelector('.unused').hidden"))
+        self.assertTrue(all("422" in line for line in page.page.complaints()))
+
+    def test_an_angle_of_a_whole_turn_takes_from_another(self):
+        page = self.page
+        page.use((SCENES / "cam_drdrd.toml").read_text())
+        angles = lambda: [page.shown(f"motion.segments[{i}].angle_deg") for i in range(6)]
+        self.assertEqual(angles(), [40, 70, 40, 70, 40, 100])
+        page.type("motion.segments[0].angle_deg", 42.5)
+        self.assertEqual((page.fault(), angles()), ("", [42.5, 67.5, 40, 70, 40, 100]))
+        page.move("motion.segments[5].angle_deg", 104)  # the last takes from the first
+        self.assertEqual((page.fault(), angles()), ("", [38.5, 67.5, 40, 70, 40, 104]))
+        page.run("""const select = document.querySelector('[data-control=giver]');
+                    select.value = 'motion.segments[4].angle_deg'; select.dispatchEvent(new Event('change'));""")
+        page.type("motion.segments[1].angle_deg", 70)
+        self.assertEqual((page.fault(), angles()), ("", [38.5, 70, 40, 70, 37.5, 104]))
+        self.assertEqual(page.differences(), [])
+        page.picture("whole_turn")
+        page.type("motion.segments[1].angle_deg", 200)  # more than the other has
+        self.assertIn("angle_deg", page.fault())
+        self.assertEqual(angles(), [38.5, 70, 40, 70, 37.5, 104])
+        self.assertTrue(all("422" in line for line in page.page.complaints()))
+        page.after(lambda: page.click("[data-control=undo]"))
+        self.assertEqual(angles(), [38.5, 67.5, 40, 70, 40, 104])
+
+    def test_without_a_motion_the_last_curves_stay_greyed(self):
+        page = self.page
+        pictures = "const one = document.querySelector('.pictures'); return [one.hidden, one.classList.contains('of-before')]"
+        lines = "return Camopt.page.charts.charts.get('velocity').plot.data[1].length"
+        self.assertEqual(page.run(pictures), [False, False])
+        before = page.run(lines)
+        page.type("limits.pressure_angle_deg", 10)
+        wait_for("the verdict", lambda: page.run("return document.querySelector('.verdict').dataset.verdict") == "infeasible")
+        self.assertEqual(page.run(pictures), [False, True])
+        self.assertEqual(page.run(lines), before)
+        page.picture("infeasible")
+        page.after(lambda: page.click("[data-law=cycloidal]"))  # nothing to draw beside
+        page.after(lambda: page.click("[data-law=cycloidal]"))
+        page.after(lambda: page.click("[data-control=undo]"))
+        self.assertEqual(page.run(pictures), [False, False])
 
     def test_laws_beside(self):
         page = self.page

@@ -52,10 +52,11 @@ class Documents:
         for folder in ("scenes", "docs/posts", "apps/completion"):
             shutil.copytree(self.root / folder, self.scratch / folder)
 
-    def run(self, words, folder=None, seconds=120):
+    def run(self, words, folder=None, seconds=120, path=None):
         """None, or the words of the fault."""
         try:
-            done = subprocess.run(words, cwd=folder or self.scratch, env=self.surroundings, stdin=subprocess.DEVNULL,
+            surroundings = dict(self.surroundings, PATH=path or self.surroundings["PATH"])
+            done = subprocess.run(words, cwd=folder or self.scratch, env=surroundings, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=seconds)
         except subprocess.TimeoutExpired:
             return f"not done after {seconds} s"
@@ -85,12 +86,16 @@ class Documents:
         for words in commands.simple_commands(block.text):
             if words[0].startswith("scripts/") or words[0] in ("cmake", "ctest"):
                 return "", f"{words[0]} needs the comment <!-- not run: REASON -->"
+            if words[0].endswith("/camopt"):
+                return "", next(commands.faults_of_command(self.root, self.program, words))
         text = block.text
+        # A block that says how the program is found must find it without help.
+        path = None if "export PATH=" not in text else os.environ["PATH"]
         if "opencascade" not in self.options.has and " --step" in text:
             self.remarks.append(f"{block.place}: run WITHOUT --step: this build has no Open CASCADE")
             text = text.replace(" --step", "")
         script = f"set -euo pipefail\n{text}"
-        return "blocks of commands run", self.run(["bash", "-c", script], self.scratch / block.notes.get("in", "."))
+        return "blocks of commands run", self.run(["bash", "-c", script], self.scratch / block.notes.get("in", "."), path=path)
 
     def usage(self, block):
         """Brackets and bars are the notation, not the command."""
@@ -98,7 +103,7 @@ class Documents:
         return "synopses looked up", "; ".join(commands.faults_of(self.root, self.program, text)) or None
 
     def flags(self):
-        words = ["pkg-config", "--define-prefix", "--cflags", "camopt"]
+        words = ["pkg-config", "--cflags", "camopt"]
         run = subprocess.run(words, env=self.surroundings, capture_output=True, text=True, check=True)
         return run.stdout.split() + self.options.flags.split()
 
@@ -131,7 +136,7 @@ class Documents:
     def c_program(self, block):
         source = self.file_for(block, "program.c")
         source.write_text(block.text, encoding="utf-8")
-        build = "cc -std=c99 program.c -o program $(pkg-config --define-prefix --cflags --libs camopt_c) && ./program"
+        build = "cc -std=c99 program.c -o program $(pkg-config --cflags --libs camopt_c) && ./program"
         self.surroundings["LD_LIBRARY_PATH"] = f"{self.options.prefix}/{self.options.libdir}"
         return "C programs built and run", self.run(["bash", "-c", build], source.parent)
 

@@ -29,6 +29,17 @@ scripts/soak --seed 1   # a comment
 """
 
 
+class Calls(unittest.TestCase):
+    def test_the_demo_ends_with_the_path_of_the_readme(self):
+        for page, line in (("README.md", r'export PATH="$PWD/build/release/apps:$PATH"'),
+                           ("scripts/demo", r'export PATH="$root/build/release/apps:\$PATH"')):
+            self.assertIn(line, (ROOT / page).read_text())
+
+    def test_a_path_to_the_program_is_no_call(self):
+        self.assertTrue(list(commands.faults_of(ROOT, PROGRAM, "build/release/apps/camopt list laws\n")))
+        self.assertFalse(list(commands.faults_of(ROOT, PROGRAM, "camopt list laws\n")))
+
+
 class Blocks(unittest.TestCase):
     def test_language_text_and_notes(self):
         scene, command, code = blocks.blocks_of("page.md", PAGE)

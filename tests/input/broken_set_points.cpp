@@ -77,9 +77,20 @@ std::vector<BrokenScene> broken_set_points() {
          "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
          "{ kind = \"dwell\", angle_deg = 60 },\n"
          "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from = 0, to = 0.5, velocity = 1 }] }]\n",
-         "s.toml:7:60: motion.segments[1].via[0].from: found 0; allowed: a place after the beginning, where "
-         "a "
-         "neighbour that is no spline gives the velocity"},
+         "s.toml:7:60: motion.segments[1].via[0].from: found 0; allowed: a place after 0, where "
+         "segments[0], a dwell, gives the velocity"},
+        {"segment_region_from_an_open_end",
+         "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
+         "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from_deg = 0, to_deg = 10, velocity = 1 }] "
+         "}]\n",
+         "s.toml:6:64: motion.segments[0].via[0].from_deg: found 0 deg; allowed: a place after 0 deg, where "
+         "it starts from rest"},
+        {"segment_region_to_an_open_end",
+         "objective.jerk = 1\n[motion]\ntype = \"program\"\nclosed = false\nsegments = [\n"
+         "{ kind = \"spline\", angle_deg = 60, to = 1, via = [{ from_deg = 50, to_deg = 60, velocity = 1 }] "
+         "}]\n",
+         "s.toml:6:77: motion.segments[0].via[0].to_deg: found 60 deg; allowed: before 60 deg, where the "
+         "motion ends at rest"},
         {"segment_point_in_a_dwell",
          turn + "{ kind = \"dwell\", angle_deg = 120, via = [{ at = 0.5, velocity = 0 }] }]\n",
          "s.toml:9:42: motion.segments[3].via: found set points in a segment of kind \"dwell\"; allowed: "

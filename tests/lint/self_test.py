@@ -19,6 +19,7 @@ CLEAN = {
     "profiles/inverse/i.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
     "profiles/p.hpp": SPDX + "#pragma once\n",
     "studies/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
+    "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(camopt VERSION 0.2.0 LANGUAGES CXX)\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
 }
 # check, file, its text, words that the message must hold
@@ -44,6 +45,9 @@ PLANTED = [
     ("locale_free", "apps/b.cpp", SPDX + "int b = atoi (text);\n", "reads a number"),
     ("locale_free", "output/b.cpp", SPDX + 'void b() {\n    std::snprintf(t, 9, "%.3f", 0.5);\n}\n', "writes a number"),
     ("locale_free", "output/b.cpp", SPDX + 'auto b = fmt::format("{:.3Lf}{:L}", 1, 2);\n', "no 'L'"),
+    ("checked_output", "output/b.cpp", SPDX + "void b() {\n    std::ofstream file(path);\n}\n", "output/b.cpp:3: writes unchecked"),
+    ("checked_output", "apps/b.cpp", SPDX + 'void b() { std::cout << "b"; }\n', "writes unchecked"),
+    ("checked_output", "apps/b.cpp", SPDX + 'void b() { std::FILE* b = std::fopen(path, "wb"); }\n', "writes unchecked"),
     ("spdx", "core/b.cpp", "int b() { return 1; }\n", "core/b.cpp:1: no line"),
     ("spdx", "scripts/x", "#!/bin/sh\n", "scripts/x:1: no line"),
     ("public_headers", "core/b.hpp", "#pragma once\n#ifdef HAVE_X\n#endif\n", "features select files"),
@@ -56,6 +60,8 @@ PLANTED = [
     ("public_headers", "camopt/b.hpp", "#pragma once\n", "stands outside of camopt/"),
     ("doc_links", "docs/x.md", "[gone](gone.md)\n", "'gone.md' does not exist"),
     ("doc_links", "docs/x.md", "[a](../README.md#no-such)\n", "no such heading"),
+    ("doc_links", "docs/x.md", "```cmake\nfind_package(camopt 0.1 REQUIRED)\n```\n", "CMakeLists.txt has version 0.2"),
+    ("doc_links", "docs/x.md", "names stay within 0.1.x\n", "CMakeLists.txt has version 0.2"),
     ("doc_links", "docs/x.md", "see `core/gone.hpp`\n", "`core/gone.hpp` does not exist"),
 ]
 

@@ -2,6 +2,7 @@
 // A program that embeds camopt may have set a locale in which 1234.5 is written 1.234,5: what camopt reads,
 // solves and writes is the same to the last byte.
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/uniform_csv.hpp"
@@ -10,7 +11,6 @@
 #include "output/nc/post/post_processor.hpp"
 #include "output/plc/plc_export.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 #include "scene/scene.hpp"
 #include "studies/papers/paper_000.hpp"
 #include "studies/solve/solve_without_explaining.hpp"

@@ -2,7 +2,7 @@
 # A consumer that knows nothing of CMake: SOURCE compiled to BINARY by COMPILER with FLAGS and with what pkg-config says of
 # the camopt in PREFIX; LIBDIR is the folder of the libraries there.
 set(ENV{PKG_CONFIG_PATH} "${PREFIX}/${LIBDIR}/pkgconfig:$ENV{PKG_CONFIG_PATH}")
-execute_process(COMMAND ${PKG_CONFIG} --define-prefix --cflags --libs camopt OUTPUT_VARIABLE words
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs camopt OUTPUT_VARIABLE words
   OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${PKG_CONFIG} --modversion camopt OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
   COMMAND_ERROR_IS_FATAL ANY)

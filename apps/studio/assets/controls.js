@@ -16,47 +16,75 @@
   /** What a slider's steps make of 0.1 + 0.2. */
   const tidy = (value) => Number(value.toPrecision(12));
 
-  function numberField(value, control, change) {
-    const field = element('input', { type: 'number', step: 'any', value: String(value), 'aria-label': wordsOf(control) + (control.unit ? ' in ' + control.unit : ''), title: hintOf(control) });
-    field.addEventListener('change', () => { if (field.value !== '' && Number.isFinite(field.valueAsNumber)) change(field.valueAsNumber); });
-    return field;
+  /**
+   * A field that shows what the scene holds, but while the user writes in it. take(): what was written is asked for;
+   * false: it is none, and the field returns to what the scene holds.
+   */
+  function mirror(field, take) {
+    let held = field.value, writing = false;
+    const back = () => { writing = false; field.value = held; };
+    field.addEventListener('input', () => { writing = true; });
+    field.addEventListener('change', () => { writing = false; if (!take()) back(); });
+    field.addEventListener('blur', () => { if (writing) back(); });
+    return (value, refused) => { held = String(value ?? ''); if (refused || !writing) back(); };
   }
 
-  /** Number and slider, moved together; the slider tells while it moves. */
+  function numberField(value, control, change) {
+    const field = element('input', { type: 'number', step: 'any', value: String(value ?? ''), 'aria-label': wordsOf(control) + (control.unit ? ' in ' + control.unit : ''), title: hintOf(control) });
+    const show = mirror(field, () => { const isNumber = field.value !== '' && Number.isFinite(field.valueAsNumber); if (isNumber) change(field.valueAsNumber); return isNumber; });
+    return { field, show };
+  }
+
+  /** Number and slider, moved together; the slider tells while it moves. It stands where the value is, between its steps too. */
   function slidingNumber(control, set) {
     const path = pathOf(control);
-    const field = numberField(control.value, control, (value) => { place(value); set(path, value, false); });
-    const { from, to, step } = control.slider;
-    const slider = element('input', { type: 'range', min: String(from), max: String(to), step: String(step), value: String(control.value), 'aria-label': wordsOf(control) + ', slider', title: hintOf(control) });
+    const number = numberField(control.value, control, (value) => { place(value); set(path, value, false); });
+    if (!control.slider) return { parts: [number.field], show: (fresh, refused) => number.show(fresh.value, refused) };
+    let range = control.slider;
+    const slider = element('input', { type: 'range', step: control.type === 'integer' ? '1' : 'any', 'aria-label': wordsOf(control) + ', slider', title: hintOf(control) });
     const place = (value) => {
-      // Beyond its ends the slider goes farther.
-      if (value > Number(slider.max)) slider.max = String(value);
-      if (value < Number(slider.min)) slider.min = String(value);
+      // Beyond its ends the slider goes further.
+      slider.min = String(Math.min(range.from, value));
+      slider.max = String(Math.max(range.to, value));
       slider.value = String(value);
     };
-    slider.addEventListener('input', () => { field.value = String(tidy(slider.valueAsNumber)); set(path, tidy(slider.valueAsNumber), true); });
-    slider.addEventListener('change', () => set(path, tidy(slider.valueAsNumber), false));
-    const show = (fresh) => {
-      if (document.activeElement !== field) field.value = String(fresh.value);
-      if (document.activeElement !== slider || !slider.matches(':active')) place(fresh.value);
+    /** A hand chooses among the steps. */
+    const stepped = () => {
+      const value = slider.valueAsNumber;
+      if (value <= Number(slider.min) || value >= Number(slider.max)) return value;
+      return tidy(range.from + Math.round((value - range.from) / range.step) * range.step);
     };
-    return { parts: [field, slider], show };
+    const take = (moving) => { const value = stepped(); slider.value = String(value); number.field.value = String(value); set(path, value, moving); };
+    slider.addEventListener('input', () => take(true));
+    slider.addEventListener('change', () => take(false));
+    place(control.value);
+    const show = (fresh, refused) => {
+      if (slider.matches(':active') && !refused) return; // in the hand
+      range = fresh.slider;
+      place(fresh.value);
+      number.show(fresh.value, refused);
+    };
+    return { parts: [number.field, slider], show };
   }
 
   function rangeFields(control, set) {
     let value = control.value;
-    const end = (name) => numberField(value[name], control, (number) => { value = Object.assign({}, value, { [name]: number }); set(pathOf(control), value, false); });
+    const end = (name) => numberField(value[name], control, (number) => set(pathOf(control), Object.assign({}, value, { [name]: number }), false));
     const low = end('min'), high = end('max');
-    const show = (fresh) => { value = fresh.value; if (document.activeElement !== low) low.value = String(value.min); if (document.activeElement !== high) high.value = String(value.max); };
-    return { parts: [element('span', { class: 'range-ends' }, low, ' to ', high)], show };
+    const show = (fresh, refused) => { value = fresh.value; low.show(value.min, refused); high.show(value.max, refused); };
+    return { parts: [element('span', { class: 'range-ends' }, low.field, ' to ', high.field)], show };
   }
 
   function choice(control, set) {
     const select = element('select', { 'aria-label': wordsOf(control), title: hintOf(control) },
       ...control.choices.map((one) => element('option', { value: String(one) }, String(one).replaceAll('_', ' '))));
-    const valueOf = (text) => control.choices.find((one) => String(one) === text);
+    const valueOf = (text) => control.choices.find((one) => String(one) === text) ?? text;
     select.addEventListener('change', () => set(pathOf(control), valueOf(select.value), false));
-    const show = (fresh) => { select.value = String(fresh.value); };
+    const show = (fresh) => {
+      const value = String(fresh.value);
+      if (![...select.options].some((one) => one.value === value)) select.append(element('option', { value }, value));
+      select.value = value;
+    };
     show(control);
     return { parts: [select], show };
   }
@@ -70,11 +98,9 @@
   }
 
   function textField(control, set) {
-    const field = element('input', { type: 'text', 'aria-label': wordsOf(control), title: hintOf(control) });
-    field.addEventListener('change', () => set(pathOf(control), field.value, false));
-    const show = (fresh) => { if (document.activeElement !== field) field.value = fresh.value; };
-    show(control);
-    return { parts: [field], show };
+    const field = element('input', { type: 'text', value: control.value, 'aria-label': wordsOf(control), title: hintOf(control) });
+    const show = mirror(field, () => { set(pathOf(control), field.value, false); return true; });
+    return { parts: [field], show: (fresh, refused) => show(fresh.value, refused) };
   }
 
   const makers = { number: slidingNumber, integer: slidingNumber, range: rangeFields, choice, boolean: tick, text: textField };
@@ -120,7 +146,7 @@
       if (!control) return;
       const value = firstValue(control);
       if (value !== null) { set(pathOf(control), value, false); return; }
-      const field = control.type === 'text' ? textField(Object.assign({}, control, { value: '' }), set) : { parts: [numberField('', control, (number) => set(pathOf(control), number, false))] };
+      const field = control.type === 'text' ? textField(Object.assign({}, control, { value: '' }), set) : { parts: [numberField('', control, (number) => set(pathOf(control), number, false)).field] };
       place.replaceChildren(select, element('span', { class: 'new-value' }, ...field.parts, ' ' + control.unit), element('p', { class: 'note' }, hintOf(control)));
       field.parts[0].focus();
     });
@@ -129,4 +155,26 @@
   };
 
   camopt.controlPath = pathOf;
+
+  /** The angles of the segments of a closed program, which add up to a turn; none where one of them is searched. */
+  const turns = { deg: 360, rad: 2 * Math.PI };
+  camopt.turnAngles = function (controls) {
+    if (controls.some((one) => pathOf(one) === 'motion.closed' && one.value === false)) return [];
+    const angles = controls.filter((one) => /^motion\.segments\[\d+\]$/.test(one.table) && one.key.startsWith('angle') && one.given);
+    const same = angles.every((one) => one.type === 'number' && one.unit === angles[0].unit);
+    return same && angles.length > 1 && turns[angles[0].unit] ? angles : [];
+  };
+
+  /**
+   * What is set where `path` becomes `value`: what an angle of a closed program gains, another gives, so that they still
+   * add up to a turn. giver: its path; '' or the angle itself: the next segment. valueOf: what a path is to be now.
+   */
+  camopt.withGiver = function (controls, path, value, giver, valueOf) {
+    const angles = camopt.turnAngles(controls).map(pathOf), own = angles.indexOf(path);
+    if (own < 0 || typeof value !== 'number') return { [path]: value };
+    const gives = angles.includes(giver) && giver !== path ? giver : angles[(own + 1) % angles.length];
+    const others = angles.filter((one) => one !== path && one !== gives).reduce((sum, one) => sum + valueOf(one), 0);
+    if (!Number.isFinite(others)) return { [path]: value }; // one has just become a range
+    return { [path]: value, [gives]: tidy(turns[controls.find((one) => pathOf(one) === path).unit] - others - value) };
+  };
 })(window.Camopt);

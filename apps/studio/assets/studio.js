@@ -12,6 +12,7 @@
   /** What is asked: a scene's text and what was set since. */
   let now = { scene: begin.scene, set: {} };
   let kept = now, good = now;
+  const giver = { path: '' };
   const before = [], after = [];
   let wanted = null, running = null, drawn = '';
   /** Of each answer, for who measures: its stage, ms from the wish to the picture, ms of the solve. */
@@ -40,7 +41,7 @@
       try {
         await solve(wish, running.abort.signal);
       } catch (error) {
-        if (error.name !== 'AbortError') panel.fault('No answer: ' + error.message + '. Is camopt studio still running?');
+        if (error.name !== 'AbortError') { panel.fault('No answer: ' + error.message + '. Is camopt studio still running?'); takeBack(wish.state); }
       }
       clearTimeout(late);
       panel.solving(false);
@@ -52,12 +53,12 @@
   async function solve(wish, signal) {
     const response = await post('solve', { page, ...wish.state, laws: wish.laws, stage: wish.stage }, signal);
     const answer = await response.json();
-    if (response.status === 409) return;
-    if (!response.ok) { takeBack(wish.state); panel.fault(answer.error); return; }
+    if (response.status === 409 && wanted) return;
+    if (!response.ok) { panel.fault(answer.error); takeBack(wish.state); return; }
     panel.fault('');
     good = wish.state;
     drawn = subjectOf(wish);
-    show(answer);
+    show(answer, wish.state);
     requestAnimationFrame(() => times.push({ stage: wish.stage, ms: performance.now() - wish.since, solve: 1000 * answer.seconds }));
     if (wanted) return;
     if (wish.stage === 'curve' && wish.proof) wanted = { ...wish, stage: 'proof' };
@@ -84,14 +85,14 @@
     }
   }
 
-  function show(answer) {
+  function show(answer, state) {
     const open = answer.stage === 'curve';
     // A chart draws as many columns as it has series: the laws' change between the two.
-    forgetChangedLaws(answer);
+    if (answer.data.angle) forgetChangedLaws(answer);
     camopt.page.show(answer.data, open);
-    overlay(answer);
+    if (answer.data.angle) overlay(answer);
     panel.status(answer);
-    if (!open) panel.controls(answer);
+    panel.controls(answer, state.scene);
     camopt.studio.answer = answer;
   }
 
@@ -114,12 +115,20 @@
     ask(moving);
   }
 
-  /** What the program refused was never there: the fields still show it, with the reason. */
+  /** What the program refused was never there: the fields show what the scene holds again; the reason says what was asked. */
   function takeBack(state) {
     if (kept === state && before.length) kept = before.pop();
-    if (now === state) now = good;
+    if (now === state) {
+      now = good;
+      panel.controls(camopt.studio.answer, good.scene, true);
+      // Of what was seen while a slider moved only the curve is there.
+      if (camopt.studio.answer.stage === 'curve' && !wanted) wanted = { stage: 'curve', proof: true, since: performance.now(), laws: [...laws], state: now };
+    }
     panel.history(before.length > 0, after.length > 0);
   }
+
+  /** What a path is to be: as set, or as the scene has it. */
+  const valueOf = (path) => now.set[path] ?? camopt.studio.answer.controls.find((one) => camopt.controlPath(one) === path).value;
 
   /** What stands now is what undo comes back to. */
   function keep() {
@@ -150,8 +159,8 @@
   }
 
   const actions = {
-    laws, download,
-    set: (key, value, moving) => change({ scene: now.scene, set: { ...now.set, [key]: value } }, moving),
+    laws, download, giver,
+    set: (key, value, moving) => change({ scene: now.scene, set: { ...now.set, ...camopt.withGiver(camopt.studio.answer.controls, key, value, giver.path, valueOf) } }, moving),
     use: (scene) => change({ scene, set: {} }, false),
     lawsChanged: () => ask(false),
     undo: () => step(before, after),
@@ -169,9 +178,10 @@
     if (event.shiftKey) actions.redo(); else actions.undo();
   });
   camopt.studio = { times, actions, answer: null };
+  camopt.page.keepsPictures = true;
   const first = { ...begin, data: JSON.parse(document.getElementById('page-data').textContent) };
   panel.status(first);
-  panel.controls(first);
+  panel.controls(first, now.scene);
   camopt.studio.answer = first;
   document.documentElement.dataset.studio = 'ready';
 })(window.Camopt);

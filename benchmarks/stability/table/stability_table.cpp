@@ -7,8 +7,8 @@
 #include "benchmarks/stability/stability_cases.hpp"
 #include "benchmarks/stability/table/scene_text.hpp"
 #include "benchmarks/stability/table/stability_report.hpp"
+#include "core/text/text_file.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/text_file.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -77,9 +77,9 @@ int main(int count, char** arguments) {
         printf("drawing: %s\n", strstr(drawing.data, "\nEOF") != NULL ? "complete" : "cut off");
         if (count > 1) {
             FILE* file = fopen(arguments[1], "wb");
-            if (file == NULL) exit(1);
-            fwrite(drawing.data, 1, drawing.length, file);
-            fclose(file);
+            size_t written = file == NULL ? 0 : fwrite(drawing.data, 1, drawing.length, file);
+            /* A full disk may be reported only where the file is closed. */
+            if (file == NULL || fclose(file) != 0 || written != drawing.length) exit(1);
         }
         camopt_text_free(&drawing);
     }

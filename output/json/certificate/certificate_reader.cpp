@@ -3,8 +3,8 @@
 
 #include "core/errors.hpp"
 #include "core/text/choice_named.hpp"
+#include "core/text/text_file.hpp"
 #include "output/json/json_text.hpp"
-#include "output/report/text_file.hpp"
 #include "solvers/certificate/box_proof.hpp"
 
 #include <fmt/format.h>

@@ -30,7 +30,7 @@ window.Camopt = window.Camopt || {};
     const text = size !== 0 && (size >= 1e7 || size < 1e-4)
       ? value.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('e+', 'e')
       : String(Number(value.toPrecision(digits)));
-    return text.replace('-', '−');
+    return text.replace(/^-/, '−');
   };
 
   camopt.angleText = (degrees) => (degrees < 0 ? '−' : '') + Math.abs(degrees).toFixed(1) + '°';

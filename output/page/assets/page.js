@@ -43,8 +43,11 @@
     const pictures = element('div', { class: 'pictures' }, element('div', { class: 'chart-column' }, charts.chips, charts.host), stage);
     const foot = element('footer', { class: 'foot' });
     host.replaceChildren(top.host, element('main', {}, words, pictures, tables, end), foot);
+    let shown = false; // a motion, at some time
     const self = {
       angle, charts, drawing, solid, stage, data: null,
+      /** Where there is no motion, those of the last one stay, greyed: for a page that shows one scene after another. */
+      keepsPictures: false,
       /** open: curves and pictures before their proof; words and tables stay as they were, and say so. */
       show(data, open = false) {
         self.data = data;
@@ -53,11 +56,16 @@
         document.title = data.title;
         top.title.textContent = data.title;
         const hasMotion = Boolean(data.angle);
-        pictures.hidden = !hasMotion;
-        const hasCam = Boolean(data.drawing || data.solid);
-        stage.hidden = !hasCam;
-        pictures.classList.toggle('without-cam', !hasCam);
+        const keeps = !hasMotion && self.keepsPictures && shown;
+        pictures.classList.toggle('of-before', keeps);
+        if (!keeps) {
+          const hasCam = Boolean(data.drawing || data.solid);
+          pictures.hidden = !hasMotion;
+          stage.hidden = !hasCam;
+          pictures.classList.toggle('without-cam', !hasCam);
+        }
         if (hasMotion) {
+          shown = true;
           angle.use(data.angle.values);
           charts.show(data);
           drawing.show(data.drawing);

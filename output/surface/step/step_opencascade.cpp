@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/surface/step/silent_library.hpp"
 #include "output/surface/step/step_file.hpp"
+#include "output/surface/step/step_library.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,6 @@
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <system_error>
 #include <vector>
 
 namespace camopt {
@@ -51,7 +50,8 @@ Handle(Geom_BSplineSurface) surface_of(const BsplineSurface& from) {
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
             const Eigen::Vector3d mm =
-                from.poles[static_cast<std::size_t>(r * columns + c)] / units::millimetre;
+                from.poles[static_cast<std::size_t>(r) * from.columns() + static_cast<std::size_t>(c)] /
+                units::millimetre;
             poles.SetValue(c + 1, r + 1, gp_Pnt(mm.x(), mm.y(), mm.z()));
         }
     const KnotList u(from.knots_u), v(from.knots_v);
@@ -92,8 +92,7 @@ void write(const std::filesystem::path& path, std::span<const BsplineSurface> su
     if (writer.Transfer(compound, STEPControl_AsIs) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the surfaces");
     for (std::size_t i = 0; i < faces.size(); ++i) name_face(writer, faces[i], surfaces[i].name);
-    if (writer.Write(path.c_str()) != IFSelect_RetDone)
-        throw InputError(fmt::format("cannot write the file {}", path.string()));
+    write_step_model(path, writer);
 }
 
 }  // namespace
@@ -104,17 +103,12 @@ bool step_available() {
 
 void write_step_file(const std::filesystem::path& path, std::span<const BsplineSurface> surfaces) {
     if (surfaces.empty()) throw InputError("STEP: there is no surface to write");
-    std::filesystem::path beside = path;
-    beside += ".part";
     try {
-        write(beside, surfaces);
+        write(path, surfaces);
     } catch (const Standard_Failure& failure) {
         throw InputError(
             fmt::format("STEP: Open CASCADE refuses the surfaces: {}", failure.GetMessageString()));
     }
-    std::error_code error;
-    std::filesystem::rename(beside, path, error);
-    if (error) throw InputError(fmt::format("cannot write the file {}: {}", path.string(), error.message()));
 }
 
 }  // namespace camopt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/surface/step/silent_library.hpp"
+#include "output/surface/step/step_library.hpp"
 #include "output/surface/step/step_solid.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,6 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
-#include <system_error>
 
 namespace camopt {
 
@@ -143,26 +142,18 @@ double write_plate(const std::filesystem::path& path, const Plate& plate) {
     Interface_Static::SetCVal("write.step.product.name", plate.name.c_str());
     if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
         throw InputError("STEP: Open CASCADE could not translate the solid");
-    if (writer.Write(path.c_str()) != IFSelect_RetDone)
-        throw InputError(fmt::format("cannot write the file {}", path.string()));
+    write_step_model(path, writer);
     return std::abs(properties.Mass()) * std::pow(units::millimetre, 3);
 }
 
 }  // namespace
 
 double write_step_solid(const std::filesystem::path& path, const Plate& plate) {
-    std::filesystem::path beside = path;
-    beside += ".part";
-    double volume = 0.0;
     try {
-        volume = write_plate(beside, plate);
+        return write_plate(path, plate);
     } catch (const Standard_Failure& failure) {
         throw InputError(fmt::format("STEP: Open CASCADE refuses the solid: {}", failure.GetMessageString()));
     }
-    std::error_code error;
-    std::filesystem::rename(beside, path, error);
-    if (error) throw InputError(fmt::format("cannot write the file {}: {}", path.string(), error.message()));
-    return volume;
 }
 
 }  // namespace camopt

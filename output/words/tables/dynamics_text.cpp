@@ -2,7 +2,9 @@
 #include "output/words/tables/dynamics_text.hpp"
 
 #include "core/units.hpp"
-#include "output/words/display_scale.hpp"
+#include "output/words/angle_words.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
 #include "output/words/tables/text_table.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +15,19 @@
 namespace camopt {
 namespace {
 
+constexpr double no_train_force =
+    1e-7;  // of what presses at the top: a limit of 0 is met to the tolerance of the solve
+
 double rpm(double speed) {
     return speed / units::revolution_per_minute;
+}
+
+std::string rpm_text(double speed) {
+    return short_text(rpm(speed));
+}
+
+std::string hertz_text(double frequency) {
+    return short_text(frequency / units::turn);
 }
 
 struct AmplitudeUnit {
@@ -28,18 +41,10 @@ AmplitudeUnit amplitude_unit(const MotionSpec& motion) {
     return {motion.lift / 1e-6, "um"};
 }
 
-struct AccelerationUnit {
-    double per_normalised;
-    const char* name;
-};
-
-AccelerationUnit acceleration_unit(const MotionSpec& motion) {
-    const double per_second = motion.speed.value() / motion.unit_angle();
-    return {motion.lift * per_second * per_second, motion.lift_is_angle ? "rad/s^2" : "m/s^2"};
-}
-
-const char* force_unit(const MotionSpec& motion) {
-    return motion.lift_is_angle ? "N m" : "N";
+/// Of the output at this speed of the camshaft, from lifts by x².
+double acceleration_at(const Scene& scene, double normalised, double speed) {
+    const double faster = speed / scene.motion.speed.value();
+    return normalised * shown_units(scene).motion[2].first.per_normalised * faster * faster;
 }
 
 /// The row of a motion at the speed nearest to the scene's own.
@@ -53,8 +58,8 @@ const TrainRow& row_at_speed(const TrainStudy& study, std::size_t motion) {
 }
 
 std::string speeds_words(const std::array<double, 2>& speeds) {
-    if (speeds[0] == speeds[1]) return fmt::format("at {:.6g} rpm", rpm(speeds[0]));
-    return fmt::format("from {:.6g} to {:.6g} rpm", rpm(speeds[0]), rpm(speeds[1]));
+    if (speeds[0] == speeds[1]) return fmt::format("at {} rpm", rpm_text(speeds[0]));
+    return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
 }
 
 }  // namespace
@@ -62,25 +67,26 @@ std::string speeds_words(const std::array<double, 2>& speeds) {
 std::string dynamics_text(const TrainStudy& study) {
     const MotionSpec& motion = study.scene.motion;
     const AmplitudeUnit amplitude = amplitude_unit(motion);
-    const AccelerationUnit acceleration = acceleration_unit(motion);
+    const ShownUnits shown = shown_units(study.scene);
     std::string text = study.scene.title.empty() ? std::string() : study.scene.title + "\n";
     text += "Natural frequencies with the cam held:";
-    for (const double one : study.natural_frequencies) text += fmt::format(" {:.6g} Hz", one / units::turn);
-    text += fmt::format("; one rise from rest, {} speeds from {:.6g} to {:.6g} rpm.\n", study.speeds.size(),
-                        rpm(study.speeds.front()), rpm(study.speeds.back()));
+    for (const double one : study.natural_frequencies) text += fmt::format(" {} Hz", hertz_text(one));
+    text += fmt::format("; one rise from rest, {} speeds from {} to {} rpm.\n", study.speeds.size(),
+                        rpm_text(study.speeds.front()), rpm_text(study.speeds.back()));
     if (study.motions.empty()) return text;
-    text += fmt::format("At {:.6g} rpm, the nearest to the scene's speed, {:.4g} natural periods a rise:\n\n",
-                        rpm(row_at_speed(study, 0).speed), row_at_speed(study, 0).frequency_ratio);
+    text += fmt::format("At {} rpm, the nearest to the scene's speed, {} natural periods a rise:\n\n",
+                        rpm_text(row_at_speed(study, 0).speed),
+                        short_text(row_at_speed(study, 0).frequency_ratio, 4));
     const bool pressed = study.scene.dynamics->pressed();
     TextTable table;
     table.columns = {{"motion", true},
                      {fmt::format("residual {}", amplitude.name)},
                      {fmt::format("deflection {}", amplitude.name)},
-                     {fmt::format("output {}", acceleration.name)},
+                     {fmt::format("output {}", shown.motion[2].first.name)},
                      {fmt::format("worst residual {}", amplitude.name)},
                      {"at rpm"}};
     if (pressed) {
-        table.columns.push_back({fmt::format("least force {}", force_unit(motion))});
+        table.columns.push_back({fmt::format("least force {}", shown.load.name)});
         table.columns.push_back({"lifts off at rpm"});
     }
     const std::size_t count = study.speeds.size();
@@ -90,12 +96,11 @@ std::string dynamics_text(const TrainStudy& study) {
         const TrainRow& worst =
             *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(count),
                               [](const TrainRow& a, const TrainRow& b) { return a.residual < b.residual; });
-        const double seconds = row.speed / motion.speed.value();
         std::vector<std::string> cells = {
             study.motions[i].second,
             fixed_text(row.residual * amplitude.per_lift, 2),
             fixed_text(row.peak_deflection * amplitude.per_lift, 2),
-            fixed_text(row.peak_acceleration * acceleration.per_normalised * seconds * seconds, 2),
+            fixed_text(acceleration_at(study.scene, row.peak_acceleration, row.speed), 2),
             fixed_text(worst.residual * amplitude.per_lift, 2),
             fixed_text(rpm(worst.speed), 1)};
         if (pressed) {
@@ -116,30 +121,38 @@ std::string dynamics_text(const TrainStudy& study) {
 std::vector<std::string> train_sentences(const Solution& solution) {
     if (!solution.train) return {};
     const TrainReport& train = *solution.train;
-    const MotionSpec& motion = solution.scene.motion;
-    const AmplitudeUnit amplitude = amplitude_unit(motion);
-    const double degrees = display_scale(motion).degrees_per_x;
+    const Scene& scene = solution.scene;
+    const ShownUnits shown = shown_units(scene);
+    const AmplitudeUnit amplitude = amplitude_unit(scene.motion);
     std::string frequencies;
     for (const double one : train.natural_frequencies)
-        frequencies += fmt::format("{}{:.6g}", frequencies.empty() ? "" : ", ", one / units::turn);
+        frequencies += (frequencies.empty() ? "" : ", ") + hertz_text(one);
     std::vector<std::string> sentences = {
-        fmt::format("elastic follower train of {} Hz: {:.4g} natural periods in the rise at {:.6g} rpm",
-                    frequencies, train.frequency_ratio, rpm(motion.speed.value()))};
+        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm", frequencies,
+                    short_text(train.frequency_ratio, 4), rpm_text(*scene.motion.speed))};
+    if (!train.acceleration) {
+        sentences.emplace_back(
+            "no dwell: the motion never rests, so there is no transient from rest and no residual vibration "
+            "to report");
+        return sentences;
+    }
     const std::string range = speeds_words(train.speeds);
     if (train.residual)
-        sentences.push_back(fmt::format("residual vibration at most {:.4g} {} {} (worst at {:.6g} rpm)",
-                                        train.residual->value * amplitude.per_lift, amplitude.name, range,
-                                        rpm(train.residual->speed)));
-    const double per_second = train.acceleration.speed / motion.unit_angle();
+        sentences.push_back(fmt::format("residual vibration at most {} {} {} (worst at {} rpm)",
+                                        short_text(train.residual->value * amplitude.per_lift, 4),
+                                        amplitude.name, range, rpm_text(train.residual->speed)));
     sentences.push_back(fmt::format(
-        "acceleration of the output at most {:.5g} (normalised), {:.5g} {} {}, at {:.5g} deg",
-        train.acceleration.value, train.acceleration.value * motion.lift * per_second * per_second,
-        acceleration_unit(motion).name, range, train.acceleration.at * degrees));
+        "acceleration of the output at most {} (normalised), {} {} {}, at {} deg",
+        short_text(train.acceleration->value, 5),
+        short_text(acceleration_at(scene, train.acceleration->value, train.acceleration->speed), 5),
+        shown.motion[2].first.name, range, degrees_at(solution, train.acceleration->at)));
+    const DynamicsSpec& spec = *scene.dynamics;
+    const double pressed = spec.preload + spec.return_stiffness * scene.motion.lift;
     if (train.least_force)
-        sentences.push_back(
-            fmt::format("force of the train on the cam at least {:.5g} {} {}, at {:.5g} deg{}",
-                        train.least_force->value, force_unit(motion), range, train.least_force->at * degrees,
-                        train.least_force->value < 0.0 ? ": THE FOLLOWER LIFTS OFF" : ""));
+        sentences.push_back(fmt::format(
+            "force of the train on the cam at least {} {}, at {} deg{}",
+            shown.load.text(train.least_force->value, 5), range, degrees_at(solution, train.least_force->at),
+            train.least_force->value < -no_train_force * pressed ? ": THE FOLLOWER LIFTS OFF" : ""));
     return sentences;
 }
 

@@ -29,23 +29,33 @@ std::vector<PeakRow> peak_comparison(const Solution& solution, const ReferenceMo
     return {
         {"velocity", "V", peaks.velocity, motion.velocity,
          reference_value(reference, law.velocity.value, divisor.velocity.value), limit.velocity,
-         shown.motion[1]},
+         shown.motion[1], signed_peaks(solution, 1)},
         {"acceleration", "A", peaks.acceleration, motion.acceleration,
          reference_value(reference, law.acceleration.value, divisor.acceleration.value), limit.acceleration,
-         shown.motion[2]},
+         shown.motion[2], signed_peaks(solution, 2)},
         {"jerk", "J", peaks.jerk, motion.jerk, reference_value(reference, law.jerk.value, divisor.jerk.value),
-         limit.jerk, shown.motion[3]},
-        {"torque", "Q", peaks.torque, motion.torque,
+         limit.jerk, shown.motion[3], signed_peaks(solution, 3)},
+        {"inertia torque", "Q", peaks.torque, motion.torque,
          reference_value(reference, law.torque.value, divisor.torque.value), std::nullopt, std::nullopt},
     };
 }
 
 std::string PeakRow::first_text(int digits) const {
-    return shown ? shown->first.normalised_text(motion.value, digits) : std::string{};
+    return shown ? shown->first.normalised_text(sides.largest.value, digits) : std::string{};
 }
 
 std::string PeakRow::beside_text(int digits) const {
-    return shown && shown->beside ? shown->beside->normalised_text(motion.value, digits) : std::string{};
+    return shown && shown->beside ? shown->beside->normalised_text(sides.largest.value, digits)
+                                  : std::string{};
+}
+
+std::string PeakRow::change() const {
+    return reference ? change_text(optimum.value, *reference) : "–";
+}
+
+std::string PeakRow::opposite_text(int digits) const {
+    return shown && sides.opposite ? shown->first.normalised_text(sides.opposite->value, digits)
+                                   : std::string{};
 }
 
 std::string left_out_of_any_curve(const Scene& scene) {

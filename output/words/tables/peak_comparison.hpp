@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/chart/reference_motion.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/shown_units.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -22,12 +23,16 @@ struct PeakRow {
     /// itself, which another curve may have smaller.
     std::optional<double> any_curve;
     std::optional<ShownDerivative> shown;  ///< the units of `motion`; none: it has but the normalised value
+    SignedPeaks sides = {};                ///< `motion` with its sign, and the peak of the other sign
 
-    [[nodiscard]] std::string first_text(int digits = 6) const;   ///< "512.3 mm/s"
-    [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "16.3 mm/rad"; empty: nothing beside
+    [[nodiscard]] std::string first_text(int digits = 6) const;   ///< "−512.3 mm/s"
+    [[nodiscard]] std::string beside_text(int digits = 6) const;  ///< "−16.3 mm/rad"; empty: nothing beside
+    [[nodiscard]] std::string change() const;  ///< against the reference: "−2.6 %"; "–"
+    /// "480 mm/s": the peak of the other sign; empty: there is none.
+    [[nodiscard]] std::string opposite_text(int digits = 6) const;
 };
 
-/// V, A, J, and the torque max |y' y''|. For a solution with a curve.
+/// V, A, J, and the inertia torque max |y' y''|. For a solution with a motion.
 [[nodiscard]] std::vector<PeakRow> peak_comparison(const Solution& solution,
                                                    const ReferenceMotion& reference);
 

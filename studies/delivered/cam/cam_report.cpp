@@ -22,13 +22,10 @@ std::string plain_name(const std::string& key) {
     return name != nullptr ? name : key;
 }
 
-/// A limit on a largest value (sign +1) or a least one (−1), and what was reached.
-ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst, int sign) {
-    const double slack = sign * (limit.value - worst.value);
-    const double size = std::max(std::abs(limit.value), std::abs(worst.value));
+/// A limit and what was reached.
+ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst) {
     return {plain_name(limit.key),          limit.key,  limit.given(),
-            worst.value / limit.unit_value, limit.unit, worst.at,
-            slack <= active_limit * size};
+            worst.value / limit.unit_value, limit.unit, worst.at};
 }
 
 /// None where neither is there.
@@ -123,7 +120,7 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
         if (!limit || row.needs_forces != of_forces) continue;
         const std::optional<CamExtreme> worst = figure_of(row.figure, scene.limits, summary);
         if (!worst) continue;
-        all.push_back(limit_report(*limit, *worst, row.is_least() ? -1 : 1));
+        all.push_back(limit_report(*limit, *worst));
         all.back().side = side_of(row.figure, *worst, summary);
         if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
@@ -150,7 +147,7 @@ std::vector<ConstraintReport> cam_constraints(const Scene& scene, const CamRepor
         const std::string unit = name_of(scene.length_unit);
         const WrittenLimit width{*scene.cam->face_half_width, "cam.face_half_width_" + unit,
                                  metres_of(scene.length_unit), unit};
-        all.push_back(limit_report(width, *summary.contact_offset, 1));
+        all.push_back(limit_report(width, *summary.contact_offset));
         all.back().name = "face_half_width";
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst);
     }

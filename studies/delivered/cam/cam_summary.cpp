@@ -52,19 +52,32 @@ void add_radii_of_face(CamSummary& summary, const CamTurn& turn) {
 
 namespace {
 
+/// A limit of 0 is met to the tolerance of the solve, and figures come from a search of their own: a
+/// regularity this close to 0 is 0, and with it the radius.
+constexpr double cusp_rounding = 1e-8;
+
+void round_cusp(CamExtreme& regularity, std::optional<CamExtreme>& radius) {
+    if (!(std::abs(regularity.value) <= cusp_rounding)) return;
+    regularity.value = 0.0;
+    if (radius) radius->value = 0.0;
+}
+
 CamSummary summary_of(const DrivenMechanism& cam, const CamTurn& turn) {
     CamSummary summary;
     summary.pressure_angle =
         turn.largest([](const CamPlace& place) { return std::abs(place.point.pressure_angle); });
     summary.regularity = turn.least([](const CamPlace& place) { return place.point.regularity; });
-    if (!cam.formulas->planar()) return summary;
-    if (cam.formulas->has_pitch_curve())
-        add_radii_of_pitch(summary, cam, turn);
-    else
-        add_radii_of_face(summary, turn);
-    const std::optional<double> base = cam.formulas->base_radius(cam.dimensions);
-    summary.base_radius =
-        base ? *base : turn.least([](const CamPlace& place) { return place.point.contact.norm(); }).value;
+    if (cam.formulas->planar()) {
+        if (cam.formulas->has_pitch_curve())
+            add_radii_of_pitch(summary, cam, turn);
+        else
+            add_radii_of_face(summary, turn);
+        const std::optional<double> base = cam.formulas->base_radius(cam.dimensions);
+        summary.base_radius =
+            base ? *base : turn.least([](const CamPlace& place) { return place.point.contact.norm(); }).value;
+    }
+    round_cusp(summary.regularity, summary.convex_radius);
+    for (SideSummary& side : summary.sides) round_cusp(side.regularity, side.convex_radius);
     return summary;
 }
 

@@ -44,8 +44,8 @@ struct CamSummary {
     std::optional<CamExtreme> convex_radius;
     /// Least, > 0, of a planar cam with a pitch curve; none where it is nowhere concave.
     std::optional<CamExtreme> concave_radius;
-    /// Least; <= 0: undercut. Where an oscillating flat face turns back, 1 + σψ' in its place: not above 0
-    /// either.
+    /// Least; 0, to rounding: a cusp; below 0: undercut. Where an oscillating flat face turns back, 1 + σψ'
+    /// in its place: not above 0 either.
     CamExtreme regularity;
     double base_radius = 0.0;  ///< planar, m: the dimension, or the least distance of the cam from its centre
     std::optional<CamExtreme> contact_offset;  ///< largest magnitude on a flat face; may be infinite
@@ -55,7 +55,9 @@ struct CamSummary {
     std::optional<ForceSummary> forces;  ///< of a disk cam where the scene has forces and a speed
     std::vector<SideSummary> sides;      ///< in the order of the stations; empty: the cam has one side
 
-    [[nodiscard]] bool undercut() const { return !(regularity.value > 0.0); }
+    [[nodiscard]] bool undercut() const { return !(regularity.value >= 0.0); }
+    /// Touched as designed, and pointed: what a limit of 0 on the radius or on the margin allows.
+    [[nodiscard]] bool cusp() const { return regularity.value == 0.0; }
 };
 
 /// What every cam has.

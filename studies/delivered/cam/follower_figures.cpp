@@ -86,6 +86,7 @@ ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const Forced
     if (!presses) return summary;
     summary.hertz_pressure = turn.largest(
         [&](const CamPlace& place) { return hertz_pressure(cam, forces, place.point, normal(place)); });
+    if (of.cusp()) summary.hertz_pressure = CamExtreme{infinity, of.regularity.at};
     return summary;
 }
 

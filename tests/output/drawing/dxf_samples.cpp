@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // dxf_samples FOLDER: NAME.dxf for every follower and direction of rotation, and beside it NAME.csv, true
 // points of the cam between and on the knots (x_mm, y_mm), for dxf_read_back.py.
+#include "core/text/text_file.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/drawing/dxf/profile_dxf.hpp"
-#include "output/report/text_file.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <cstdio>

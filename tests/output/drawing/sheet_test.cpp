@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -56,6 +57,21 @@ TEST(Sheet, DimensionsMeasureTheModelAndSaySo) {
     EXPECT_EQ(dimension.words(), "60°");
     EXPECT_EQ(drawn_length(0.0123456), "12.346");
     EXPECT_EQ(drawn_length(-1e-9), "0");
+}
+
+TEST(Sheet, SaysItsLengthsInInchesWhereAsked) {
+    SheetDimension dimension;
+    dimension.kind = SheetDimension::Kind::diameter;
+    dimension.second = {0.0127, 0.0};
+    dimension.lengths = LengthUnit::inch;
+    EXPECT_EQ(dimension.words(), "⌀1");
+    EXPECT_EQ(drawn_length(0.010, LengthUnit::inch), "0.3937");
+    Sheet sheet;
+    sheet.format = "A4";
+    sheet.lengths = LengthUnit::inch;
+    add_frame(sheet, {});
+    EXPECT_TRUE(
+        std::ranges::any_of(sheet.texts, [](const SheetText& text) { return text.words == "A4, in"; }));
 }
 
 TEST(Sheet, AnArcOfABulgePassesItsPoints) {

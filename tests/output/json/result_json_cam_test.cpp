@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // result.json of scenes with a cam, of programs, and of scenes that have no motion.
+#include "core/text/text_file.hpp"
 #include "output/json/result_json.hpp"
-#include "output/report/text_file.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "tests/output/sample_solution.hpp"
 

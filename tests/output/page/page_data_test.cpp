@@ -6,7 +6,9 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/words/shown_units.hpp"
+#include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "tests/output/sample_solution.hpp"
 
@@ -14,7 +16,10 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace camopt {
 namespace page_data_test {
@@ -86,7 +91,49 @@ TEST(PageData, ExactPointsAreMarkedAsGiven) {
     expect_close(given.at("at"), 45.0);
     expect_close(given.at("value"), 5.0);
     EXPECT_TRUE(curve(data, "velocity").at("marks").at(1).at("given"));
-    EXPECT_EQ(curve(data, "acceleration").at("marks").size(), 1U);
+    EXPECT_EQ(curve(data, "acceleration").at("marks").size(), 2U);
+}
+
+TEST(PageData, PeaksOfBothSignsAreMarkedWithTheirSign) {
+    const json data = data_of(test::sample_solution());
+    const json& marks = curve(data, "acceleration").at("marks");
+    ASSERT_EQ(marks.size(), 2U);
+    EXPECT_EQ(marks[0].at("words"), "32 m/s²");
+    EXPECT_EQ(marks[1].at("words"), "−32 m/s²");
+    expect_close(marks[1].at("value"), -32.0);
+    EXPECT_NEAR(marks[1].at("at").get<double>(), 67.5, 1e-6);
+}
+
+TEST(PageData, ADisplacementOutsideItsStrokeIsMarked) {
+    Solution solution = test::cam_solution();
+    EXPECT_TRUE(curve(data_of(solution), "displacement").at("marks").empty());
+    ChainPart part = solution.motion->parts().front();
+    part.y0 -= 0.32;
+    solution.motion = std::make_shared<const MotionChain>(std::vector<ChainPart>{part});
+    const json data = data_of(solution);
+    const json& mark = curve(data, "displacement").at("marks").at(0);
+    EXPECT_EQ(mark.at("words"), "−3.2 mm");
+    EXPECT_NE(data.at("verdict").at("sentences").dump().find("3.2 mm below its start at 0 deg"),
+              std::string::npos);
+}
+
+TEST(PageData, AFlatFaceHasNoCurveOfThePressureAngleZero) {
+    Solution solution = test::cam_solution();
+    solution.scene.cam->follower = FollowerType::translating_flat;
+    solution.scene.limits.pressure_angle.reset();
+    solution.cam = cam_report(solution.scene, cam_of(solution.scene)->middle(), *solution.motion);
+    EXPECT_THROW((void)curve(data_of(solution), "pressure_angle"), std::runtime_error);
+    EXPECT_NO_THROW((void)curve(data_of(solution), "curvature"));
+}
+
+TEST(PageData, ALocalOptimumSaysItsProvedGap) {
+    Solution solution = test::cam_solution();
+    solution.certificate.verdict = Verdict::local;
+    solution.certificate.lower_bound = solution.certificate.objective * (1.0 - 1.6e-6);
+    solution.certificate.gap = 1.6e-6;
+    const std::string sentences = data_of(solution).at("verdict").at("sentences").dump();
+    EXPECT_NE(sentences.find("it is at most 0.0002 % from the optimum"), std::string::npos) << sentences;
+    EXPECT_EQ(sentences.find("ruled out"), std::string::npos) << sentences;
 }
 
 TEST(PageData, MarksOfTheCamAreTheSummary) {

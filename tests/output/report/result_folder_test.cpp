@@ -2,7 +2,7 @@
 #include "output/report/result_folder.hpp"
 
 #include "core/errors.hpp"
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -2,13 +2,13 @@
 // Results of every kind of cam, of random scenes, written and read back: every number is the same, and what
 // was changed afterwards is refused.
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/report/result_folder_reader.hpp"
-#include "output/report/text_file.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"

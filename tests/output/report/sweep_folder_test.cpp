@@ -3,8 +3,8 @@
 #include "output/report/sweep_folder.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/report/text_file.hpp"
 #include "output/words/sweep_text.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <unistd.h>
 
 namespace camopt {
 namespace step_test {
@@ -36,7 +38,6 @@ TEST(StepFile, IsWrittenSilentlyOrSaysWhatIsMissing) {
             ++faces;
         EXPECT_EQ(faces, surfaces().size());
         std::filesystem::remove(path);
-        EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
     }
     EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
 }
@@ -48,6 +49,22 @@ TEST(StepFile, RefusesWhatCannotBeWritten) {
     broken[0].knots_u[1] = broken[0].knots_u.back() + 1.0;
     EXPECT_THROW(write_step_file("cam.step", broken), InputError);
     EXPECT_FALSE(std::filesystem::exists("cam.step"));
+}
+
+TEST(StepFile, AFullDiskIsRefusedAndLeavesNothing) {
+    if (!step_available() || !std::filesystem::exists("/dev/full"))
+        GTEST_SKIP() << "no Open CASCADE in this build, or no /dev/full";
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("camopt_full_" + std::to_string(::getpid()) + ".step"))
+            .string();
+    std::filesystem::create_symlink("/dev/full", path + "." + std::to_string(::getpid()) + ".tmp");
+    try {
+        write_step_file(path, surfaces());
+        ADD_FAILURE() << "it passed for written";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), "cannot write " + path + ": No space left on device");
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 }  // namespace step_test

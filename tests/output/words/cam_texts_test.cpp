@@ -5,6 +5,7 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
+#include "output/words/motion_extremes.hpp"
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "studies/check/check_cam.hpp"
@@ -14,7 +15,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace camopt {
 namespace cam_texts_test {
@@ -120,13 +123,29 @@ TEST(CamRemarks, SayWhenTheFollowerLiftsOff) {
     EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 0 deg: it needs more preload."));
 }
 
+TEST(CamRemarks, AForceThatJustReachesZeroIsNoLiftOff) {
+    Solution solution = test::cam_solution();
+    solution.cam->summary.forces->least_force = {-1e-9, 0.75};
+    EXPECT_FALSE(says(remarks_of(solution), "LIFTS OFF"));
+    EXPECT_TRUE(says(remarks_of(solution), "just reaches 0 at 67.5 deg"));
+}
+
+TEST(CamRemarks, ARegularityOfZeroIsACusp) {
+    Solution solution = test::cam_solution();
+    solution.cam->summary.regularity = {0.0, 0.5};
+    EXPECT_TRUE(says(remarks_of(solution), "A CUSP at 45 deg"));
+    EXPECT_FALSE(says(remarks_of(solution), "UNDERCUT"));
+    solution.cam->summary.regularity = {-1e-6, 0.5};
+    EXPECT_TRUE(says(remarks_of(solution), "UNDERCUT at 45 deg"));
+}
+
 TEST(CamRemarks, TellTheForwardCheck) {
     Solution solution = test::cam_solution();
     EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
     EXPECT_TRUE(says(remarks_of(solution),
-                     "over 2001 points of the cam, and nothing else, moves as designed within 1.2e-06 mm "
-                     "(3e-08 of the prime radius, at 45 deg)"));
+                     "over 2001 points of the cam, and nothing else, moves as designed within 1.2e-6 mm "
+                     "(3e-8 of the prime radius, at 45 deg)"));
     solution.cam->forward_check->relative = 0.02;
     EXPECT_TRUE(says(remarks_of(solution), "DEPARTS from the designed motion by"));
     solution.cam->forward_check->deviation = std::numeric_limits<double>::infinity();
@@ -187,7 +206,9 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.solver.starts = 8;
     solution.certificate.verdict = Verdict::local;
     const std::string text = summary_text(solution, {});
-    EXPECT_TRUE(says(text, "Local optimum, the best of 8 starts: no small change improves it."));
+    EXPECT_TRUE(says(text,
+                     "Local optimum, the best of 8 starts: no small change improves it, and it is proved to "
+                     "be at most 0.00001 % from the optimum."));
     EXPECT_TRUE(says(text, "bound of the convex relaxation 1.1259609"));
     EXPECT_TRUE(says(report_markdown(solution), "(bound of the convex relaxation): 1.1259609"));
     solution.certificate.verdict = Verdict::feasible;
@@ -198,6 +219,66 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.certificate.reason = Reason::no_feasible_point;
     solution.motion.reset();
     EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
+}
+
+TEST(SolutionText, SaysTheGapThatIsProved) {
+    Certificate certificate;
+    EXPECT_EQ(gap_words(certificate), "");
+    certificate.objective = 1.0;
+    certificate.lower_bound = 1.0 - 1.6e-6;
+    certificate.gap = 1.6e-6;
+    EXPECT_EQ(gap_words(certificate), "at most 0.0002 % from the optimum");
+    certificate.objective = 0.010;  // the gap is relative to 1: the bound says more
+    certificate.lower_bound = 0.0096;
+    certificate.gap = 4e-4;
+    EXPECT_EQ(gap_words(certificate), "at most 5 % from the optimum");
+    certificate.lower_bound = 0.001;
+    EXPECT_EQ(gap_words(certificate), "");
+    for (const Verdict verdict : {Verdict::local, Verdict::feasible}) {
+        certificate.verdict = verdict;
+        certificate.lower_bound = certificate.objective - 1.6e-8;
+        certificate.gap = 1.6e-8;
+        EXPECT_TRUE(says(verdict_sentence(certificate), "proved to be at most 0.0002 % from the optimum"));
+    }
+}
+
+/// The motion of the sample, moved by so many lifts.
+Solution moved_by(double lifts) {
+    Solution solution = test::cam_solution();
+    ChainPart part = solution.motion->parts().front();
+    part.y0 += lifts;
+    solution.motion = std::make_shared<const MotionChain>(std::vector<ChainPart>{part});
+    return solution;
+}
+
+TEST(SolutionText, NamesAnExcursionAndItsAngle) {
+    EXPECT_TRUE(excursion_sentences(test::cam_solution()).empty());
+    EXPECT_EQ(excursion_sentences(moved_by(-0.32)),
+              std::vector<std::string>{"The follower goes 3.2 mm below its start at 0 deg."});
+    EXPECT_EQ(excursion_sentences(moved_by(0.1)),
+              std::vector<std::string>{"The follower goes 1 mm above its top at 90 deg."});
+    EXPECT_TRUE(says(summary_text(moved_by(0.1), {}), "1 mm above its top at 90 deg"));
+    EXPECT_TRUE(says(report_markdown(moved_by(0.1)), "1 mm above its top at 90 deg"));
+}
+
+TEST(SolutionText, NamesTheSegmentOfAnExcursion) {
+    Solution solution = test::program_solution();
+    EXPECT_TRUE(excursion_sentences(solution).empty());
+    solution.segments[1].to = 0.9;  // the spline ends at 1
+    EXPECT_EQ(excursion_sentences(solution),
+              std::vector<std::string>{
+                  "The output goes 1 mm above the stroke of segment 2 (0 to 9 mm) at 150 deg."});
+}
+
+TEST(SolutionText, PeaksHaveTheirSignAndTheOtherSide) {
+    const Solution solution = test::sample_solution();
+    const SignedPeaks peaks = signed_peaks(solution, 2);
+    EXPECT_DOUBLE_EQ(peaks.largest.value, 8.0);
+    ASSERT_TRUE(peaks.opposite);
+    EXPECT_NEAR(peaks.opposite->value, -8.0, 1e-12);
+    EXPECT_NEAR(peaks.opposite->at, 0.75, 1e-9);
+    EXPECT_FALSE(signed_peaks(solution, 1).opposite);
+    EXPECT_TRUE(says(report_markdown(solution), "−32 m/s² at 67.5 deg"));
 }
 
 TEST(SolutionText, AProgramHasATableOfItsSegments) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/number_text.hpp"
 
+#include "output/chart/axis_ticks.hpp"
+
 #include <gtest/gtest.h>
 
 namespace camopt {
@@ -13,8 +15,18 @@ TEST(ShortText, HasNoPowerOfTenBelowTenMillion) {
     EXPECT_EQ(short_text(12.345678), "12.3457");
     EXPECT_EQ(short_text(100000.0, 6), "100000");
     EXPECT_EQ(short_text(0.0), "0");
-    EXPECT_EQ(short_text(2.5e7), "2.5e+07");
-    EXPECT_EQ(short_text(2.5e-7), "2.5e-07");
+    EXPECT_EQ(short_text(2.5e7), "2.5e7");
+    EXPECT_EQ(short_text(2.5e-7), "2.5e-7");
+    EXPECT_EQ(short_text(-2.41732e17), "−2.41732e17");
+    EXPECT_EQ(short_text(1e-100), "1e-100");
+}
+
+// One number, one text: an axis writes its large numbers as the tables do.
+TEST(ShortText, IsWhatAxesWrite) {
+    EXPECT_EQ(power_text(2e6, 3), "2e6");
+    EXPECT_EQ(tick_text(2e7, 1e7), short_text(2e7));
+    EXPECT_EQ(tick_text(-2e7, 1e7), short_text(-2e7));
+    EXPECT_EQ(tick_text(2e-6, 1e-6), short_text(2e-6));
 }
 
 }  // namespace number_text_test

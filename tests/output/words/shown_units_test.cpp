@@ -87,6 +87,21 @@ TEST(ShownUnits, FactorsAreThoseOfTheNames) {
     EXPECT_EQ(swing.motion[0].first.text(20.0 * degree), "20 deg");
 }
 
+TEST(ShownUnits, DegreesAreAnsweredWhereDegreesAreGiven) {
+    Scene scene = scene_of(true, true, LengthUnit::millimetre);
+    scene.limits.velocity = PeakLimit{1.5, "limits.velocity_deg_s", 600.0, "deg/s"};
+    const ShownUnits shown = shown_units(scene);
+    EXPECT_EQ(shown.motion[1].first.normalised_text(1.0), "400 deg/s");
+    EXPECT_EQ(shown.motion[2].first.normalised_text(1.0), "8000 deg/s²");
+    EXPECT_EQ(shown.motion[2].first.name, "deg/s²");
+    scene.limits.velocity.reset();
+    scene.motion.via = {{0.5, {}, 1.0, {}}};
+    scene.motion.via[0].units.velocity = "deg/s";
+    EXPECT_EQ(shown_units(scene).motion[1].first.name, "deg/s");
+    scene.motion.via[0].units.velocity = "rad/s";
+    EXPECT_EQ(shown_units(scene).motion[1].first.name, "rad/s");
+}
+
 TEST(ShownUnits, ForcesAreThoseOfTheFollower) {
     const ShownUnits straight = shown_units(scene_of(true, false, LengthUnit::inch));
     EXPECT_EQ(straight.load.text(40.0), "40 N");

@@ -3,7 +3,9 @@
 #include "studies/bound/box_bound.hpp"
 
 #include "core/errors.hpp"
+#include "input/loading/load_scene.hpp"
 #include "objectives/scene_model.hpp"
+#include "studies/bound/bounder.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
@@ -11,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
+#include <string_view>
 
 namespace camopt {
 namespace box_bound_test {
@@ -42,6 +46,23 @@ Scene roller_scene(const RollerCase& which) {
 
 CamModel model_of(const Scene& scene) {
     return scene_model(scene, DesignKind::coefficients, reference_peaks(scene));
+}
+
+// docs/method.md and docs/cams.md say so of every kind of cam.
+TEST(BoxBound, EveryLimitOfEveryKindOfCamIsBounded) {
+    for (const char* const name : {"cam_arm_flat", "cam_conjugate", "cam_forces", "cam_grooved", "tappet_75",
+                                   "inverse_feeder", "barrel_smallest", "ocrf_indexing", "cylinder_slide"}) {
+        const Scene scene = load_scene(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
+        int limits = 0;
+        for (const PlacedRule& rule : model_of(scene).rules) {
+            if (rule->linear() || rule->whole()) continue;
+            ++limits;
+            EXPECT_TRUE(box_bound::can_be_bounded(*rule)) << name;
+        }
+        if (std::string_view(name) != "cam_forces") {
+            EXPECT_GT(limits, 0) << name;
+        }
+    }
 }
 
 TEST(BoxBound, ClosesTheGapOfRollerCams) {

@@ -171,6 +171,24 @@ TEST(Comparison, SaysByHowMuchALimitIsBroken) {
     EXPECT_TRUE(row_of(comparison, "").feasible);
 }
 
+// A law that misses a set point makes another motion, and a broken limit makes a law no better: neither has a
+// loss that could be negative.
+TEST(Comparison, NoLossOfAMissedSetPointOrBelowABrokenLimit) {
+    Scene scene = scene_of(MotionType::drd, 12);
+    scene.motion.via = {{0.25, 0.02, {}, {}}};
+    for (const ComparisonRow& row : compare(scene).rows)
+        EXPECT_EQ(row.loss_percent.has_value(), row.is_optimum()) << row.key;
+    scene.motion.via.clear();
+    scene.limits.velocity = normalised_limit("limits.velocity", 1.4);
+    const Comparison capped = compare(scene);
+    bool better_and_broken = false;
+    for (const ComparisonRow& row : capped.rows) {
+        if (row.loss_percent) EXPECT_GE(*row.loss_percent, 0.0) << row.key;
+        better_and_broken |= !row.feasible && row.objective < capped.optimum.certificate.objective;
+    }
+    EXPECT_TRUE(better_and_broken);
+}
+
 TEST(Comparison, AsymmetricLawsAreNotSymmetricAndOnlySomeEndWithoutJerk) {
     Scene scene = scene_of(MotionType::drd, 12);
     scene.motion.symmetric = true;

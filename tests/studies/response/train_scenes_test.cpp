@@ -10,6 +10,8 @@
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/csv/sweep_csv.hpp"
+#include "output/json/train_json.hpp"
+#include "output/words/tables/dynamics_text.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/delivered_objective.hpp"
@@ -44,6 +46,35 @@ const char* const pressed =
 const char* const chain =
     "natural_frequency_hz = 80\ndamping_ratio = 0.03\n[[dynamics.stage]]\nmass_kg = 0.8\nstiffness_n_mm = "
     "2500\ndamping_ratio = 0.01\n";
+
+// No dwell, no transient: there is no acceleration of 0.
+TEST(TrainScenes, AProgramWithoutADwellHasNoTransient) {
+    const Solution solution = solve(scene_of_toml(R"(
+[motion]
+type = "program"
+lift_mm = 40
+segments = [{ kind = "spline", angle_deg = 180, to = 1.0 }, { kind = "spline", angle_deg = 180, to = 0.0 }]
+speed_rpm = 275.4
+[spline]
+segments = 6
+[objective]
+velocity = 0.7
+acceleration = 0.4
+[dynamics]
+mass_kg = 3.299
+natural_frequency_hz = 22.51
+return_spring_n_mm = 1
+preload_n = 10
+)"));
+    ASSERT_TRUE(solution.train);
+    EXPECT_FALSE(solution.train->acceleration);
+    const Json json = train_json(solution);
+    EXPECT_TRUE(json["acceleration"].is_null());
+    EXPECT_TRUE(json["residual"].is_null());
+    const std::vector<std::string> sentences = train_sentences(solution);
+    ASSERT_EQ(sentences.size(), 2U);
+    EXPECT_NE(sentences.back().find("no dwell: the motion never rests"), std::string::npos);
+}
 
 std::vector<std::string> ten_scenes() {
     return {
@@ -226,7 +257,7 @@ TEST(TrainScenes, SweepsHaveTheTrainsFigures) {
         ASSERT_TRUE(train.residual && train.dynamic_acceleration && train.contact_force) << row;
         EXPECT_LE(*train.residual * 24e3, plan.row(row)[1] * (1.0 + 1e-7)) << row;
         EXPECT_GE(*train.contact_force, 20.0 * (1.0 - 1e-7)) << row;
-        EXPECT_EQ(*train.dynamic_acceleration, solution.train->acceleration.value) << row;
+        EXPECT_EQ(*train.dynamic_acceleration, solution.train->acceleration->value) << row;
     }
     mark_front(table);
     const SweepTable read = read_sweep_csv(sweep_csv(table), "sweep.csv");

@@ -194,7 +194,7 @@ TEST(CamFigures, OfAFlatFaceThatCannotTouchAreNoNumbers) {
         const auto rows = cam_constraints(scene, *solution.cam);
         ASSERT_EQ(rows.size(), 1U);
         EXPECT_TRUE(rows[0].no_contact);
-        EXPECT_FALSE(outcome_of(rows[0], 1e-9).kept);
+        EXPECT_FALSE(outcome_of(scene, &*solution.cam, rows[0]).kept);
     }
 }
 

@@ -2,8 +2,8 @@
 #include "output/json/certificate/certificate_json.hpp"
 
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "output/json/certificate/certificate_reader.hpp"
-#include "output/report/text_file.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 

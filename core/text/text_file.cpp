@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/report/text_file.hpp"
+#include "core/text/text_file.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/file_bytes.hpp"
@@ -43,7 +43,7 @@ void write_in_one_step(const std::filesystem::path& path, std::string_view text,
     {
         std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
         file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.flush();
+        file.close();  // a network file system may report a full disk only here
         if (!file || (durability == Durability::power && !is_on_disk(temporary))) {
             const std::string reason = std::strerror(errno);
             std::filesystem::remove(temporary, ignored);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Where connections wait until the head of their request has come. One thread waits for all of them: those
+// that send nothing, or not all of it (a browser opens some in advance), hold none of the threads that serve.
+// Internal to studio_server.cpp.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace camopt::apps {
+
+class RequestRoom {
+ public:
+    using Clock = std::chrono::steady_clock;
+    /// How often who waits for a connection looks at deadlines, and whether the studio ends.
+    static constexpr int look_ms = 100;
+
+    struct Limits {
+        double seconds = 10.0;          ///< from the connection on; who has not sent a head by then is closed
+        std::size_t bytes = 32'000;     ///< of a head; what is longer is handed on as it is, to be refused
+        std::size_t connections = 256;  ///< that wait; one more closes the one that waits longest
+    };
+
+    struct Connection {
+        int socket = -1;
+        Clock::time_point end = {};  ///< by when all of its request must have come
+        std::string bytes = {};      ///< that have come: the head, and perhaps more
+    };
+
+    /// `arrived` takes the socket over. It is called by the room's thread and must not wait.
+    RequestRoom(const Limits& limits, std::function<void(Connection)> arrived);
+    /// Closes every connection that waits.
+    ~RequestRoom();
+    RequestRoom(const RequestRoom&) = delete;
+    RequestRoom& operator=(const RequestRoom&) = delete;
+
+    /// Takes the socket over. From any thread.
+    void take(int socket);
+
+ private:
+    void wait();
+    void let_in();
+    void wake() const;
+    /// True: it waits on. False: it was handed on or closed.
+    bool waits_on(Connection& connection, bool readable);
+
+    Limits limits_;
+    std::function<void(Connection)> arrived_;
+    int bell_;  ///< an eventfd that ends a wait
+    std::atomic<bool> stopping_{false};
+    std::mutex mutex_;
+    std::vector<Connection> newcomers_;
+    std::vector<Connection> waiting_;  ///< of the room's thread; in the order they came
+    std::thread thread_;
+};
+
+}  // namespace camopt::apps

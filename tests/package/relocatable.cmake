@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# What pkg-config says without an option of the camopt in PREFIX, and of its .pc files in a prefix that was moved to MOVED: the
+# folders of headers and libraries are those of the prefix that they lie in. LIBDIR is the folder of the libraries there.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE ${MOVED})
+file(COPY ${PREFIX}/${LIBDIR}/pkgconfig DESTINATION ${MOVED}/${LIBDIR})
+file(MAKE_DIRECTORY ${MOVED}/include)
+file(GLOB packages RELATIVE ${MOVED}/${LIBDIR}/pkgconfig ${MOVED}/${LIBDIR}/pkgconfig/*.pc)
+if(NOT "camopt.pc" IN_LIST packages)
+  message(FATAL_ERROR "there is no camopt.pc in ${PREFIX}/${LIBDIR}/pkgconfig")
+endif()
+foreach(place ${PREFIX} ${MOVED})
+  set(ENV{PKG_CONFIG_PATH} ${place}/${LIBDIR}/pkgconfig)
+  foreach(package IN LISTS packages)
+    string(REGEX REPLACE "\\.pc$" "" package ${package})
+    foreach(variable_and_folder prefix: includedir:/include libdir:/${LIBDIR})
+      string(REGEX MATCH "^([a-z]+):(.*)$" ignored ${variable_and_folder})
+      execute_process(COMMAND ${PKG_CONFIG} --variable=${CMAKE_MATCH_1} ${package} OUTPUT_VARIABLE said
+        OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+      file(REAL_PATH "${said}" found)
+      file(REAL_PATH "${place}${CMAKE_MATCH_2}" wanted)
+      if(NOT said OR NOT found STREQUAL wanted)
+        message(FATAL_ERROR "pkg-config --variable=${CMAKE_MATCH_1} ${package}: found ${said}; it lies in ${wanted}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()

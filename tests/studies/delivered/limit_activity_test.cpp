@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// When a limit is active: measured by the quantity it holds, never by the limit, which may be 0.
+#include "studies/delivered/limit_activity.hpp"
+
+#include "core/units.hpp"
+#include "input/loading/load_scene.hpp"
+#include "output/words/cam_remarks.hpp"
+#include "output/words/solution_text.hpp"
+#include "studies/solve/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace camopt {
+namespace limit_activity_test {
+
+/// A solution with one limit of a cam, and whether it is active.
+bool is_active(const WrittenLimit& limit, std::optional<WrittenLimit> LimitSpec::*member, const char* name,
+               double worst) {
+    Solution solution;
+    solution.scene.limits.*member = limit;
+    solution.cam.emplace();
+    solution.cam->summary.base_radius = 30e-3;
+    solution.cam->summary.forces = ForceSummary{};
+    solution.cam->summary.forces->largest_force = {500.0, 0.3};
+    solution.constraints = {{name, limit.key, limit.given(), worst, limit.unit, 0.2}};
+    judge_activity(solution);
+    return solution.constraints.front().active;
+}
+
+TEST(LimitActivity, AForceLimitOfZeroIsMeasuredByTheForceReached) {
+    const WrittenLimit zero{0.0, "limits.contact_force_min_n", 1.0, "N"};
+    const auto active = [&](double least) {
+        return is_active(zero, &LimitSpec::contact_force_min, "contact_force_min", least);
+    };
+    EXPECT_TRUE(active(2e-9));
+    EXPECT_TRUE(active(-2e-9));
+    EXPECT_FALSE(active(1e-2));
+}
+
+TEST(LimitActivity, ARadiusLimitOfZeroIsMeasuredByTheBaseCircle) {
+    const WrittenLimit zero{0.0, "limits.cam_radius_min_mm", 1e-3, "mm"};
+    const auto active = [&](double least) {
+        return is_active(zero, &LimitSpec::cam_radius_min, "cam_radius_min", least);
+    };
+    EXPECT_TRUE(active(1e-9));
+    EXPECT_TRUE(active(-1e-9));
+    EXPECT_FALSE(active(1e-3));
+}
+
+TEST(LimitActivity, ARadiusThatExistsNowhereIsNotActive) {
+    const WrittenLimit thirty{30e-3, "limits.concave_radius_min_mm", 1e-3, "mm"};
+    EXPECT_FALSE(is_active(thirty, &LimitSpec::concave_radius_min, "concave_radius_min", infinity));
+    EXPECT_TRUE(is_active(thirty, &LimitSpec::concave_radius_min, "concave_radius_min", 30.0 + 1e-6));
+}
+
+TEST(LimitActivity, ASmallLimitFarAboveTheAngleIsNotActive) {
+    const WrittenLimit small{1e-5 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
+    EXPECT_FALSE(is_active(small, &LimitSpec::pressure_angle, "pressure_angle", 0.0));
+    EXPECT_TRUE(is_active(small, &LimitSpec::pressure_angle, "pressure_angle", 1e-5));
+}
+
+const ConstraintReport& limit_of(const Solution& solution, const std::string& key) {
+    return *std::ranges::find(solution.constraints, key, &ConstraintReport::key);
+}
+
+bool says(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+}
+
+std::string text_of(const Solution& solution) {
+    return summary_text(solution, {});
+}
+
+const char* const roller = R"(
+[motion]
+type = "RR"
+lift_mm = 12
+rise_deg = 60
+return_deg = 60
+[spline]
+degree = 3
+segments = 12
+[objective]
+velocity = 0.4
+acceleration = 0.4
+jerk = 0.2
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = 9
+roller_radius_mm = 15
+[solver]
+starts = 1
+[limits]
+)";
+
+// The roller is larger than the nose of the best motion's cam: the limit of 0 holds it at a cusp.
+TEST(LimitActivity, AnActiveLimitOfNoUndercutEndsInACusp) {
+    const Solution solution = solve(scene_of_toml(std::string(roller) + "cam_radius_min_mm = 0\n"));
+    ASSERT_TRUE(solution.cam);
+    EXPECT_TRUE(limit_of(solution, "limits.cam_radius_min_mm").active);
+    EXPECT_TRUE(solution.cam->summary.cusp()) << solution.cam->summary.regularity.value;
+    EXPECT_FALSE(solution.cam->summary.undercut());
+    EXPECT_FALSE(solution.cam->summary.no_contact);
+    const std::string text = text_of(solution);
+    EXPECT_TRUE(says(text, "A CUSP at ")) << text;
+    EXPECT_FALSE(says(text, "UNDERCUT")) << text;
+    EXPECT_TRUE(says(text, "What limits it: the cam radius at ")) << text;
+}
+
+TEST(LimitActivity, ACamThatIsNowhereHollowHasNoConcaveRadius) {
+    const Solution solution = solve(scene_of_toml(R"(
+[motion]
+type = "RR"
+lift_mm = 10
+rise_deg = 90
+speed_rpm = 600
+[spline]
+segments = 12
+[objective]
+acceleration = 1
+[cam]
+type = "disk"
+follower = "translating_roller"
+base_radius_mm = 60
+roller_radius_mm = 5
+[limits]
+concave_radius_min_mm = 30
+)"));
+    ASSERT_TRUE(solution.cam);
+    ASSERT_FALSE(solution.cam->summary.concave_radius);
+    EXPECT_FALSE(limit_of(solution, "limits.concave_radius_min_mm").active);
+    const std::string text = text_of(solution);
+    EXPECT_TRUE(says(text, "limits.concave_radius_min_mm = 30: the cam is nowhere concave (not active)"))
+        << text;
+    EXPECT_TRUE(says(text, "No limit shapes it")) << text;
+    EXPECT_FALSE(says(text, "∞")) << text;
+}
+
+}  // namespace limit_activity_test
+}  // namespace camopt
