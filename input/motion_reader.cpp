@@ -86,7 +86,10 @@ class MotionReader {
             check_name(source_, *law, key(*law), {known_.laws, "a law of the catalogue: ", ""});
             segment.law = law->value().text;
         }
-        if (const auto to = find("to")) segment.to = displacement_in_lifts(source_, *to, key(*to), motion);
+        if (const auto to = find("to")) {
+            segment.to = displacement_in_lifts(source_, *to, key(*to), motion);
+            segment.to_unit = to->spelling->unit;
+        }
         return segment;
     }
 

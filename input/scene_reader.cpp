@@ -152,6 +152,8 @@ class SceneReader {
             source_.read_number("solver", "gap", *solver.gap);
         }
         source_.read_number("solver", "max_seconds", solver.max_seconds);
+        source_.read_number("solver", "explain_seconds", solver.explain_seconds);
+        source_.read_integer("solver", "explain_changes", solver.explain_changes);
         if (const auto starts = source_.find("solver", "starts"))
             solver.starts = static_cast<int>(starts->value().integer);
         source_.read_integer("solver", "seed", solver.seed);

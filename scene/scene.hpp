@@ -56,6 +56,8 @@ struct ProgramSegment {
     std::optional<double> to;        ///< displacement at its end, in lifts; none: free (law, spline)
     std::vector<SetPoint> via = {};  ///< kind spline
     std::optional<AngleRange> angle_range = {};  ///< searched, from `angle` on; closed programs only
+    std::string to_unit =
+        {};  ///< in which `to` was written ("mm"); it stays where the lift changes. Empty: lifts
 };
 
 /// A motion that was measured, or comes from elsewhere: displacement over cam angle, counted from the start.
@@ -188,6 +190,10 @@ struct SolverSpec {
     /// Proved relative gap below which the verdict is optimal; default: wanted_gap().
     std::optional<double> gap;
     double max_seconds = 60.0;  ///< wall time of the whole solve; then the best feasible point is kept
+    /// Of max_seconds: for the search for changes that make an infeasible scene feasible, which ends as soon
+    /// as it has found so many useful ones.
+    double explain_seconds = 5.0;
+    int explain_changes = 3;
     std::optional<int> starts;  ///< starting points; default: 1 where convex, 8 otherwise
     unsigned seed = 0;
     std::map<std::string, OptionValue> options;  ///< the backend's own, checked against its registry

@@ -264,7 +264,7 @@ CAMOPT_C_API camopt_error camopt_constraint_count(const camopt_solution* solutio
 CAMOPT_C_API camopt_error camopt_constraint_at(const camopt_solution* solution, size_t index,
                                                camopt_constraint* constraint);
 
-/// What would help where the verdict is infeasible: the least change of one number alone.
+/// What would help where the verdict is infeasible: the least change of one number, the most useful first.
 typedef struct camopt_relaxation {
     size_t size;
     const char* key;  ///< given, needed and solved are in its unit
@@ -272,12 +272,23 @@ typedef struct camopt_relaxation {
     double needed;  ///< on the edge of what is feasible; NaN: none was found
     double solved;  ///< needed, rounded to the side that does: a motion was found with it
     int ruled_out;  ///< without needed: it is proved that no value helps
+    size_t also;    ///< how many numbers change along with it
 } camopt_relaxation;
+
+/// A number that changes along with another one: the dwell that a longer segment is taken from.
+typedef struct camopt_companion_change {
+    size_t size;
+    const char* key;  ///< given and solved are in its unit
+    double given, solved;
+} camopt_companion_change;
 
 CAMOPT_C_API camopt_error camopt_relaxation_count(const camopt_solution* solution, size_t* count);
 /// index from 0; ARGUMENT beyond the count.
 CAMOPT_C_API camopt_error camopt_relaxation_at(const camopt_solution* solution, size_t index,
                                                camopt_relaxation* relaxation);
+/// What changes along with the relaxation `index`; which: from 0, below its `also`, else ARGUMENT.
+CAMOPT_C_API camopt_error camopt_relaxation_also(const camopt_solution* solution, size_t index, size_t which,
+                                                 camopt_companion_change* change);
 
 // The motion.
 

@@ -84,7 +84,8 @@ camopt_relaxation relaxation_of(const Relaxation& relaxation) {
             relaxation.given,
             number_or_absent(relaxation.needed),
             number_or_absent(relaxation.solved),
-            relaxation.ruled_out ? 1 : 0};
+            relaxation.ruled_out ? 1 : 0,
+            relaxation.also.size()};
 }
 
 /// list: makes the entries of a solution; `entry` is filled with one of them.
@@ -214,5 +215,16 @@ camopt_error camopt_relaxation_count(const camopt_solution* solution, size_t* co
 camopt_error camopt_relaxation_at(const camopt_solution* solution, size_t index,
                                   camopt_relaxation* relaxation) {
     return entry_at(solution, index, relaxation, relaxations_of);
+}
+
+camopt_error camopt_relaxation_also(const camopt_solution* solution, size_t index, size_t which,
+                                    camopt_companion_change* change) {
+    return entry_at(solution, which, change, [index](const Solution& of) {
+        check_index(index, of.relaxation.size(), "index");
+        return converted(of.relaxation[index].also, [](const CompanionChange& one) {
+            return camopt_companion_change{sizeof(camopt_companion_change), one.key.c_str(), one.given,
+                                           one.solved};
+        });
+    });
 }
 }

@@ -155,6 +155,8 @@ Json relaxation_json(const std::vector<Relaxation>& rows) {
     for (const Relaxation& row : rows) {
         Json one = {{"key", row.key}, {"given", number_json(row.given)}, {"needed", number_json(row.needed)}};
         if (row.solved) one["solved"] = number_json(row.solved);
+        for (const CompanionChange& other : row.also)
+            one["also"].push_back({{"key", other.key}, {"given", other.given}, {"solved", other.solved}});
         list.push_back(std::move(one));
     }
     return list;
@@ -164,6 +166,8 @@ Json explanation_json(const Explanation& explanation) {
     return {{"together", relaxation_json(explanation.together)},
             {"any_motion", explanation.any_motion},
             {"alone", explanation.alone},
+            {"set_points", explanation.set_points},
+            {"end", name_of(explanation.end)},
             {"finest_segments", explanation.finest > 0 ? Json(explanation.finest) : Json(nullptr)},
             {"unsettled", explanation.unsettled},
             {"seconds", number_json(explanation.seconds)},

@@ -101,8 +101,6 @@ Json verdict_part(const Solution& solution) {
     for (const std::string& sentence : excursion_sentences(solution)) sentences.push_back(sentence);
     if (!has_motion(solution))
         for (const std::string& remark : infeasible_remarks(solution)) sentences.push_back(remark);
-    if (!has_motion(solution) && !is_told_in_words(solution.scene))
-        for (const Relaxation& row : solution.relaxation) sentences.push_back(relaxation_sentence(row));
     return {{"key", name_of(verdict)},
             {"tone", plain.tone},
             {"headline", plain.headline},

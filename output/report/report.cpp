@@ -126,18 +126,6 @@ std::string set_point_section(const Solution& solution) {
     return table.rows.empty() ? std::string() : "\n## Set points\n\n" + markdown_text(table);
 }
 
-std::string relaxation_section(const Solution& solution) {
-    if (is_told_in_words(solution.scene)) return infeasible_section(solution);
-    if (solution.relaxation.empty()) return {};
-    std::string text =
-        "\n## What would have to change\n\nEach line is the least change of one number alone that was found, "
-        "with "
-        "all others kept; rounded to the side that does, and solved.\n\n";
-    for (const Relaxation& row : solution.relaxation) text += fmt::format("- {}\n", relaxation_sentence(row));
-    for (const std::string& remark : common_remarks(solution)) text += fmt::format("- {}\n", remark);
-    return text;
-}
-
 std::string design_section(const DesignReport& design) {
     if (design.names.empty()) return {};
     constexpr std::size_t most = 40;  // longer lists stand in result.json
@@ -170,7 +158,7 @@ std::string notes_section(const std::vector<std::string>& notes) {
 std::string report_markdown(const Solution& solution, const RunOrigin& origin) {
     std::string text =
         fmt::format("# {}\n\n", solution.scene.title.empty() ? "Motion" : printable(solution.scene.title));
-    text += asked(solution.scene) + verdict_section(solution) + relaxation_section(solution);
+    text += asked(solution.scene) + verdict_section(solution) + infeasible_section(solution);
     if (solution.motion)
         text += solution.segments.empty() ? peak_table(solution)
                                           : program_peak_section(solution) + segment_section(solution);

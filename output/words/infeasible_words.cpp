@@ -4,9 +4,10 @@
 #include "core/units.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/scene_cam.hpp"
+#include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -173,7 +174,7 @@ std::string conflict_sentence(const Solution& solution) {
 std::string sufficient_changes(const std::vector<Relaxation>& rows) {
     std::string text;
     for (const Relaxation& row : rows)
-        if (row.needed) text += (text.empty() ? "" : ", or ") + needed_words(row);
+        if (row.needed) text += (text.empty() ? "" : ", or ") + change_words(row);
     return text;
 }
 
@@ -186,11 +187,11 @@ std::string hopeless_changes(const std::vector<Relaxation>& rows) {
 
 namespace {
 
-/// "velocity <= 1.31 and acceleration <= 4.37"
+/// "raise the velocity limit to 1.31 and raise the acceleration limit to 4.37"
 std::string changes_together(const std::vector<Relaxation>& rows) {
     std::string text;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < rows.size() ? ", " : " and ") + needed_words(rows[i]);
+        text += (i == 0 ? "" : i + 1 < rows.size() ? ", " : " and ") + change_words(rows[i]);
     return text;
 }
 
@@ -215,16 +216,58 @@ void tell_hopeless(std::vector<std::string>& all, const std::vector<Relaxation>&
 
 void tell_finest(std::vector<std::string>& all, const Explanation& explanation) {
     if (explanation.finest > 0)
-        all.push_back(fmt::format("More segments were tried in vain, up to {}.", explanation.finest));
+        all.push_back(
+            fmt::format("More segments do not help: as many as {} were tried.", explanation.finest));
+}
+
+/// The set points without which there is a motion, as they were written.
+void tell_set_points(std::vector<std::string>& all, const Solution& solution) {
+    const MotionSpec& motion = solution.scene.motion;
+    std::vector<std::string> words;
+    for (const PlacedPoint& point : placed_points(motion)) {
+        if (std::ranges::find(solution.explanation->set_points, point.member) ==
+            solution.explanation->set_points.end())
+            continue;
+        for (int order = 0; order < 3; ++order)
+            if (point.wanted[static_cast<std::size_t>(order)])
+                words.push_back(words_of(motion, point, order));
+    }
+    if (words.empty()) return;
+    const bool one = solution.explanation->set_points.size() == 1;
+    all.push_back(fmt::format("{}: {}.",
+                              one ? "Without this set point there is a motion"
+                                  : "Without any one of these set points there is a motion",
+                              fmt::join(words, "; ")));
 }
 
 void tell_time(std::vector<std::string>& all, const Explanation& explanation) {
-    const std::string taken =
-        fmt::format("The search for what helps took {} s; solver.max_seconds leaves it {} s.",
-                    short_text(explanation.seconds, 2), short_text(explanation.allowed, 3));
-    all.push_back(explanation.unsettled.empty()
-                      ? taken
-                      : fmt::format("{} It did not settle: {}.", taken, listed(explanation.unsettled)));
+    const std::string seconds = short_text(explanation.seconds, 2),
+                      allowed = short_text(explanation.allowed, 3);
+    const char* const limit =
+        explanation.own_limit ? "solver.explain_seconds" : "what solver.max_seconds leaves";
+    std::string text;
+    switch (explanation.end) {
+        case ExplanationEnd::complete:
+            text = fmt::format("The search for changes took {} s.", seconds);
+            break;
+        case ExplanationEnd::enough:
+            text = fmt::format(
+                "The search for changes took {} s and ended with these (solver.explain_changes): others may "
+                "help.",
+                seconds);
+            break;
+        case ExplanationEnd::time_limit:
+            text = fmt::format("The search for changes ended after {} s of {} s ({}): others may help.",
+                               seconds, allowed, limit);
+            break;
+        case ExplanationEnd::interrupted:
+            text =
+                fmt::format("The search for changes was interrupted after {} s: others may help.", seconds);
+            break;
+    }
+    if (!explanation.unsettled.empty())
+        text += fmt::format(" It did not settle: {}.", listed(explanation.unsettled));
+    all.push_back(std::move(text));
 }
 
 }  // namespace
@@ -234,15 +277,6 @@ std::string joint_sentence(const Solution& solution) {
     return fmt::format("Together these would do: {}.", changes_together(solution.explanation->together));
 }
 
-std::vector<std::string> common_remarks(const Solution& solution) {
-    std::vector<std::string> all;
-    if (!solution.explanation) return all;
-    if (const std::string together = joint_sentence(solution); !together.empty()) all.push_back(together);
-    tell_finest(all, *solution.explanation);
-    tell_time(all, *solution.explanation);
-    return all;
-}
-
 std::vector<std::string> infeasible_remarks(const Solution& solution) {
     std::vector<std::string> all;
     const std::string conflict = conflict_sentence(solution);
@@ -250,7 +284,11 @@ std::vector<std::string> infeasible_remarks(const Solution& solution) {
     const std::string changes = sufficient_changes(solution.relaxation);
     if (!changes.empty()) all.push_back(fmt::format("One of these alone would do: {}.", changes));
     tell_hopeless(all, solution.relaxation);
-    for (std::string& remark : common_remarks(solution)) all.push_back(std::move(remark));
+    if (!solution.explanation) return all;
+    tell_set_points(all, solution);
+    if (const std::string together = joint_sentence(solution); !together.empty()) all.push_back(together);
+    tell_finest(all, *solution.explanation);
+    tell_time(all, *solution.explanation);
     return all;
 }
 
@@ -258,14 +296,10 @@ TextTable relaxation_table(const Solution& solution) {
     TextTable table{{{"limit or dimension", true}, {"given"}, {"needed, if nothing else changes"}}, {}};
     for (const Relaxation& row : solution.relaxation)
         table.rows.push_back({row.key, short_text(row.given),
-                              row.needed      ? needed_number(row)
+                              row.needed      ? needed_number(row) + also_words(row)
                               : row.ruled_out ? "no change helps"
                                               : "no value tried helps"});
     return table;
-}
-
-bool is_told_in_words(const Scene& scene) {
-    return has_cam(scene) || scene.motion.type == MotionType::program;
 }
 
 }  // namespace camopt

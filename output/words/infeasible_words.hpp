@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a scene with a cam or a program has no motion, and what would have to change, in the user's words.
+// Why a scene has no motion, and what would have to change, in the user's words.
 #pragma once
 
 #include "output/words/tables/text_table.hpp"
@@ -16,8 +16,8 @@ namespace camopt {
 /// motion. Empty where nothing is known of it.
 [[nodiscard]] std::string conflict_sentence(const Solution& solution);
 
-/// "base radius >= 31.4 mm, or rise >= 68.2 deg, or pressure angle <= 33.1 deg": each change alone would do.
-/// Empty where none helps.
+/// "lengthen the rise to 68.2 deg, or increase the base radius to 31.4 mm, or raise the pressure angle limit
+/// to 33.1 deg": each change alone would do. Empty where none helps.
 [[nodiscard]] std::string sufficient_changes(const std::vector<Relaxation>& rows);
 
 /// "concave radius, roller radius": what no change alone was found to help. Empty where everything does.
@@ -26,20 +26,14 @@ namespace camopt {
 /// "spline of 4 quintic segments": the motions that a verdict speaks of.
 [[nodiscard]] std::string spline_words(const Scene& scene);
 
-/// "Together these would do: velocity <= 1.31 and acceleration <= 4.37." Empty where nothing is known of it.
+/// "Together these would do: raise the velocity limit to 1.31 and raise the acceleration limit to 4.37."
+/// Empty where nothing is known of it.
 [[nodiscard]] std::string joint_sentence(const Solution& solution);
-
-/// What stands beside the changes of one number alone: those that do together, finer splines tried in vain,
-/// the time it took.
-[[nodiscard]] std::vector<std::string> common_remarks(const Solution& solution);
 
 /// The sentences of all that, in this order; empty for a feasible scene.
 [[nodiscard]] std::vector<std::string> infeasible_remarks(const Solution& solution);
 
 /// One row a change of one number alone: key, given, needed.
 [[nodiscard]] TextTable relaxation_table(const Solution& solution);
-
-/// Scenes that are told in these words: those with a cam, and programs.
-[[nodiscard]] bool is_told_in_words(const Scene& scene);
 
 }  // namespace camopt

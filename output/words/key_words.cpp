@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -37,11 +38,37 @@ double rounded_on(double needed, bool up) {
     return unit * (up ? std::ceil(steps - slack) : std::floor(steps + slack));
 }
 
+/// Of a number in a list of the motion: "motion.via[0].velocity_mm_deg" is "motion.via[0].velocity" in
+/// "mm/deg". The unit is what follows the name.
+KeyWords listed_key_words(std::string_view key) {
+    const std::size_t name = key.rfind('.') + 1, end = std::min(key.find('_', name), key.size());
+    KeyWords found{std::string(key.substr(0, end)), "", false};
+    for (const char letter : key.substr(std::min(end + 1, key.size()))) {
+        if (letter == '2')
+            found.unit += "²";
+        else
+            found.unit += letter == '_' ? '/' : letter;
+    }
+    return found;
+}
+
+/// "raise" and "lower" a limit, "lengthen" an angle, "increase" everything else.
+std::string verb_of(const Relaxation& row, const KeyWords& key) {
+    const bool more = *row.needed > row.given;
+    if (key.limit) return more ? "raise" : "lower";
+    if (row.key.find(".via[") != std::string::npos || row.key.find("].to") != std::string::npos)
+        return "change";
+    if (row.key.starts_with("motion.") && row.key.ends_with("_deg") && row.key != "motion.lift_deg")
+        return more ? "lengthen" : "shorten";
+    return more ? "increase" : "reduce";
+}
+
 }  // namespace
 
 KeyWords key_words(std::string_view key, std::string_view remark) {
+    if (key.starts_with("motion.") && key.find('[') != std::string_view::npos) return listed_key_words(key);
     KeyWords found;
-    found.limit = key.starts_with("limits.");
+    found.limit = key.starts_with("limits.") || key.starts_with("own.");
     if (const std::size_t table = key.find('.'); table != std::string_view::npos)
         key.remove_prefix(table + 1);
     const std::string_view end_of_range = key.ends_with(".max")   ? "largest "
@@ -71,14 +98,34 @@ std::string needed_number(const Relaxation& row) {
     return short_text(row.solved.value_or(rounded_on(*row.needed, *row.needed > row.given)), needed_digits);
 }
 
-std::string needed_words(const Relaxation& row) {
+std::string also_words(const Relaxation& row) {
+    std::string text;
+    for (const CompanionChange& one : row.also) {
+        const KeyWords key = key_words(one.key);
+        const std::string now = fmt::format("{} {}", short_text(one.solved, needed_digits), key.unit);
+        const bool gives_way = one.solved < one.given;
+        text += gives_way ? fmt::format(", taken from {}, which keeps {}", key.words, now)
+                          : fmt::format(", with {}{} at {}",
+                                        one.key.find('[') == std::string::npos ? "the " : "", key.words, now);
+    }
+    return text;
+}
+
+std::string change_words(const Relaxation& row) {
     if (!row.needed) return {};
-    const KeyWords key = key_words(row.key == "spline.breakpoints" ? "spline.segments" : row.key);
-    const bool more = *row.needed > row.given;
-    // A limit that is to grow is an upper one, and a larger one is what it would have to be.
-    const char* const sign = more != key.limit ? ">=" : "<=";
-    return fmt::format("{} {} {}{}{}", key.words, sign, needed_number(row), key.unit.empty() ? "" : " ",
-                       key.unit);
+    if (row.key.starts_with("spline.")) {
+        std::string number = needed_number(row);
+        return "use " + number.insert(std::min(number.find(' '), number.size()), " segments");
+    }
+    const KeyWords key = key_words(row.key);
+    const std::string unit = key.unit.empty() ? "" : " " + key.unit;
+    // What has an index is no word that takes an article, and its old value tells which it is.
+    const bool listed = row.key.find('[') != std::string::npos;
+    return fmt::format("{} {}{}{} to {}{}{}", verb_of(row, key), listed ? "" : "the ", key.words,
+                       key.limit ? " limit"
+                       : listed  ? fmt::format(" from {}", short_text(row.given, needed_digits))
+                                 : "",
+                       needed_number(row), unit, also_words(row));
 }
 
 }  // namespace camopt

@@ -17,9 +17,13 @@ struct KeyWords {
 
 [[nodiscard]] KeyWords key_words(std::string_view key, std::string_view remark = {});
 
-/// "base radius >= 31.4 mm", "pressure angle <= 33.1 deg": a dimension on the needed side of its value, a
-/// limit as it would have to be written. Empty where no change of it alone helps.
-[[nodiscard]] std::string needed_words(const Relaxation& row);
+/// What to do: "increase the base radius to 31.4 mm", "raise the pressure angle limit to 33.1 deg",
+/// "lengthen motion.segments[2].angle from 50 to 54 deg, taken from motion.segments[3].angle, which keeps
+/// 36 deg". Empty where no change of it alone helps.
+[[nodiscard]] std::string change_words(const Relaxation& row);
+
+/// What changes along with it: ", with the return at 95 deg"; empty: nothing.
+[[nodiscard]] std::string also_words(const Relaxation& row);
 
 /// The number of these words: the one that was solved, or the needed one rounded to the side that does.
 [[nodiscard]] std::string needed_number(const Relaxation& row);

@@ -152,14 +152,7 @@ std::string cam_lines(const Solution& solution) {
 
 std::string relaxation_lines(const Solution& solution) {
     std::string text;
-    if (is_told_in_words(solution.scene)) {
-        for (const std::string& remark : infeasible_remarks(solution))
-            text += wrapped_text(remark, "  ", solution_line_width);
-        return text;
-    }
-    for (const Relaxation& row : solution.relaxation)
-        text += fmt::format("  relax: {}\n", relaxation_sentence(row));
-    for (const std::string& remark : common_remarks(solution))
+    for (const std::string& remark : infeasible_remarks(solution))
         text += wrapped_text(remark, "  ", solution_line_width);
     return text;
 }
@@ -295,11 +288,7 @@ std::string relaxation_sentence(const Relaxation& row) {
     if (!row.needed)
         return fmt::format("{} = {}: {} alone helps", row.key, short_text(row.given),
                            row.ruled_out ? "no change of this limit" : "no value tried of it");
-    if (row.key == "spline.breakpoints")
-        return fmt::format("{}, {} segments: {} are needed, if nothing else changes", row.key,
-                           short_text(row.given), needed_number(row));
-    return fmt::format("{} = {}: {} is needed, if nothing else changes", row.key, short_text(row.given),
-                       needed_number(row));
+    return fmt::format("{} = {}: {}", row.key, short_text(row.given), change_words(row));
 }
 
 std::vector<std::string> solver_sentences(const Solution& solution) {

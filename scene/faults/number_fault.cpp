@@ -62,6 +62,10 @@ const std::array solver_numbers = {
                Range::between(1e-12, 1e-2)},
     NumberRule{"solver.gap", [](const Scene& s) { return s.solver.gap; }, Range::between(1e-12, 1e-2)},
     NumberRule{"solver.max_seconds", [](const Scene& s) { return Number(s.solver.max_seconds); }, positive},
+    NumberRule{"solver.explain_seconds", [](const Scene& s) { return Number(s.solver.explain_seconds); },
+               not_negative},
+    NumberRule{"solver.explain_changes", [](const Scene& s) { return Number(s.solver.explain_changes); },
+               Range::between(1, 1000)},
 };
 
 Fault out_of(const Range& range, const Number& value, const std::string& member) {

@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
-#include "scene/spellings.hpp"
 
 #include <fmt/format.h>
 
@@ -28,20 +27,7 @@ std::span<const Spelling> spellings_of(int order) {
     return spellings::set_point_acceleration;
 }
 
-const Spelling& spelling_of_unit(int order, std::string_view unit) {
-    for (const Spelling& spelling : spellings_of(order))
-        if (spelling.unit == unit) return spelling;
-    throw InputError(
-        fmt::format("a set point: found a {} in \"{}\"; allowed: none (normalised), or the unit of "
-                    "a key of the scene file",
-                    value_names[static_cast<std::size_t>(order)], unit));
-}
-
 const std::optional<double>& value_of(const SetPoint& point, int order) {
-    return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
-}
-
-std::optional<double>& value_of(SetPoint& point, int order) {
     return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
 }
 
@@ -80,11 +66,27 @@ std::string place_words(const MotionSpec& motion, const PlacedPoint& point, doub
     if (point.units.place.empty())
         return fmt::format("{}{:.6g}{}",
                            segment ? "" : "x = ", segment ? angle / own_angle(motion, point) : x, of);
-    const double unit = point.units.place == "deg" ? units::degree : 1.0;
-    return fmt::format("{:.6g} {}{}", angle / unit, point.units.place, of);
+    return fmt::format("{:.6g} {}{}", angle / unit_of_place(point.units.place), point.units.place, of);
 }
 
 }  // namespace
+
+const Spelling& spelling_of_unit(int order, std::string_view unit) {
+    for (const Spelling& spelling : spellings_of(order))
+        if (spelling.unit == unit) return spelling;
+    throw InputError(
+        fmt::format("a set point: found a {} in \"{}\"; allowed: none (normalised), or the unit of "
+                    "a key of the scene file",
+                    value_names[static_cast<std::size_t>(order)], unit));
+}
+
+double unit_of_place(std::string_view unit) {
+    return unit == "deg" ? units::degree : 1.0;
+}
+
+std::optional<double>& value_of(SetPoint& point, int order) {
+    return order == 0 ? point.displacement : order == 1 ? point.velocity : point.acceleration;
+}
 
 bool is_unit_of_time(std::string_view unit) {
     const std::size_t slash = unit.find('/');
@@ -189,16 +191,12 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
     };
     keep(changed.via, {changed.unit_angle(), changed.lift, changed.speed},
          {before.unit_angle(), before.lift, before.speed});
-    for (std::size_t i = 0; i < changed.segments.size(); ++i)
-        keep(changed.segments[i].via, {changed.segments[i].angle, changed.lift, changed.speed},
+    for (std::size_t i = 0; i < changed.segments.size(); ++i) {
+        ProgramSegment& segment = changed.segments[i];
+        if (segment.to && !segment.to_unit.empty()) *segment.to *= before.lift / changed.lift;
+        keep(segment.via, {segment.angle, changed.lift, changed.speed},
              {before.segments[i].angle, before.lift, before.speed});
-}
-
-MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles) {
-    MotionSpec changed = motion;
-    for (std::size_t i = 0; i < changed.segments.size(); ++i) changed.segments[i].angle = angles[i];
-    keep_written(changed, motion);
-    return changed;
+    }
 }
 
 }  // namespace camopt

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "scene/spellings.hpp"
 
 #include <array>
 #include <optional>
@@ -21,6 +22,14 @@ struct SetPointScale {
     double angle = 1.0, lift = 1e-3;
     std::optional<double> speed;
 };
+
+/// The spelling of a set point's derivative of `order` in this unit. Throws InputError where there is none.
+[[nodiscard]] const Spelling& spelling_of_unit(int order, std::string_view unit);
+/// SI value of the unit of a place: "deg", "rad".
+[[nodiscard]] double unit_of_place(std::string_view unit);
+
+/// The wanted number of derivative `order`.
+[[nodiscard]] std::optional<double>& value_of(SetPoint& point, int order);
 
 /// SI value of one normalised unit of the derivative of `order` (0 to 2), by time or by the cam angle.
 /// Throws InputError by time without a speed.
@@ -63,10 +72,8 @@ struct WrittenValue {
 [[nodiscard]] std::vector<double> with_regions(std::vector<double> breakpoints,
                                                std::vector<std::array<double, 2>> regions, double closest);
 
-/// After angles, lift or speed changed: set points that were written in units say what they said before.
+/// After angles, lift or speed changed: set points and displacements `to` that were written in units say what
+/// they said before.
 void keep_written(MotionSpec& changed, const MotionSpec& before);
-
-/// The motion with other angles of its segments, kept as above. Limits in time are the caller's.
-[[nodiscard]] MotionSpec with_angles(const MotionSpec& motion, const std::vector<double>& angles);
 
 }  // namespace camopt

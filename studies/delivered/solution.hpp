@@ -70,8 +70,13 @@ struct TrainReport {
     std::vector<ResponseTermReport> terms;      ///< those with a weight
 };
 
-/// The least change of one number alone, the others kept, that makes the scene feasible; none where none was
-/// found.
+/// A number that changes along with another one: the dwell that a longer segment is taken from.
+struct CompanionChange {
+    std::string key;
+    double given = 0.0, solved = 0.0;
+};
+
+/// The least change of one number, the others kept, that makes the scene feasible; none where none was found.
 struct Relaxation {
     std::string key;
     double given = 0.0;
@@ -81,21 +86,34 @@ struct Relaxation {
     std::optional<double> solved = {};
     /// Without `needed`: it is proved that no value helps, not only that none of those tried does.
     bool ruled_out = false;
+    std::vector<CompanionChange> also = {};  ///< what changed along with it in that solve
 };
 
-/// What was found out about a scene without a motion, beside the changes of one number alone.
 /// Among Explanation::unsettled: the search for what all limits together would have to give.
 inline constexpr const char* together_key = "together";
 
+/// Why a search for changes ended: everything was tried; as many useful changes as were asked for were found;
+/// its time was over; the user stopped it.
+enum class ExplanationEnd { complete, enough, time_limit, interrupted };
+inline constexpr const char* explanation_end_names[] = {"complete", "enough", "time_limit", "interrupted"};
+[[nodiscard]] constexpr const char* name_of(ExplanationEnd value) {
+    return explanation_end_names[static_cast<int>(value)];
+}
+
+/// What was found out about a scene without a motion, beside the changes of one number alone.
 struct Explanation {
     /// Changes that do together, where no limit alone can be relaxed far enough: all by the same part of
     /// themselves, but those that need none.
     std::vector<Relaxation> together;
-    std::vector<std::string> any_motion;  ///< keys of limits that no motion whatever keeps, spline or not
-    std::vector<std::string> alone;       ///< keys of limits that no motion keeps even without the others
-    int finest = 0;                       ///< segments of the finest spline that was tried in vain; 0: none
+    std::vector<std::string> any_motion;  ///< keys of limits that no motion can satisfy, spline or not
+    std::vector<std::string> alone;       ///< keys of limits that no motion satisfies even without the others
+    /// Set points ("motion.via[1]") without which, each removed alone, the scene has a motion.
+    std::vector<std::string> set_points;
+    int finest = 0;                       ///< segments of the finest spline tried without success; 0: none
     std::vector<std::string> unsettled;   ///< keys of changes whose search did not end, `together_key` too
-    double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given of solver.max_seconds
+    double seconds = 0.0, allowed = 0.0;  ///< taken, and what it was given
+    bool own_limit = true;  ///< `allowed` is solver.explain_seconds; false: what solver.max_seconds left
+    ExplanationEnd end = ExplanationEnd::complete;
 };
 
 /// One rule of a contradiction and where on the cam it bites.

@@ -4,10 +4,10 @@
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "scene/limit_table.hpp"
-#include "scene/motion/set_points.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
@@ -15,7 +15,7 @@ namespace {
 
 // The first change tried, relative; then it doubles.
 constexpr double first_change = 0.02;
-// No cam is built this much larger than asked for, and no limit is worth this much less.
+// Beyond a thousand times its size a change of a dimension or a limit is no advice.
 constexpr double farthest_change = 1e3;
 // Pressure angles end short of the right angle.
 constexpr double largest_pressure_angle = 89.9 * units::degree;
@@ -24,42 +24,27 @@ constexpr double largest_pressure_angle = 89.9 * units::degree;
 void add_own_limits(std::vector<Adjustment>& all, const Scene& scene) {
     for (std::size_t i = 0; i < scene.own_limits.size(); ++i) {
         const OwnLimit& limit = scene.own_limits[i];
-        Adjustment adjustment;
-        adjustment.key = limit.key();
-        adjustment.given = adjustment.least = limit.limit;
-        adjustment.step = first_change * limit.scale();
-        adjustment.may_grow = true;
-        adjustment.may_shrink = false;
-        adjustment.most = limit.limit + farthest_change * limit.scale();
-        adjustment.limit = true;
-        adjustment.with = [i](const Scene& one, double value) {
-            Scene changed = one;
-            changed.own_limits[i].limit = value;
-            return changed;
-        };
-        all.push_back(std::move(adjustment));
+        all.push_back(
+            number_adjustment(limit.key(), limit.limit, limit.scale(),
+                              Range::between(limit.limit, limit.limit + farthest_change * limit.scale()),
+                              [i](Scene& changed, double value) { changed.own_limits[i].limit = value; }));
+        all.back().limit = true;
+        all.back().usefulness = Usefulness::limit;
     }
 }
 
 /// Up to `end`, SI.
 Adjustment limit_adjustment(const Scene& scene, const LimitRow& row, double end) {
     const WrittenLimit& limit = *row.in(scene.limits);
-    const bool grows = !row.is_least();
-    const double given = limit.given();
-    Adjustment adjustment;
-    adjustment.key = limit.key;
-    adjustment.given = given;
-    adjustment.step = first_change * std::max(std::abs(given), 1e-3 * std::abs(end / limit.unit_value));
-    adjustment.may_grow = grows;
-    adjustment.may_shrink = !grows;
-    adjustment.least = grows ? given : end / limit.unit_value;
-    adjustment.most = grows ? end / limit.unit_value : given;
+    const double given = limit.given(), last = end / limit.unit_value;
+    Adjustment adjustment =
+        number_adjustment(limit.key, given, std::max(std::abs(given), 1e-3 * std::abs(last)),
+                          row.is_least() ? Range::between(last, given) : Range::between(given, last),
+                          [&row, unit = limit.unit_value](Scene& changed, double value) {
+                              row.in(changed.limits)->value = value * unit;
+                          });
     adjustment.limit = true;
-    adjustment.with = [&row, unit = limit.unit_value](const Scene& one, double value) {
-        Scene changed = one;
-        row.in(changed.limits)->value = value * unit;
-        return changed;
-    };
+    adjustment.usefulness = Usefulness::limit;
     return adjustment;
 }
 
@@ -80,35 +65,6 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
     }
 }
 
-void add_rise(std::vector<Adjustment>& all, const Scene& scene) {
-    const MotionSpec& motion = scene.motion;
-    const bool own_places = !scene.spline.breakpoints.empty() || !motion.via.empty();
-    if (motion.type == MotionType::program ||
-        (motion.type == MotionType::rr && motion.return_angle && own_places)) {
-        return;
-    }
-    const double turn = 360.0;
-    const double given = as_written(motion.rise / units::degree);
-    const double rest = motion.return_angle ? *motion.return_angle / units::degree : 0.0;
-    const bool doubled = motion.type == MotionType::rr && !motion.return_angle;
-    Adjustment adjustment{"motion.rise_deg",
-                          given,
-                          first_change * given,
-                          true,
-                          false,
-                          given,
-                          doubled ? 0.5 * turn : turn - rest,
-                          {}};
-    adjustment.with = [](const Scene& one, double value) {
-        Scene changed = one;
-        changed.motion.rise = value * units::degree;
-        keep_written(changed.motion, one.motion);
-        rescale_limits_in_time(changed, changed.motion.rise / one.motion.rise);
-        return changed;
-    };
-    all.push_back(std::move(adjustment));
-}
-
 void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIndex which) {
     const Dimension& dimension = (*scene.cam)[which];
     const std::string key =
@@ -120,43 +76,22 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
     // A larger base circle always helps a translating follower; the rest may have to move either way.
     const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower) &&
                             !scene.cam->form.is_conjugate();
-    const auto with = [which, unit](const Scene& one, bool upper, double value) {
-        Scene changed = one;
-        Dimension& own = (*changed.cam)[which];
-        const bool range = own.is_variable();
-        if (upper || !range) own.high = value * unit;
-        if (!upper || !range) own.low = value * unit;
-        return changed;
+    const double largest = farthest_change * size / unit, least = has_sign ? -largest : 0.0;
+    const auto add = [&](const std::string& name, double number, const Range& range, bool upper) {
+        all.push_back(number_adjustment(name, number, size / unit, range,
+                                        [which, unit, upper](Scene& changed, double value) {
+                                            Dimension& own = (*changed.cam)[which];
+                                            const bool one = !own.is_variable();
+                                            if (upper || one) own.high = value * unit;
+                                            if (!upper || one) own.low = value * unit;
+                                        }));
+        if (which == DimensionIndex::base_radius) all.back().usefulness = Usefulness::base_radius;
     };
-    const double farthest_value = farthest_change * size / unit;
-    if (!dimension.is_variable()) {
-        Adjustment adjustment{key,
-                              as_written(dimension.low / unit),
-                              first_change * size / unit,
-                              true,
-                              !grows_only,
-                              has_sign ? -farthest_value : 0.0,
-                              farthest_value,
-                              {}};
-        adjustment.with = [with](const Scene& one, double value) { return with(one, true, value); };
-        all.push_back(std::move(adjustment));
-        return;
-    }
-    Adjustment upper{key + ".max",
-                     as_written(dimension.high / unit),
-                     first_change * size / unit,
-                     true,
-                     false,
-                     as_written(dimension.high / unit),
-                     farthest_value,
-                     {}};
-    upper.with = [with](const Scene& one, double value) { return with(one, true, value); };
-    all.push_back(std::move(upper));
-    if (grows_only) return;
-    Adjustment lower{key + ".min", as_written(dimension.low / unit), first_change * size / unit,       false,
-                     true,         has_sign ? -farthest_value : 0.0, as_written(dimension.low / unit), {}};
-    lower.with = [with](const Scene& one, double value) { return with(one, false, value); };
-    all.push_back(std::move(lower));
+    const double low = as_written(dimension.low / unit), high = as_written(dimension.high / unit);
+    if (!dimension.is_variable())
+        return add(key, low, Range::between(grows_only ? low : least, largest), true);
+    add(key + ".max", high, Range::between(high, largest), true);
+    if (!grows_only) add(key + ".min", low, Range::between(least, low), false);
 }
 
 /// Of a coordinate or an angle that happens to be 0.
@@ -173,54 +108,53 @@ void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) 
         if (dimension.key.empty() || dimension.is_variable()) continue;
         const double size = std::max(std::abs(dimension.high), least_mechanism_size(scene, i));
         const double farthest_value = farthest_change * size / dimension.unit;
-        Adjustment adjustment{dimension.key,
-                              as_written(dimension.low / dimension.unit),
-                              first_change * size / dimension.unit,
-                              true,
-                              true,
-                              -farthest_value,
-                              farthest_value,
-                              {}};
-        adjustment.with = [i, unit = dimension.unit](const Scene& one, double value) {
-            Scene changed = one;
-            Dimension& own = changed.mechanism->dimensions[i].value;
-            own.low = own.high = value * unit;
-            return changed;
-        };
-        all.push_back(std::move(adjustment));
+        all.push_back(number_adjustment(dimension.key, as_written(dimension.low / dimension.unit),
+                                        size / dimension.unit,
+                                        Range::between(-farthest_value, farthest_value),
+                                        [i, unit = dimension.unit](Scene& changed, double value) {
+                                            Dimension& own = changed.mechanism->dimensions[i].value;
+                                            own.low = own.high = value * unit;
+                                        }));
     }
 }
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.cam->face_half_width) return;
     const double unit = metres_of(scene.length_unit), given = as_written(*scene.cam->face_half_width / unit);
-    Adjustment adjustment{std::string("cam.face_half_width_") + name_of(scene.length_unit),
-                          given,
-                          first_change * given,
-                          true,
-                          false,
-                          given,
-                          farthest_change * given,
-                          {}};
-    adjustment.limit = true;
-    adjustment.with = [unit](const Scene& one, double value) {
-        Scene changed = one;
-        changed.cam->face_half_width = value * unit;
-        return changed;
-    };
-    all.push_back(std::move(adjustment));
+    all.push_back(number_adjustment(
+        std::string("cam.face_half_width_") + name_of(scene.length_unit), given, given,
+        Range::between(given, farthest_change * given),
+        [unit](Scene& changed, double value) { changed.cam->face_half_width = value * unit; }));
+    all.back().limit = true;
+    all.back().usefulness = Usefulness::limit;
 }
 
 }  // namespace
 
+Adjustment number_adjustment(std::string key, double given, double size, const Range& range,
+                             std::function<void(Scene& scene, double value)> set) {
+    Adjustment adjustment;
+    adjustment.key = std::move(key);
+    adjustment.given = given;
+    adjustment.step = first_change * size;
+    adjustment.least = range.low;
+    adjustment.most = range.high;
+    adjustment.may_grow = range.high > given;
+    adjustment.may_shrink = range.low < given;
+    adjustment.with = [set = std::move(set)](const Scene& scene, double value) {
+        Scene changed = scene;
+        set(changed, value);
+        return changed;
+    };
+    return adjustment;
+}
+
 std::vector<Adjustment> adjustments(const Scene& scene) {
-    std::vector<Adjustment> all;
+    std::vector<Adjustment> all = motion_adjustments(scene);
     add_limits(all, scene);
     add_own_limits(all, scene);
-    add_rise(all, scene);
     add_mechanism_dimensions(all, scene);
-    const std::vector<Adjustment> operating = operating_adjustments(scene);
-    all.insert(all.end(), operating.begin(), operating.end());
+    for (Adjustment& one : operating_adjustments(scene)) all.push_back(std::move(one));
     if (!scene.cam) return all;
     for (int d = 0; d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What a user could change about an infeasible scene, one number at a time.
+// What a user could change about an infeasible scene: one table of numbers, each with its range and the scene
+// that has another value of it.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "core/numbers/range.hpp"
+#include "studies/delivered/solution.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt {
+
+/// In the order in which changes are searched: what costs a user least comes first.
+enum class Usefulness { angle, base_radius, limit, speed, lift, other };
 
 /// One number of a scene. Values are in the unit of the key.
 struct Adjustment {
@@ -16,23 +22,56 @@ struct Adjustment {
     double given = 0.0;
     double step = 0.0;  ///< the first change to try, > 0
     bool may_grow = true, may_shrink = true;
-    double least = 0.0, most = 0.0;  ///< the range it may move in
-    /// That scene with the value.
-    std::function<Scene(const Scene& scene, double value)> with;
-    /// A limit: whatever keeps it keeps every looser one, so that its end settles it.
+    double least = 0.0, most = 0.0;                               ///< the range it may move in
+    std::function<Scene(const Scene& scene, double value)> with;  ///< that scene with the value
+    Usefulness usefulness = Usefulness::other;
+    /// A limit: a motion that satisfies it satisfies every looser one, so that its end settles it.
     bool limit = false;
+    /// Searched only where no angle before it made the scene feasible.
+    bool fallback = false;
+    double begin = 0.0, end = infinity;  ///< the stretch of the motion that it changes, x
+    /// The numbers that change along with it: the dwell that an angle is taken from. Empty: none.
+    std::function<std::vector<CompanionChange>(double value)> also = {};
 };
 
-/// Every limit but the caps on peaks, the rise angle, every dimension of the cam, its springs and its speed.
+/// The first value tried lies a fiftieth of `size` away; all of them lie within `range`. `set`: puts a value
+/// into a scene.
+[[nodiscard]] Adjustment number_adjustment(std::string key, double given, double size, const Range& range,
+                                           std::function<void(Scene& scene, double value)> set);
+
+/// Everything that may be changed but set points: angles, every limit, every dimension of the cam, springs,
+/// speed, lift and displacements of a program.
 [[nodiscard]] std::vector<Adjustment> adjustments(const Scene& scene);
 
 /// The caps on peaks.
 [[nodiscard]] std::vector<Adjustment> peak_adjustments(const Scene& scene);
 
-/// Preload, spring rate, width of contact, and the speed that forces and limits in time go by.
+/// Preload, spring rate, width of contact, and the speed that forces and limits in time depend on.
 [[nodiscard]] std::vector<Adjustment> operating_adjustments(const Scene& scene);
 
-/// Limits in time keep their meaning when a unit of x takes `ratio` times the time it took.
-void rescale_limits_in_time(Scene& scene, double ratio);
+/// Angles of rise, return and segments (each with the dwell that gives way), the lift, displacements `to`.
+[[nodiscard]] std::vector<Adjustment> motion_adjustments(const Scene& scene);
+
+/// A set point, the scene without it, and its numbers.
+struct SetPointChanges {
+    /// One wanted number. Where the point has it at one angle only, the scene without it says which values
+    /// it may have.
+    struct Value {
+        Adjustment change;
+        std::optional<Scene> without;  ///< the scene without this number; none: of a region's velocity
+        int order = 0;                 ///< of the derivative
+        double per_normalised = 1.0;   ///< WrittenValue::per_normalised
+    };
+    std::string member;  ///< "motion.via[0]"
+    double at = 0.0;     ///< x
+    Scene without;
+    std::vector<Value> values;
+    std::optional<Adjustment> place;  ///< its cam angle; not of a region
+};
+[[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
+
+/// After angles, lift or speed changed: set points, displacements and limits in time say what they said
+/// before.
+void keep_written(Scene& changed, const MotionSpec& before);
 
 }  // namespace camopt

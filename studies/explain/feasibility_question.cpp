@@ -5,6 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "solvers/exchange/elastic.hpp"
 #include "solvers/structured/structured_solver.hpp"
+#include "studies/delivered/delivered_audit.hpp"
 #include "studies/solve/rest_conflict.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
@@ -45,18 +46,23 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
 }
 
 /// The scene as it is solved to answer: what decides which of its motions is best plays no part.
-Solution answer(Scene scene, const Budget& budget) {
+Solution answer(Scene scene, const Budget& budget, GridMemory* memory = nullptr) {
     scene.solver.name = "auto";
     scene.solver.options.clear();
     scene.objective.tie_break = TieBreak::none;
-    return solve_without_explaining(scene, budget.control());
+    return solve_without_explaining(scene, budget.control(), memory);
 }
 
-bool has_motion(const Solution& solution) {
+/// The motion of a search that leaves its proof out, audited. The solve that the user would start begins with
+/// the same search.
+Solution search(const Scene& scene, const Budget& budget) {
+    GridMemory memory;
+    memory.only_looks = true;
+    Solution solution = answer(scene, budget, &memory);
+    audit_delivered(solution);
     const Verdict verdict = solution.certificate.verdict;
-    const bool kept =
-        verdict == Verdict::optimal || verdict == Verdict::local || verdict == Verdict::feasible;
-    return solution.motion && kept;
+    if (verdict == Verdict::infeasible || verdict == Verdict::failed) solution.motion.reset();
+    return solution;
 }
 
 }  // namespace
@@ -73,17 +79,15 @@ double least_violation(const Scene& scene, const Budget& budget) {
     return least_violation(model, tolerance, budget);
 }
 
-bool is_solved(const Scene& scene, const Budget& budget) {
-    if (budget.spent() || find_fault(scene)) return false;
+std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budget& budget) {
+    if (budget.spent() || find_fault(scene)) return nullptr;
     // The first of several starts is one of those of the scene itself: what it finds is found with all.
     Scene first = scene;
     first.solver.starts = 1;
-    const Solution one = answer(first, budget);
-    if (has_motion(one)) return true;
-    if (one.certificate.verdict == Verdict::infeasible) return false;
-    if (budget.spent() || scene.solver.starts == 1) return false;
-    const Solution all = answer(scene, budget);
-    return has_motion(all);
+    const Solution one = search(first, budget);
+    const bool settled = one.motion || one.certificate.verdict == Verdict::infeasible;
+    if (settled || budget.spent() || scene.solver.starts == 1) return one.motion;
+    return search(scene, budget).motion;
 }
 
 bool is_proved_infeasible(const Scene& scene, const Budget& budget) {

@@ -4,7 +4,10 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "splines/motion_chain.hpp"
 #include "studies/explain/relaxation_budget.hpp"
+
+#include <memory>
 
 namespace camopt {
 
@@ -13,8 +16,13 @@ namespace camopt {
 /// it is what one search found.
 [[nodiscard]] double least_violation(const Scene& scene, const Budget& budget);
 
-/// A solve of the scene ended with a motion: optimal, local or feasible. By the backend that "auto" takes.
-[[nodiscard]] bool is_solved(const Scene& scene, const Budget& budget);
+/// The motion that a solve of the scene ended with: optimal, local or feasible; null: none. By the backend
+/// that "auto" takes and without a proof that it is the best.
+[[nodiscard]] std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budget& budget);
+
+[[nodiscard]] inline bool is_solved(const Scene& scene, const Budget& budget) {
+    return solved_motion(scene, budget) != nullptr;
+}
 
 /// A solve of the scene ended with a proof that it has no motion.
 [[nodiscard]] bool is_proved_infeasible(const Scene& scene, const Budget& budget);

@@ -13,27 +13,20 @@ namespace camopt {
 
 namespace {
 
-// The first change tried, relative; then it doubles.
-constexpr double first_operating_change = 0.02;
-// No spring is that much stronger than asked for, no machine that much slower, no cap that much looser.
+// Beyond a thousand times its size a change of a spring, a speed or a cap is no advice.
 constexpr double farthest_operating_change = 1e3;
 
 Adjustment peak_adjustment(const PeakLimit& limit, const PeakLimitRow& row) {
-    Adjustment adjustment;
-    adjustment.key = limit.key;
-    adjustment.given = limit.given;
-    adjustment.step = first_operating_change * limit.given;
-    adjustment.may_shrink = false;
-    adjustment.least = limit.given;
-    adjustment.most = farthest_operating_change * limit.given;
+    Adjustment adjustment =
+        number_adjustment(limit.key, limit.given, limit.given,
+                          Range::between(limit.given, farthest_operating_change * limit.given),
+                          [&row](Scene& changed, double value) {
+                              PeakLimit& own = *row.in(changed.limits);
+                              own.normalised = value / own.unit_per_normalised();
+                              own.given = value;
+                          });
     adjustment.limit = true;
-    adjustment.with = [&row](const Scene& scene, double value) {
-        Scene changed = scene;
-        PeakLimit& own = *row.in(changed.limits);
-        own.normalised = value / own.unit_per_normalised();
-        own.given = value;
-        return changed;
-    };
+    adjustment.usefulness = Usefulness::limit;
     return adjustment;
 }
 
@@ -46,19 +39,11 @@ struct ForceNumber {
 };
 
 Adjustment force_adjustment(const Scene& scene, const ForceNumber& number) {
-    Adjustment adjustment;
-    adjustment.key = number.key;
-    adjustment.given = as_written((*scene.forces).*number.member / number.unit);
-    const double size = std::max(std::abs(adjustment.given), number.size);
-    adjustment.step = first_operating_change * size;
-    adjustment.least = std::min(0.0, adjustment.given);
-    adjustment.most = farthest_operating_change * size;
-    adjustment.with = [number](const Scene& one, double value) {
-        Scene changed = one;
-        (*changed.forces).*number.member = value * number.unit;
-        return changed;
-    };
-    return adjustment;
+    const double given = as_written((*scene.forces).*number.member / number.unit);
+    const double size = std::max(std::abs(given), number.size);
+    return number_adjustment(
+        number.key, given, size, Range::between(std::min(0.0, given), farthest_operating_change * size),
+        [number](Scene& changed, double value) { (*changed.forces).*number.member = value * number.unit; });
 }
 
 void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
@@ -80,20 +65,10 @@ void add_springs(std::vector<Adjustment>& all, const Scene& scene) {
 void add_contact_width(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.forces->contact_width || !limit_on(scene.limits, LimitedFigure::hertz_pressure)) return;
     const double unit = metres_of(scene.length_unit), given = as_written(*scene.forces->contact_width / unit);
-    Adjustment adjustment{std::string("forces.contact_width_") + name_of(scene.length_unit),
-                          given,
-                          first_operating_change * given,
-                          true,
-                          false,
-                          given,
-                          farthest_operating_change * given,
-                          {}};
-    adjustment.with = [unit](const Scene& one, double value) {
-        Scene changed = one;
-        changed.forces->contact_width = value * unit;
-        return changed;
-    };
-    all.push_back(std::move(adjustment));
+    all.push_back(number_adjustment(
+        std::string("forces.contact_width_") + name_of(scene.length_unit), given, given,
+        Range::between(given, farthest_operating_change * given),
+        [unit](Scene& changed, double value) { changed.forces->contact_width = value * unit; }));
 }
 
 bool goes_by_time(const Scene& scene) {
@@ -106,30 +81,27 @@ void add_speed(std::vector<Adjustment>& all, const Scene& scene) {
     if (!scene.motion.speed || !goes_by_time(scene)) return;
     const double unit = units::revolution_per_minute;
     const double given = as_written(*scene.motion.speed / unit);
-    Adjustment adjustment{"motion.speed_rpm",
-                          given,
-                          first_operating_change * given,
-                          false,
-                          true,
-                          given / farthest_operating_change,
-                          given,
-                          {}};
-    adjustment.with = [unit](const Scene& one, double value) {
-        Scene changed = one;
-        changed.motion.speed = value * unit;
-        keep_written(changed.motion, one.motion);
-        rescale_limits_in_time(changed, *one.motion.speed / *changed.motion.speed);
-        return changed;
-    };
-    all.push_back(std::move(adjustment));
+    all.push_back(number_adjustment("motion.speed_rpm", given, given,
+                                    Range::between(given / farthest_operating_change, given),
+                                    [unit](Scene& changed, double value) {
+                                        const MotionSpec before = changed.motion;
+                                        changed.motion.speed = value * unit;
+                                        keep_written(changed, before);
+                                    }));
+    all.back().usefulness = Usefulness::speed;
 }
 
 }  // namespace
 
-void rescale_limits_in_time(Scene& scene, double ratio) {
+void keep_written(Scene& changed, const MotionSpec& before) {
+    MotionSpec& now = changed.motion;
+    keep_written(now, before);
+    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds.
+    const double pace =
+        before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
     for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(scene.limits); limit && limit->in_time())
-            limit->normalised *= std::pow(ratio, row.order());
+        if (auto& limit = row.in(changed.limits); limit && limit->in_time())
+            limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
 }
 
 std::vector<Adjustment> peak_adjustments(const Scene& scene) {

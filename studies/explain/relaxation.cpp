@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/relaxation.hpp"
 
+#include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/feasibility_question.hpp"
 #include "studies/explain/finer_spline.hpp"
 #include "studies/explain/joint_relaxation.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
+#include "studies/solve/solve_from_starts.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -20,31 +23,14 @@ namespace camopt {
 
 namespace {
 
-// Of what is left: the search for more segments; one change alone, in equal shares of all that are left.
-constexpr double part_of_segments = 0.3;
-constexpr double shares_of_one = 2.0;
-
-/// The scene that asks for the least of one limited peak and keeps every other limit.
-Scene without_limit(const Scene& scene, const PeakLimitRow& one) {
-    Scene relaxed = scene;
-    one.in(relaxed.limits).reset();
-    relaxed.objective = {};
-    relaxed.own_terms.clear();
-    relaxed.objective.*one.term().weight = 1.0;
-    relaxed.objective.tie_break = TieBreak::none;
-    relaxed.solver.name = "auto";
-    relaxed.solver.options.clear();
-    return relaxed;
-}
-
-/// The least peak in the unit of its limit; none where the other limits allow no motion or the time is out.
-std::optional<double> least_peak(const Scene& scene, const PeakLimitRow& one, const Budget& budget) {
-    if (budget.spent()) return {};
-    Scene relaxed = without_limit(scene, one);
-    const Solution least = solve_without_explaining(relaxed, budget.control());
-    if (!least.motion) return {};
-    return one.term().measured.of(least.peaks) * one.in(scene.limits)->unit_per_normalised();
-}
+// Parts of the time that is left: for set points, for more segments, for naming what is impossible without
+// the others; for one change equal shares of what is left, but never less than least_share, and more until
+// something useful is found. Of these a part for the search, the rest for the solve of what it found.
+constexpr double part_of_set_points = 0.5, part_of_segments = 0.25, part_of_impossible = 0.3;
+constexpr double shares_of_one = 2.0, least_share = 0.3, first_share = 0.6, part_of_search = 0.6;
+// A spline of so many segments is rarely too coarse, and takes long to refine: that comes last.
+constexpr int many_segments = 48;
+constexpr int most_set_points = 2, most_quick_segments = 16;
 
 /// The scene with one of its limits alone.
 Scene only_limit(const Scene& scene, const std::string& key) {
@@ -68,6 +54,26 @@ std::vector<std::string> fighting_keys(const Solution& solution) {
     return keys;
 }
 
+/// A scene that is not convex, with so few segments that its searches are quick. Each of them is made of
+/// whole segments of the given spline, so that its motions are motions of that spline too. None where the
+/// scene is quick already, or its breakpoints are not uniform.
+std::optional<Scene> coarse_scene(const Scene& scene) {
+    int segments = scene.spline.segments;
+    while (segments > most_quick_segments && segments % 2 == 0) segments /= 2;
+    const bool uniform = scene.spline.breakpoints.empty() && placed_points(scene.motion).empty();
+    if (!uniform || segments == scene.spline.segments || scene.spline.free_knots) return {};
+    if (!needs_starts(scene_model(scene, DesignKind::states, reference_peaks(scene)))) return {};
+    return with_segments(scene, segments);
+}
+
+/// At most twice the given value, at least half of it. From 0 any value is useful, and so are more segments.
+bool is_useful(const Relaxation& row) {
+    if (!row.needed) return false;
+    if (row.given == 0.0 || row.key.starts_with("spline.")) return true;
+    const double ratio = *row.needed / row.given;
+    return ratio >= 0.5 && ratio <= 2.0;
+}
+
 class Explainer {
  public:
     Explainer(Solution& solution, const Budget& budget)
@@ -76,10 +82,22 @@ class Explainer {
     }
 
     void run() {
-        name_the_impossible();
-        if (try_segments()) relax_each();
+        found_.any_motion = kept_by_no_motion(scene_);
+        if (solution_.certificate.reason == Reason::limit_broken_at_rest)
+            found_.any_motion = fighting_keys(solution_);
+        change_set_points();
+        coarse_ = coarse_scene(scene_);
+        if (!contradictory())
+            change_each();
+        else if (!has_enough())
+            try_segments();
+        std::ranges::stable_partition(solution_.relaxation,
+                                      [](const Relaxation& row) { return row.needed.has_value(); });
+        std::ranges::stable_partition(solution_.relaxation, is_useful);
         relax_together();
+        name_the_impossible();
         found_.seconds = watch_.seconds();
+        found_.end = end();
         solution_.explanation = std::move(found_);
     }
 
@@ -89,10 +107,21 @@ class Explainer {
     const Budget& budget_;
     Stopwatch watch_;
     Explanation found_;
-    bool over_ = false;
+    bool over_ = false, segments_tried_ = false;
+    std::optional<Scene> coarse_;
 
     /// Once over, the clock is asked no more.
     [[nodiscard]] bool is_over() { return over_ = over_ || budget_.spent(); }
+
+    [[nodiscard]] bool has_enough() const {
+        return std::ranges::count_if(solution_.relaxation, is_useful) >= scene_.solver.explain_changes;
+    }
+
+    [[nodiscard]] ExplanationEnd end() const {
+        if (budget_.control().stopped()) return ExplanationEnd::interrupted;
+        if (over_ || !found_.unsettled.empty()) return ExplanationEnd::time_limit;
+        return has_enough() ? ExplanationEnd::enough : ExplanationEnd::complete;
+    }
 
     [[nodiscard]] bool contradictory() const {
         return solution_.certificate.reason == Reason::conditions_contradict;
@@ -100,48 +129,102 @@ class Explainer {
 
     void name_the_impossible() {
         const std::vector<std::string> keys = fighting_keys(solution_);
-        found_.any_motion = kept_by_no_motion(scene_);
-        if (solution_.certificate.reason == Reason::limit_broken_at_rest) found_.any_motion = keys;
         if (keys.size() == 1) found_.alone = keys;
         if (keys.size() < 2) return;
-        budget_.say("what would help: which limits are impossible by themselves");
+        budget_.say("what would help: which limits are impossible even without the others");
+        const Budget part = budget_.part(part_of_impossible);
         for (const std::string& key : keys)
-            if (!is_over() && is_proved_infeasible(only_limit(scene_, key), budget_))
+            if (!is_over() && is_proved_infeasible(only_limit(scene_, key), part))
                 found_.alone.push_back(key);
+        over_ = over_ || part.spent();  // proofs that the clock ended
     }
 
-    /// False: the conditions contradict each other, so that no limit has a say.
-    bool try_segments() {
-        if (found_.any_motion.empty() && !no_motion_keeps_all_caps(scene_)) {
-            const Budget part = budget_.part(part_of_segments);
-            FinerSpline finer = finer_spline(scene_, part);
-            if (finer.row) solution_.relaxation.push_back(*finer.row);
-            found_.finest = finer.finest;
-            if (!finer.row && part.spent()) found_.unsettled.emplace_back("spline.segments");
+    void try_segments() {
+        segments_tried_ = true;
+        if (!found_.any_motion.empty() || no_motion_keeps_all_caps(scene_)) return;
+        const Budget part = budget_.part(part_of_segments);
+        FinerSpline finer = finer_spline(scene_, part);
+        if (finer.row) solution_.relaxation.push_back(*finer.row);
+        found_.finest = finer.finest;
+        if (!finer.row && part.spent()) found_.unsettled.emplace_back("spline.segments");
+    }
+
+    /// Those without which the scene has a motion, and of the first of them the number to change.
+    void change_set_points() {
+        std::vector<SetPointChanges> all = set_point_changes(scene_);
+        std::ranges::stable_sort(all, {},
+                                 [](const SetPointChanges& one) { return !one.place; });  // regions last
+        const Budget part = budget_.part(part_of_set_points);
+        int changed = 0;
+        for (const SetPointChanges& one : all) {
+            if (part.spent()) {  // not searched to its end
+                found_.unsettled.push_back(one.member);
+                continue;
+            }
+            budget_.say(fmt::format("what would help: {}", one.member));
+            if (!(least_violation(one.without, part) <= 0.0)) continue;
+            found_.set_points.push_back(one.member);
+            if (changed == most_set_points || has_enough()) continue;
+            if (std::optional<Relaxation> row = change_of(one, part.part(0.5))) {
+                solution_.relaxation.push_back(std::move(*row));
+                ++changed;
+            }
         }
-        return !contradictory();
     }
 
-    /// One row, or the key of a search that did not end. `find`: the needed value within the time it is
-    /// given.
-    template <typename Find>
-    void add_row(const Adjustment& adjustment, double share, const Find& find) {
+    /// The first useful change of one of its numbers, or any.
+    [[nodiscard]] std::optional<Relaxation> change_of(const SetPointChanges& point,
+                                                      const Budget& part) const {
+        std::optional<Relaxation> found;
+        const auto settle = [&](const Adjustment& change, const std::optional<double>& needed) {
+            if (!needed) return;
+            std::optional<Relaxation> row = solved_relaxation(scene_, change, *needed, part);
+            if (row && (!found || is_useful(*row))) found = std::move(row);
+        };
+        const auto search = [&](const Adjustment& change) {
+            if (!found || !is_useful(*found))
+                settle(change, nearest_value(scene_, change, infinity, part.part(0.5)));
+        };
+        for (const SetPointChanges::Value& value : point.values) {
+            if (found && is_useful(*found)) break;
+            if (!value.without) {
+                search(value.change);
+                continue;
+            }
+            const auto motion = solved_motion(*value.without, part);
+            if (!motion) continue;
+            const double feasible =
+                motion->at(point.at, Side::right).derivative[value.order] * value.per_normalised;
+            settle(value.change, value_towards(scene_, value.change, feasible, part.part(0.5)));
+        }
+        if (point.place) search(*point.place);
+        return found;
+    }
+
+    /// One row, or the key of a search that did not end. given: least_violation() of the scene.
+    void add_row(const Adjustment& adjustment, double share, double given) {
         if (is_over()) {
             found_.unsettled.push_back(adjustment.key);
             return;
         }
         budget_.say(fmt::format("what would help: {}", adjustment.key));
-        const Budget part = budget_.part(share);
-        const std::optional<double> needed = find(part);
+        const Budget part = budget_.part(share), searching = part.part(part_of_search);
         std::optional<Relaxation> row;
+        if (coarse_)
+            if (const auto needed = nearest_value(*coarse_, adjustment, infinity, searching))
+                row = solved_relaxation(*coarse_, adjustment, *needed, part);
+        const std::optional<double> needed =
+            row ? std::nullopt : nearest_value(scene_, adjustment, given, searching);
         if (needed) {
             row = solved_relaxation(scene_, adjustment, *needed, part);
-        } else if (!part.spent()) {
+        } else if (!row && !searching.spent()) {
             row = Relaxation{adjustment.key, adjustment.given};
             row->ruled_out = adjustment.limit && is_ruled_out(adjustment, part);
             // A proof that the clock ended must not make two runs of one scene differ in silence.
             if (adjustment.limit && !row->ruled_out && part.spent()) row.reset();
         }
+        std::erase_if(solution_.relaxation,
+                      [&](const Relaxation& before) { return before.key == adjustment.key; });
         if (row)
             solution_.relaxation.push_back(std::move(*row));
         else  // what was not searched to its end must not pass for "nothing helps"
@@ -152,41 +235,56 @@ class Explainer {
         return is_proved_infeasible(limit.with(scene_, limit.may_grow ? limit.most : limit.least), budget);
     }
 
-    void relax_each() {
-        const std::vector<Adjustment> caps = peak_adjustments(scene_);
-        std::vector<Adjustment> others;
+    /// Everything that can be changed, the most useful first. What the proof does not rest on comes last.
+    [[nodiscard]] std::vector<Adjustment> ordered_changes() const {
+        std::vector<Adjustment> all = peak_adjustments(scene_);
         const bool in_time = std::ranges::any_of(peak_limit_rows(), [&](const PeakLimitRow& one) {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
         const bool in_space = has_cam(scene_) || in_time;
-        if (in_space || !scene_.own_limits.empty()) others = adjustments(scene_);
-        // A motion that is nothing but normalised has no dimensions and no speed that could help.
-        if (!in_space) std::erase_if(others, [](const Adjustment& one) { return !one.limit; });
-        const std::size_t count = caps.size() + others.size();
-        std::size_t done = 0;
-        const auto share = [&] { return shares_of_one / static_cast<double>(count - done++); };
-        const double given = least_violation(scene_, budget_);
-        const auto search = [&](const Adjustment& adjustment) {
-            add_row(adjustment, share(),
-                    [&](const Budget& part) { return nearest_value(scene_, adjustment, given, part); });
+        for (Adjustment& one : adjustments(scene_))  // a motion in lifts has no dimensions that could help
+            if (in_space || one.limit) all.push_back(std::move(one));
+        const std::vector<ConflictReport>& conflict = solution_.conflict;
+        const auto takes_part = [&](const Adjustment& one) {
+            return conflict.empty() || std::ranges::any_of(conflict, [&](const ConflictReport& row) {
+                       return one.limit ? row.key == one.key : row.at >= one.begin && row.at <= one.end;
+                   });
         };
-        std::size_t cap = 0;
-        for (const PeakLimitRow& one : peak_limit_rows()) {
-            if (!one.in(scene_.limits)) continue;
-            const Adjustment& adjustment = caps[cap++];
-            if (scene_.motion.type == MotionType::program)
-                search(adjustment);
-            else
-                add_row(adjustment, share(),
-                        [&](const Budget& part) { return least_peak(scene_, one, part); });
+        for (Adjustment& one : all)
+            if (!takes_part(one)) one.usefulness = Usefulness::other;
+        std::ranges::stable_sort(all, {}, &Adjustment::usefulness);
+        return all;
+    }
+
+    [[nodiscard]] bool is_idle_fallback(const Adjustment& adjustment) const {
+        return adjustment.fallback && std::ranges::any_of(solution_.relaxation, [](const Relaxation& row) {
+                   return row.needed && row.key.ends_with("_deg") && row.key.starts_with("motion.");
+               });
+    }
+
+    void change_each() {
+        const std::vector<Adjustment> all = ordered_changes();
+        const bool few_segments = segments_of(scene_.spline) < many_segments;
+        double given = infinity;
+        std::size_t done = 0;
+        for (const Adjustment& one : all) {
+            const bool first = std::ranges::none_of(solution_.relaxation, is_useful);
+            const double share = std::max(first ? first_share : least_share,
+                                          shares_of_one / static_cast<double>(all.size() - done++));
+            if (few_segments && !segments_tried_ && one.usefulness != Usefulness::angle && !has_enough())
+                try_segments();
+            if (has_enough()) return;
+            if (is_idle_fallback(one)) continue;
+            if (done == 1) given = least_violation(scene_, budget_.part(least_share));
+            add_row(one, share, given);
         }
-        for (const Adjustment& adjustment : others) search(adjustment);
+        if (!segments_tried_ && !has_enough()) try_segments();
     }
 
     /// Where no limit alone can give way far enough.
     void relax_together() {
-        if (contradictory()) return;
+        if (contradictory() || has_enough()) return;
         std::vector<Adjustment> limits = peak_adjustments(scene_);
         for (Adjustment& one : adjustments(scene_))
             if (one.limit) limits.push_back(std::move(one));
@@ -206,9 +304,13 @@ class Explainer {
 }  // namespace
 
 void explain(Solution& solution, const SolveControl& control) {
-    const Budget budget(control);
+    const Budget all(control);
+    const double own = solution.scene.solver.explain_seconds;
+    const bool own_limit = own < all.left();
+    const Budget budget(control.sooner(own));
     budget.say(fmt::format("no motion: searches what would help, for {:.3g} s at most", budget.left()));
     Explainer(solution, budget).run();
+    solution.explanation->own_limit = own_limit;
 }
 
 }  // namespace camopt

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // For a scene without a motion: what would have to change.
 //
-//   more segments of the spline;
-//   the least change of each limit and dimension alone, the others kept;
+//   set points without which there is a motion, and the least change of one of their numbers;
+//   the least change of each angle, dimension, limit, … alone, the others kept; more segments of the spline;
 //   where no limit alone can give way far enough, the least common change of all limits.
 //
-// A cap on a peak of DRD and RR: the peak is minimized under the other limits. Everything else is searched by
-// its value (value_search.hpp). Nothing is told that was not solved: each number, as it is rounded for
-// people, was put into the scene, and a solve with it found a motion. All of it together ends at the
-// control's deadline, each change within its share; one whose search does not end in time is named as such.
+// The most useful come first (Usefulness), and the search ends with solver.explain_changes useful ones or
+// after solver.explain_seconds. Values are searched by value_search.hpp. Nothing is told that was not solved:
+// each number, as it is rounded for people, was put into the scene, and a solve with it found a motion. Each
+// change ends within its share of the time; one whose search does not is named as such.
 #pragma once
 
 #include "studies/delivered/solution.hpp"

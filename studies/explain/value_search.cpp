@@ -18,8 +18,10 @@ constexpr int most_root_steps = 60;
 // ends within its tolerance of the edge would prove nothing.
 constexpr int told_digits = 5;
 constexpr double least_margin = 1e-6;
-// Where the search's word was too good: how much farther off a solve is tried, of the size.
-constexpr double farther_off[] = {0.0, 1e-4, 1e-3, 1e-2, 5e-2};
+// Where the search's word was too good: how much further off a solve is tried, of the size.
+constexpr double further_off[] = {0.0, 1e-4, 1e-3, 1e-2, 5e-2};
+// Of a value that is determined: what is left of it after rounding errors are dropped.
+constexpr int exact_digits = 9;
 
 class ValueSearch {
  public:
@@ -43,6 +45,10 @@ class ValueSearch {
             violation = there;
         }
         return {};
+    }
+
+    [[nodiscard]] double towards(double feasible) const {
+        return between(adjustment_.given, given_, feasible, 0.0);
     }
 
  private:
@@ -95,6 +101,11 @@ std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjust
     return nearest;
 }
 
+double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,
+                     const Budget& budget) {
+    return ValueSearch(scene, adjustment, infinity, budget).towards(feasible);
+}
+
 double safe_value(double needed, bool up, double size) {
     size = std::max(size, std::abs(needed));
     if (!(size > 0.0) || !std::isfinite(size)) return needed;
@@ -111,16 +122,26 @@ std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment
                                             const Budget& budget) {
     const bool up = needed > adjustment.given;
     const double size = std::max(std::abs(needed), adjustment.step);
-    for (const double margin : farther_off) {
-        if (budget.spent()) return {};
+    const auto solved = [&](double told) {
+        return !budget.spent() && is_solved(adjustment.with(scene, told), budget);
+    };
+    const auto row = [&](double edge, double told) {
+        Relaxation found{adjustment.key, adjustment.given, edge, told};
+        if (adjustment.also) found.also = adjustment.also(told);
+        return found;
+    };
+    for (const double margin : further_off) {
         const double edge = needed + (up ? margin : -margin) * size;
         // The end of a range needs no margin: there is nothing beyond it.
         const double told =
             std::clamp(safe_value(edge, up, size), std::min(adjustment.least, adjustment.given),
                        std::max(adjustment.most, adjustment.given));
-        if (!is_solved(adjustment.with(scene, told), budget)) continue;
-        return Relaxation{adjustment.key, adjustment.given, margin == 0.0 ? needed : told, told};
+        if (solved(told)) return row(margin == 0.0 ? needed : told, told);
     }
+    const double scale =
+        needed == 0.0 ? 1.0 : std::pow(10.0, exact_digits - std::ceil(std::log10(std::abs(needed))));
+    for (const double told : {std::round(needed * scale) / scale, as_written(needed)})
+        if (solved(told)) return row(needed, told);
     return {};
 }
 

@@ -18,12 +18,16 @@ namespace camopt {
 [[nodiscard]] std::optional<double> nearest_value(const Scene& scene, const Adjustment& adjustment,
                                                   double given, const Budget& budget);
 
+/// The value nearest to the given one that is feasible, on the way to `feasible`, which is.
+[[nodiscard]] double value_towards(const Scene& scene, const Adjustment& adjustment, double feasible,
+                                   const Budget& budget);
+
 /// `needed` as it is told: to five digits of itself, or of `size` where that is larger, on the side away from
 /// the edge, and a millionth of that size beyond it at least.
 [[nodiscard]] double safe_value(double needed, bool up, double size);
 
-/// The row of a needed value: rounded, solved, and where the solve fails, tried again farther off. None
-/// where no solve succeeded.
+/// The row of a needed value: rounded, solved, and where the solve fails, tried again further off, then
+/// without rounding (a value that other conditions determine has no room). None where no solve succeeded.
 [[nodiscard]] std::optional<Relaxation> solved_relaxation(const Scene& scene, const Adjustment& adjustment,
                                                           double needed, const Budget& budget);
 

@@ -292,10 +292,13 @@ Solution solve(const Scene& scene, const SolveControl& control) {
         timed.in_vain = {};
         explain(solution, timed);
     }
-    const bool unsettled = solution.explanation && !solution.explanation->unsettled.empty();
-    if (to_explain && (unsettled || timed.deadline.passed()))
+    // Not after an interruption, which the verdict or the explanation names, nor by the explanation's own
+    // limit.
+    const bool cut = solution.explanation && !solution.explanation->own_limit && timed.deadline.was_felt() &&
+                     !timed.stopped();
+    if (to_explain && (cut || timed.ending() == Termination::time_limit))
         solution.notes.push_back(fmt::format(
-            "the time (solver.max_seconds = {:g}) ran out before every remedy was looked for: what is "
+            "the time (solver.max_seconds = {:g}) ran out before every change was searched: what is "
             "not named may help too",
             scene.solver.max_seconds));
     solution.seconds_total = watch.seconds();

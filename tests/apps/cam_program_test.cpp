@@ -123,7 +123,7 @@ TEST_F(CamProgram, AnInfeasibleCamIsExplained) {
     EXPECT_EQ(run.exit_code, 3);
     EXPECT_NE(run.output.find("The pressure angle limit "), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("One of these alone would do: "), std::string::npos) << run.output;
-    EXPECT_NE(run.output.find("base radius >= "), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("increase the base radius to "), std::string::npos) << run.output;
 }
 
 TEST_F(CamProgram, AProgramIsAWholeTurn) {

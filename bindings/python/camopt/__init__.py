@@ -18,14 +18,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _camopt
-from ._camopt import (Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Number, OwnTermValue,
+from ._camopt import (CompanionChange, Comparison, ComparisonRow, Constraint, InputError, Law, ModelError, Motion, Number, OwnTermValue,
                       Peak, Peaks, Progress, Relaxation, Solution, Spline, SweepTable, UnavailableError, __version__,
                       law, laws, licenses)
 from ._rules import DerivativeCheck, OwnLimit, OwnTerm, check_derivatives, limit, term
 from ._scene import Scene
 from ._sweep import simplex_weights, structured, sweep
 
-__all__ = ["Comparison", "ComparisonRow", "Constraint", "DerivativeCheck", "InputError", "Law", "ModelError", "Motion",
+__all__ = ["CompanionChange", "Comparison", "ComparisonRow", "Constraint", "DerivativeCheck", "InputError", "Law", "ModelError", "Motion",
            "Number", "OwnLimit", "OwnTerm", "OwnTermValue", "Peak", "Peaks", "Progress", "Relaxation", "Scene",
            "Solution", "Solver", "Spline", "SweepTable", "UnavailableError", "check_derivatives", "compare", "law",
            "laws", "licenses", "limit", "simplex_weights", "solve", "structured", "sweep", "term"]

@@ -182,8 +182,13 @@ void add_rows(py::module_& module) {
                                row.report.limit, row.report.unit.empty() ? "" : " ", row.report.unit,
                                row.report.active ? ", active" : "");
         });
+    py::class_<CompanionChange>(module, "CompanionChange",
+                                "A number that changes along with another one: the dwell that gives way.")
+        .def_readonly("key", &CompanionChange::key, "Of the scene.")
+        .def_readonly("given", &CompanionChange::given, "As it is, in the unit of the key.")
+        .def_readonly("solved", &CompanionChange::solved, "In the solve that found a motion.");
     py::class_<Relaxation>(module, "Relaxation",
-                           "The least change of one number alone that makes an infeasible scene feasible.")
+                           "The least change of one number that makes an infeasible scene feasible.")
         .def_readonly("key", &Relaxation::key, "Of the scene.")
         .def_readonly("given", &Relaxation::given, "As it is, in the unit of the key.")
         .def_readonly("needed", &Relaxation::needed,
@@ -191,6 +196,7 @@ void add_rows(py::module_& module) {
         .def_readonly("solved", &Relaxation::solved,
                       "`needed` rounded to the side that does: a solve with it found a motion.")
         .def_readonly("ruled_out", &Relaxation::ruled_out, "It is proved that no value helps.")
+        .def_readonly("also", &Relaxation::also, "What changes along with it: a list of CompanionChange.")
         .def("__repr__", [](const Relaxation& row) { return relaxation_sentence(row); });
     py::class_<SplineCurve>(module, "Spline", "The motion as one spline over x. See Solution.bspline.")
         .def_property_readonly("degree", &SplineCurve::degree, "3 or 5.")

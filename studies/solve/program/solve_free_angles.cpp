@@ -324,8 +324,8 @@ bool searches_angles(const Scene& scene) {
 
 Scene with_segment_angles(const Scene& scene, const std::vector<double>& angles) {
     Scene changed = scene;
-    changed.motion = with_angles(scene.motion, angles);
-    rescale_limits_in_time(changed, changed.motion.unit_angle() / scene.motion.unit_angle());
+    for (std::size_t i = 0; i < angles.size(); ++i) changed.motion.segments[i].angle = angles[i];
+    keep_written(changed, scene.motion);
     return changed;
 }
 

@@ -322,6 +322,7 @@ TEST(CSolve, SaysWhatWouldHelpWhereNothingIsFeasible) {
         expect_same(relaxation.needed, cpp.relaxation[i].needed.value_or(std::nan("")));
         expect_same(relaxation.solved, cpp.relaxation[i].solved.value_or(std::nan("")));
         EXPECT_EQ(relaxation.ruled_out, cpp.relaxation[i].ruled_out ? 1 : 0);
+        EXPECT_EQ(relaxation.also, cpp.relaxation[i].also.size());
     }
     EXPECT_EQ(camopt_relaxation_at(c.get(), count, &relaxation), CAMOPT_ERROR_ARGUMENT);
 }
@@ -433,6 +434,7 @@ TEST(CSolve, RefusesNulls) {
                                   camopt_relaxation_count(s, nullptr),
                                   camopt_relaxation_at(nullptr, 0, &relaxation),
                                   camopt_relaxation_at(s, 0, nullptr),
+                                  camopt_relaxation_also(s, 0, 0, nullptr),
                                   camopt_motion_at(nullptr, 0.5, &y),
                                   camopt_motion_at(s, 0.5, nullptr),
                                   camopt_motion_at_all(nullptr, &y, 1, &y, nullptr, nullptr, nullptr),

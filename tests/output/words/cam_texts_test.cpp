@@ -46,15 +46,44 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
 }
 
-TEST(KeyWords, AChangeIsSaidOnTheSideThatStillDoes) {
-    EXPECT_EQ(needed_words({"cam.base_radius_mm", 30.0, 31.41231}), "base radius >= 31.413 mm");
-    EXPECT_EQ(needed_words({"spline.segments", 7.0, 14.0}), "segments >= 14");
-    EXPECT_EQ(needed_words({"spline.breakpoints", 7.0, 14.0}), "segments >= 14 (every interval cut in two)");
-    EXPECT_EQ(needed_words({"spline.breakpoints", 7.0, 28.0}), "segments >= 28 (every interval cut in 4)");
-    EXPECT_EQ(needed_words({"cam.offset_mm", 0.0, -1.25}), "offset <= −1.25 mm");
-    EXPECT_EQ(needed_words({"limits.pressure_angle_deg", 30.0, 33.1}), "pressure angle <= 33.1 deg");
-    EXPECT_EQ(needed_words({"limits.cam_radius_min_mm", 4.0, 2.50009}), "cam radius >= 2.5 mm");
-    EXPECT_EQ(needed_words({"cam.base_radius_mm", 30.0, std::nullopt}), "");
+TEST(KeyWords, ANumberInAListOfTheMotionKeepsItsIndex) {
+    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words, "motion.via[0].velocity");
+    EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").unit, "mm/deg");
+    EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").unit, "m/s²");
+    EXPECT_EQ(key_words("motion.segments[2].angle_deg").words, "motion.segments[2].angle");
+    EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
+}
+
+TEST(KeyWords, AChangeIsAnActionOnTheSideThatStillDoes) {
+    EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
+    EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
+    EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
+    EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 28.0}), "use 28 segments (every interval cut in 4)");
+    EXPECT_EQ(change_words({"cam.offset_mm", 0.0, -1.25}), "reduce the offset to −1.25 mm");
+    EXPECT_EQ(change_words({"limits.pressure_angle_deg", 30.0, 33.1}),
+              "raise the pressure angle limit to 33.1 deg");
+    EXPECT_EQ(change_words({"limits.acceleration_rad_s2", 300.0, 323.3}),
+              "raise the acceleration limit to 323.3 rad/s²");
+    EXPECT_EQ(change_words({"limits.cam_radius_min_mm", 4.0, 2.50009}),
+              "lower the cam radius limit to 2.5 mm");
+    EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, std::nullopt}), "");
+    EXPECT_EQ(change_words({"motion.via[1].displacement_mm", 0.35, 0.18}),
+              "change motion.via[1].displacement from 0.35 to 0.18 mm");
+    EXPECT_EQ(change_words({"motion.speed_rpm", 300.0, 280.0}), "reduce the speed to 280 rpm");
+}
+
+TEST(KeyWords, AChangeNamesWhatGivesWay) {
+    EXPECT_EQ(
+        change_words({"motion.segments[2].angle_deg",
+                      50.0,
+                      54.0,
+                      54.0,
+                      false,
+                      {{"motion.segments[3].angle_deg", 40.0, 36.0}}}),
+        "lengthen motion.segments[2].angle from 50 to 54 deg, taken from motion.segments[3].angle, which "
+        "keeps 36 deg");
+    EXPECT_EQ(change_words({"motion.rise_deg", 75.0, 95.0, 95.0, false, {{"motion.return_deg", 75.0, 95.0}}}),
+              "lengthen the rise to 95 deg, with the return at 95 deg");
 }
 
 TEST(CamWords, DimensionsOfTheFollowerAndThePrimeRadius) {
@@ -168,7 +197,7 @@ TEST(SolutionText, ASceneWithoutACamIsToldAsBefore) {
     const std::string text = summary_text(test::sample_solution(), {});
     for (const char* part : {"cam:", "joint", "undercut", "starts"}) EXPECT_FALSE(says(text, part)) << part;
     EXPECT_TRUE(says(summary_text(test::infeasible_solution(), {}),
-                     "relax: limits.velocity_mm_s = 100: 312.5 is needed, if nothing else changes"));
+                     "One of these alone would do: raise the velocity limit to 312.5 mm/s."));
 }
 
 TEST(SolutionText, IsHonestAboutALocalOptimum) {
@@ -283,6 +312,7 @@ TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
     alone.explanation = Explanation{.together = {},
                                     .any_motion = {"limits.pressure_angle_deg"},
                                     .alone = {},
+                                    .set_points = {},
                                     .finest = 0,
                                     .unsettled = {},
                                     .seconds = 0.0,
@@ -306,17 +336,31 @@ TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
 TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
     Solution solution = test::infeasible_cam_solution();
     solution.explanation.emplace();
-    solution.explanation->seconds = 30.0;
-    solution.explanation->allowed = 30.0;
-    solution.explanation->finest = 32;
-    solution.explanation->unsettled = {"cam.offset_mm", "together"};
-    std::string text;
-    for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
-    EXPECT_TRUE(says(text,
-                     "The search for what helps took 30 s; solver.max_seconds leaves it 30 s. It did not "
-                     "settle: offset, all limits together."))
-        << text;
-    EXPECT_TRUE(says(text, "More segments were tried in vain, up to 32.")) << text;
+    Explanation& explanation = *solution.explanation;
+    explanation.seconds = explanation.allowed = 30.0;
+    explanation.finest = 32;
+    explanation.unsettled = {"cam.offset_mm", "together"};
+    explanation.end = ExplanationEnd::time_limit;
+    explanation.own_limit = false;
+    const auto text = [&] {
+        std::string all;
+        for (const std::string& remark : infeasible_remarks(solution)) all += remark + "\n";
+        return all;
+    };
+    EXPECT_TRUE(
+        says(text(),
+             "The search for changes ended after 30 s of 30 s (what solver.max_seconds leaves): others "
+             "may help. It did not settle: offset, all limits together."))
+        << text();
+    EXPECT_TRUE(says(text(), "More segments do not help: as many as 32 were tried.")) << text();
+    explanation.own_limit = true;
+    EXPECT_TRUE(says(text(), "of 30 s (solver.explain_seconds)")) << text();
+    explanation.end = ExplanationEnd::interrupted;
+    EXPECT_TRUE(says(text(), "The search for changes was interrupted after 30 s: others may help."))
+        << text();
+    EXPECT_FALSE(says(text(), "max_seconds")) << text();
+    explanation.end = ExplanationEnd::enough;
+    EXPECT_TRUE(says(text(), "ended with these (solver.explain_changes)")) << text();
 }
 
 TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
@@ -338,9 +382,10 @@ TEST(InfeasibleWords, ALawBetweenFreeDisplacementsIsNotToBlame) {
 
 TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     const Solution solution = test::infeasible_cam_solution();
-    EXPECT_EQ(sufficient_changes(solution.relaxation),
-              "base radius >= 31.413 mm, or rise >= 68.15 deg, or pressure angle <= 33.1 deg, or cam radius "
-              ">= 2.5 mm");
+    EXPECT_EQ(
+        sufficient_changes(solution.relaxation),
+        "increase the base radius to 31.413 mm, or lengthen the rise to 68.15 deg, or raise the pressure "
+        "angle limit to 33.1 deg, or lower the cam radius limit to 2.5 mm");
     EXPECT_EQ(hopeless_changes(solution.relaxation), "roller radius");
     const std::string report = report_markdown(solution);
     EXPECT_TRUE(says(report, "## Why this spline has no motion, and what would have to change"));
@@ -350,7 +395,7 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     EXPECT_TRUE(says(report_markdown(sure), "## Why no motion exists, and what would have to change"));
     sure.certificate.verdict = Verdict::failed;
     EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
-    EXPECT_TRUE(says(report, "One of these alone would do: base radius >= 31.413 mm"));
+    EXPECT_TRUE(says(report, "One of these alone would do: increase the base radius to 31.413 mm"));
     EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no value tried helps"));
     EXPECT_FALSE(says(report, "profile.svg"));
 }

@@ -143,7 +143,8 @@ TEST(SmallestCam, BelowTheLimitOfAnyMotionItIsProvedInfeasibleAndExplained) {
 /// Each line of the explanation, carried out with a little to spare, makes the scene feasible; with a little
 /// less it stays infeasible.
 TEST(Explanation, EachChangeIsEnoughAndNeeded) {
-    const Scene scene = pressure_angle_scene(25.0, 12);
+    Scene scene = pressure_angle_scene(25.0, 12);
+    scene.solver.explain_changes = 100;
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     int checked = 0;

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Angles, lift and displacements: what a user could change about the motion that was asked for. What a scene
+// file gives in units keeps its value in units, so that the file with the changed numbers is the scene.
+#include "core/units.hpp"
+#include "scene/motion/set_points.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/solve/program/solve_free_angles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr double turn_deg = 360.0;
+// Of the rise: a set point this close to the top lies on it.
+constexpr double at_the_top = 1e-9;
+// A dwell that gives way keeps this part of its angle.
+constexpr double least_dwell_left = 0.01;
+// No lift is reduced to less than this part; a displacement moves by so many lifts at most.
+constexpr double least_lift_left = 1e-3, farthest_displacement = 1.0;
+
+double in_degrees(double angle) {
+    return as_written(angle / units::degree);
+}
+
+// Rise and return.
+
+/// Which strokes take longer; both keep their ratio.
+struct Strokes {
+    bool rise = true, back = false;
+};
+
+/// Set points in degrees that lie on the return keep their distance from the end of the motion.
+void lengthen(Scene& changed, const Strokes& strokes, double ratio) {
+    MotionSpec& motion = changed.motion;
+    const MotionSpec before = motion;
+    if (strokes.rise) motion.rise *= ratio;
+    if (strokes.back && motion.return_angle) *motion.return_angle *= ratio;
+    keep_written(changed, before);
+    const double later = motion.length() - before.length() * before.rise / motion.rise;
+    for (std::size_t i = 0; motion.type == MotionType::rr && i < motion.via.size(); ++i) {
+        SetPoint& point = motion.via[i];
+        if (before.via[i].at <= 1.0 + at_the_top || point.units.place.empty()) continue;
+        point.at += later;
+        if (point.until) *point.until += later;
+    }
+}
+
+/// The set points that lengthen() moved, as the scene file would have to give them.
+void add_moved_points(std::vector<CompanionChange>& all, const MotionSpec& before, const MotionSpec& now) {
+    for (std::size_t i = 0; i < now.via.size(); ++i) {
+        const SetPoint &then = before.via[i], &point = now.via[i];
+        if (then.at <= 1.0 + at_the_top || point.units.place.empty()) continue;
+        const double unit = unit_of_place(point.units.place);
+        const auto add = [&](const char* name, double from, double to) {
+            all.push_back({fmt::format("motion.via[{}].{}_{}", i, name, point.units.place),
+                           as_written(from * before.rise / unit), as_written(to * now.rise / unit)});
+        };
+        add(point.until ? "from" : "at", then.at, point.at);
+        if (point.until) add("to", *then.until, *point.until);
+    }
+}
+
+void add_stroke(std::vector<Adjustment>& all, const Scene& scene, const Strokes& strokes) {
+    const MotionSpec& motion = scene.motion;
+    const double given = in_degrees(strokes.rise ? motion.rise : *motion.return_angle);
+    const double total = in_degrees(motion.length() * motion.rise);
+    const bool alone = motion.return_angle && strokes.rise != strokes.back;
+    const double most = alone ? given + turn_deg - total : given * turn_deg / total;
+    Adjustment adjustment = number_adjustment(
+        strokes.rise ? "motion.rise_deg" : "motion.return_deg", given, given, Range::between(given, most),
+        [strokes, given](Scene& changed, double value) { lengthen(changed, strokes, value / given); });
+    adjustment.usefulness = Usefulness::angle;
+    adjustment.fallback = strokes.rise && strokes.back;
+    adjustment.begin = strokes.rise ? 0.0 : 1.0;
+    adjustment.end = strokes.back || !motion.return_angle ? motion.length() : 1.0;
+    adjustment.also = [scene, strokes, with = adjustment.with](double value) {
+        std::vector<CompanionChange> also;
+        const MotionSpec motion = scene.motion, now = with(scene, value).motion;
+        if (strokes.rise && strokes.back)
+            also.push_back(
+                {"motion.return_deg", in_degrees(*motion.return_angle), in_degrees(*now.return_angle)});
+        add_moved_points(also, motion, now);
+        return also;
+    };
+    all.push_back(std::move(adjustment));
+}
+
+void add_strokes(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    if (!motion.return_angle) return add_stroke(all, scene, {true, false});
+    // Breakpoints are given up to 1 + return / rise.
+    if (scene.spline.breakpoints.empty()) {
+        add_stroke(all, scene, {true, false});
+        add_stroke(all, scene, {false, true});
+    }
+    add_stroke(all, scene, {true, true});
+}
+
+// Programs.
+
+constexpr std::size_t nothing = static_cast<std::size_t>(-1);
+
+/// The nearest dwell after a segment (forward) or before it; across the end of a closed program.
+std::size_t dwell_beside(const MotionSpec& motion, std::size_t segment, bool forward) {
+    const std::size_t count = motion.segments.size();
+    for (std::size_t k = 1; k < count; ++k) {
+        const std::size_t i = (segment + (forward ? k : count - k)) % count;
+        if (!motion.closed && (forward ? i < segment : i > segment)) return nothing;
+        const ProgramSegment& other = motion.segments[i];
+        if (other.kind == SegmentKind::dwell && !other.angle_range) return i;
+    }
+    return nothing;
+}
+
+std::string angle_key(std::size_t segment) {
+    return fmt::format("motion.segments[{}].angle_deg", segment);
+}
+
+/// `giver`: the segment it is taken from; nothing: what is left of the turn.
+void add_segment_angle(std::vector<Adjustment>& all, const Scene& scene, std::size_t which,
+                       std::size_t giver) {
+    const MotionSpec& motion = scene.motion;
+    const double given = in_degrees(motion.segments[which].angle);
+    const double of_giver = giver == nothing ? 0.0 : in_degrees(motion.segments[giver].angle);
+    const double room = giver == nothing ? turn_deg - in_degrees(motion.length() * motion.unit_angle())
+                                         : (1.0 - least_dwell_left) * of_giver;
+    Adjustment adjustment =
+        number_adjustment(angle_key(which), given, given, Range::between(given, given + std::max(room, 0.0)),
+                          [which, giver](Scene& changed, double value) {
+                              std::vector<double> angles;
+                              for (const ProgramSegment& segment : changed.motion.segments)
+                                  angles.push_back(segment.angle);
+                              const double more = value * units::degree - angles[which];
+                              angles[which] += more;
+                              if (giver != nothing) angles[giver] -= more;
+                              changed = with_segment_angles(changed, angles);
+                          });
+    adjustment.usefulness = Usefulness::angle;
+    adjustment.fallback = std::ranges::find(all, adjustment.key, &Adjustment::key) != all.end();
+    for (std::size_t i = 0; i < which; ++i)
+        adjustment.begin += motion.segments[i].angle / motion.unit_angle();
+    adjustment.end = adjustment.begin + motion.segments[which].angle / motion.unit_angle();
+    if (giver != nothing)
+        adjustment.also = [giver, given, of_giver](double value) {
+            return std::vector<CompanionChange>{
+                {angle_key(giver), of_giver, as_written(of_giver - (value - given))}};
+        };
+    all.push_back(std::move(adjustment));
+}
+
+void add_segment_angles(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        if (segment.kind == SegmentKind::dwell || segment.angle_range) continue;
+        const std::size_t next = dwell_beside(motion, i, true), before = dwell_beside(motion, i, false);
+        if (next != nothing) add_segment_angle(all, scene, i, next);
+        if (before != nothing && before != next) add_segment_angle(all, scene, i, before);
+        if (!motion.closed) add_segment_angle(all, scene, i, nothing);
+    }
+}
+
+/// A closed program ends at 0.
+bool is_last_move_of_turn(const MotionSpec& motion, std::size_t segment) {
+    return motion.closed && std::all_of(motion.segments.begin() + static_cast<std::ptrdiff_t>(segment) + 1,
+                                        motion.segments.end(), [](const ProgramSegment& one) {
+                                            return one.kind == SegmentKind::dwell;
+                                        });
+}
+
+void add_displacements(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+        const ProgramSegment& segment = motion.segments[i];
+        if (!segment.to || is_last_move_of_turn(motion, i)) continue;
+        const Spelling& spelling = spelling_of_unit(0, segment.to_unit);
+        const double unit = segment.to_unit.empty() ? 1.0 : spelling.factor / motion.lift;  // lifts
+        const double given = as_written(*segment.to / unit), reach = farthest_displacement / unit;
+        all.push_back(number_adjustment(
+            fmt::format("motion.segments[{}].to{}", i, spelling.suffix), given,
+            std::max(std::abs(given), reach), Range::between(given - reach, given + reach),
+            [i, unit](Scene& changed, double value) { changed.motion.segments[i].to = value * unit; }));
+        all.back().usefulness = Usefulness::lift;
+    }
+}
+
+void add_lift(std::vector<Adjustment>& all, const Scene& scene) {
+    const MotionSpec& motion = scene.motion;
+    const auto by_lift = [](const ProgramSegment& one) {
+        return one.to.value_or(0.0) != 0.0 && one.to_unit.empty();
+    };
+    if (motion.type == MotionType::program && std::ranges::none_of(motion.segments, by_lift)) return;
+    const double unit = motion.lift_is_angle ? units::degree : metres_of(scene.length_unit);
+    const double given = as_written(motion.lift / unit);
+    all.push_back(number_adjustment(
+        std::string("motion.lift_") + (motion.lift_is_angle ? "deg" : name_of(scene.length_unit)), given,
+        given, Range::between(least_lift_left * given, given), [unit](Scene& changed, double value) {
+            const MotionSpec before = changed.motion;
+            changed.motion.lift = value * unit;
+            keep_written(changed, before);
+        }));
+    all.back().usefulness = Usefulness::lift;
+}
+
+}  // namespace
+
+std::vector<Adjustment> motion_adjustments(const Scene& scene) {
+    std::vector<Adjustment> all;
+    if (scene.motion.type == MotionType::program) {
+        add_segment_angles(all, scene);
+        add_displacements(all, scene);
+    } else {
+        add_strokes(all, scene);
+    }
+    add_lift(all, scene);
+    // What has no room to move is no change.
+    std::erase_if(all, [](const Adjustment& one) { return !one.may_grow && !one.may_shrink; });
+    return all;
+}
+
+}  // namespace camopt

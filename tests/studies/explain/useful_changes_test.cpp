@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// What a user is told to change comes in time, in the order of its usefulness, and does make the scene
+// feasible: every change is written into the scene file as it is printed, and the file is solved.
+#include "input/loading/known_names.hpp"
+#include "input/scene_reader.hpp"
+#include "output/words/infeasible_words.hpp"
+#include "output/words/key_words.hpp"
+#include "profiles/factory/mechanism_factory.hpp"
+#include "studies/explain/adjustment.hpp"
+#include "studies/solve/solve.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace camopt {
+namespace useful_changes_test {
+
+struct Case {
+    std::string name, file;
+    std::vector<std::string> settings;
+    friend void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+};
+
+Scene scene_of(const Case& one) {
+    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/" + one.file + ".toml",
+                                         known_names(), one.settings);
+    complete_mechanism(scene);
+    return scene;
+}
+
+/// The scene file with the change, as a user would write it.
+Scene with_change(Case one, const Relaxation& row) {
+    one.settings.push_back(fmt::format("{}={}", row.key, *row.solved));
+    for (const CompanionChange& other : row.also)
+        one.settings.push_back(fmt::format("{}={}", other.key, other.solved));
+    return scene_of(one);
+}
+
+std::string told(const Solution& solution) {
+    std::string text;
+    for (const std::string& remark : infeasible_remarks(solution)) text += remark + "\n";
+    return text;
+}
+
+const Case servo = {"servo", "tests/support/cases/servo_four_moves", {}};
+const Case lobe = {"lobe", "tests/support/cases/lobe_ramp_set_point", {}};
+
+class UsefulChanges : public testing::TestWithParam<Case> {};
+
+TEST_P(UsefulChanges, AreFoundInTimeAndMakeTheSceneFeasible) {
+    const Solution solution = solve(scene_of(GetParam()));
+    ASSERT_FALSE(solution.motion);
+    ASSERT_TRUE(solution.explanation);
+    EXPECT_LE(solution.explanation->allowed, 5.0);
+    ASSERT_FALSE(solution.relaxation.empty());
+    ASSERT_TRUE(solution.relaxation.front().solved) << told(solution);
+    int applied = 0;
+    for (const Relaxation& row : solution.relaxation) {
+        if (!row.solved || applied == 2) continue;
+        ++applied;
+        Scene changed = with_change(GetParam(), row);
+        changed.solver.explain_seconds = 0.0;
+        EXPECT_TRUE(solve(changed).motion) << change_words(row);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Infeasible, UsefulChanges,
+    testing::Values(
+        servo, lobe, Case{"far_target", "tests/support/cases/far_target", {}},
+        Case{"spring", "tests/support/cases/spring_float", {"spline.segments=64", "forces.preload_n=2"}},
+        Case{"cam", "scenes/cam_infeasible", {}},
+        Case{"cam_not_convex", "scenes/cam_infeasible", {"limits.cam_radius_min_mm=8", "spline.segments=64"}},
+        Case{"undercut", "scenes/cam_undercut", {"limits.cam_radius_min_mm=30", "spline.segments=64"}},
+        Case{"cap", "scenes/infeasible_velocity_cap", {}}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(UsefulChange, OfAServoProgramIsTheAngleAndTheDwellThatGivesWay) {
+    const Solution solution = solve(scene_of(servo));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    const Relaxation& first = solution.relaxation.front();
+    EXPECT_EQ(first.key, "motion.segments[2].angle_deg");
+    EXPECT_EQ(first.given, 50.0);
+    ASSERT_TRUE(first.solved);
+    EXPECT_NEAR(*first.solved, 54.1, 0.1);
+    ASSERT_EQ(first.also.size(), 1U);
+    EXPECT_EQ(first.also[0].key, "motion.segments[3].angle_deg");
+    EXPECT_NEAR(*first.solved + first.also[0].solved, 90.0, 1e-12);
+    EXPECT_NE(told(solution).find("lengthen motion.segments[2].angle from 50 to 54."), std::string::npos);
+    EXPECT_NE(told(solution).find("taken from motion.segments[3].angle, which keeps 35."), std::string::npos);
+    EXPECT_NE(told(solution).find("raise the acceleration limit to 66"), std::string::npos) << told(solution);
+}
+
+TEST(UsefulChange, TakesFromTheNextDwellThenFromTheOneBefore) {
+    const std::vector<Adjustment> all = motion_adjustments(scene_of(servo));
+    std::vector<std::string> givers;
+    for (const Adjustment& one : all)
+        if (one.key == "motion.segments[2].angle_deg")
+            givers.push_back(one.also(one.given + 1.0).front().key);
+    EXPECT_EQ(givers,
+              (std::vector<std::string>{"motion.segments[3].angle_deg", "motion.segments[1].angle_deg"}));
+}
+
+TEST(UsefulChange, NamesTheSetPointThatARampContradicts) {
+    const Solution solution = solve(scene_of(lobe));
+    ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
+    ASSERT_TRUE(solution.explanation);
+    const std::vector<std::string>& named = solution.explanation->set_points;
+    EXPECT_EQ(std::ranges::count(named, "motion.via[1]"), 1);
+    const auto row = std::ranges::find_if(
+        solution.relaxation, [](const Relaxation& one) { return one.key.starts_with("motion.via[1]."); });
+    ASSERT_NE(row, solution.relaxation.end()) << told(solution);
+    EXPECT_TRUE(row->solved);
+    EXPECT_NE(told(solution).find("motion.via[1].displacement = 0.35 mm at 25 deg"), std::string::npos)
+        << told(solution);
+}
+
+/// Other conditions leave one value: 0.5 mm and 10 deg of 0.012 mm/deg.
+TEST(UsefulChange, OfADeterminedSetPointIsItsOneValue) {
+    Case inside = lobe;
+    inside.settings.insert(
+        inside.settings.end(),
+        {"motion.via[0].from_deg=20", "motion.via[0].to_deg=40", "motion.via[0].displacement_mm=0.5",
+         "motion.via[1].at_deg=30", "limits.acceleration_mm_s2=6000000"});
+    const Solution solution = solve(scene_of(inside));
+    ASSERT_EQ(solution.certificate.reason, Reason::conditions_contradict);
+    const auto row =
+        std::ranges::find(solution.relaxation, "motion.via[1].displacement_mm", &Relaxation::key);
+    ASSERT_NE(row, solution.relaxation.end()) << told(solution);
+    EXPECT_NEAR(*row->solved, 0.5 + 10.0 * 0.012, 1e-9);
+    EXPECT_TRUE(solve(with_change(inside, *row)).motion);
+}
+
+TEST(UsefulChange, EndsTheSearchWhenEnoughAreFound) {
+    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
+    const Solution three = solve(scene);
+    ASSERT_EQ(three.relaxation.size(), 3U);
+    EXPECT_EQ(three.relaxation[0].key, "motion.rise_deg");
+    EXPECT_EQ(three.relaxation[1].key, "cam.base_radius_mm");
+    EXPECT_EQ(three.relaxation[2].key, "limits.pressure_angle_deg");
+    EXPECT_EQ(three.explanation->end, ExplanationEnd::enough);
+    scene.solver.explain_changes = 1;
+    EXPECT_EQ(solve(scene).relaxation.size(), 1U);
+    scene.solver.explain_changes = 100;
+    EXPECT_GT(solve(scene).relaxation.size(), 3U);
+}
+
+/// A lift written in mm keeps the displacements that are written in mm.
+TEST(UsefulChange, OfALiftScalesOnlyDisplacementsInLifts) {
+    Scene scene = scene_of(servo);
+    const auto keys = [&] {
+        std::vector<std::string> all;
+        for (const Adjustment& one : motion_adjustments(scene)) all.push_back(one.key);
+        return all;
+    };
+    const auto has = [](const std::vector<std::string>& all, const char* key) {
+        return std::ranges::find(all, key) != all.end();
+    };
+    EXPECT_FALSE(has(keys(), "motion.lift_mm")) << "every displacement is in mm";
+    EXPECT_TRUE(has(keys(), "motion.segments[2].to_mm"));
+    EXPECT_FALSE(has(keys(), "motion.segments[6].to_mm")) << "the turn ends at 0";
+    scene.motion.segments[2].to_unit.clear();
+    ASSERT_TRUE(has(keys(), "motion.lift_mm"));
+    const std::vector<Adjustment> all = motion_adjustments(scene);
+    const Scene less = std::ranges::find(all, "motion.lift_mm", &Adjustment::key)->with(scene, 48.0);
+    EXPECT_NEAR(*less.motion.segments[0].to * less.motion.lift, 0.030, 1e-15);
+    EXPECT_NEAR(*less.motion.segments[2].to * less.motion.lift, 0.048, 1e-15);
+}
+
+TEST(ExplanationTime, IsNotBlamedOnMaxSecondsAfterAnInterruption) {
+    bool stop = false;
+    SolveControl control;
+    control.progress = [&](const Progress& progress) {
+        stop = stop || progress.message.find("what would help: limits.") != std::string_view::npos;
+    };
+    control.stop_requested = [&] { return stop; };
+    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
+    scene.solver.explain_changes = 100;
+    const Solution solution = solve(scene, control);
+    ASSERT_TRUE(stop);
+    for (const std::string& note : solution.notes)
+        EXPECT_EQ(note.find("max_seconds"), std::string::npos) << note;
+    EXPECT_EQ(solution.explanation->end, ExplanationEnd::interrupted);
+    EXPECT_NE(told(solution).find("The search for changes was interrupted after"), std::string::npos);
+    EXPECT_EQ(told(solution).find("max_seconds"), std::string::npos);
+}
+
+TEST(ExplanationTime, OfFiveSecondsEndsTheSearchAndIsNamed) {
+    double now = 0.0;
+    SolveControl control;
+    control.deadline = Deadline::after(1e9, [&] { return now; });
+    control.progress = [&](const Progress& progress) {
+        if (progress.message.find("what would help: limits.") != std::string_view::npos) now += 6.0;
+    };
+    Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
+    scene.solver.explain_changes = 100;
+    const Solution solution = solve(scene, control);
+    EXPECT_EQ(solution.explanation->end, ExplanationEnd::time_limit);
+    EXPECT_TRUE(solution.relaxation.front().solved) << "found before";
+    EXPECT_NE(told(solution).find("(solver.explain_seconds)"), std::string::npos) << told(solution);
+    for (const std::string& note : solution.notes)
+        EXPECT_EQ(note.find("max_seconds"), std::string::npos) << note;
+}
+
+}  // namespace useful_changes_test
+}  // namespace camopt
