@@ -59,13 +59,11 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
             "{}, for every share of the turn between {} segments that is tried; the verdict is optimal or "
             "infeasible where nothing but limits in time knows the angles, else {}",
             by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
-    if (check.free_displacements > 0)
+    if (check.free_displacements > 0 && check.convex)
         return fmt::format(
-            "{}: relaxations bound the {} free displacement{} case by case, and solves of the given ones try "
-            "what they like; the verdict is optimal or infeasible where the cases close, else {} with its "
-            "bound",
-            by, check.free_displacements, check.free_displacements == 1 ? "" : "s",
-            check.free_displacements == 1 ? "local or feasible" : "feasible");
+            "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, one "
+            "solve for each direction it may take; the verdict to be expected is optimal or infeasible",
+            by, check.free_displacements, check.free_displacements == 1 ? "" : "s");
     if (check.starts > 1 || !check.convex)
         return fmt::format(
             "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "

@@ -89,6 +89,8 @@ class SceneReader {
             if (spline.breakpoints.size() < 2)
                 source_.fail(breakpoints->value().place, "spline.breakpoints",
                              "found fewer than 2 breakpoints; allowed: 2 to 65537");
+        } else {
+            spline.by_stroke = !source_.find("spline", "segments");
         }
         if (const auto continuity = source_.find("spline", "continuity"))
             spline.continuity = static_cast<int>(continuity->value().integer);

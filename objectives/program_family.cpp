@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace camopt {
 
 namespace {
@@ -43,6 +46,26 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
 
 }  // namespace
 
+/// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning point: y' = 0.
+/// Said as a condition, for as inequalities around the joint it would be degenerate. At the begin of segment `index`.
+bool turns_back(const MotionSpec& motion, std::size_t index) {
+    const std::size_t count = motion.segments.size();
+    if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
+    const std::size_t before = (index + count - 1) % count;
+    /// The displacement at a joint, where the segment that ends there gives it.
+    const auto level = [&](std::size_t joint) -> std::optional<double> {
+        if (joint == 0 || (joint == count && motion.closed)) return 0.0;
+        return motion.segments[joint - 1].to;
+    };
+    for (const std::size_t i : {before, index}) {
+        const std::vector<SetPoint>& via = motion.segments[i].via;
+        const auto gives = [](const SetPoint& point) { return point.displacement.has_value(); };
+        if (motion.segments[i].kind != SegmentKind::spline || std::ranges::any_of(via, gives)) return false;
+    }
+    const auto start = level(before), joint = level(before + 1), end = level(index + 1);
+    return start && joint && end && (*joint - *start) * (*end - *joint) < 0.0;
+}
+
 MotionFamily program_family(const Scene& scene, DesignKind kind) {
     FamilyRequest request;
     request.degree = scene.spline.degree;
@@ -67,6 +90,10 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
             stretch.kind = StretchRequest::Kind::spline;
             stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,
                                                  regions_of(scene.motion, points, static_cast<int>(i)));
+            if (turns_back(scene.motion, i))
+                stretch.conditions.push_back({stretch.begin, 1, Side::right, 0.0,
+                                              fmt::format("turning point at the start of motion.segments[{}]", i),
+                                              false});
             for (const PlacedPoint& point : points) {
                 if (point.segment != static_cast<int>(i)) continue;
                 const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);

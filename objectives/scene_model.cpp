@@ -132,9 +132,26 @@ Peaks reference_peaks(const Scene& scene) {
     return peaks;
 }
 
+namespace {
+
+/// Half of the segments over either stroke: the shorter one of two unequal strokes decides the optimum, and uniform
+/// segments may leave it one or none.
+SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motion) {
+    const double length = motion.length();
+    if (motion.type != MotionType::rr || !spline.by_stroke || !spline.breakpoints.empty() || length == 2.0)
+        return spline;
+    const int rise = (spline.segments + 1) / 2, back = std::max(1, spline.segments / 2);
+    for (int i = 0; i < rise; ++i) spline.breakpoints.push_back(static_cast<double>(i) / rise);
+    for (int i = 0; i <= back; ++i) spline.breakpoints.push_back(1.0 + (length - 1.0) * i / back);
+    spline.breakpoints.back() = length;
+    return spline;
+}
+
+}  // namespace
+
 DesignRequest spline_request(const Scene& scene, DesignKind kind) {
     const MotionSpec& motion = scene.motion;
-    const SplineSpec& spline = scene.spline;
+    const SplineSpec spline = with_breakpoints_by_stroke(scene.spline, motion);
     const bool rise = motion.type == MotionType::drd;
     const std::vector<std::array<double, 2>> regions = regions_of(motion, placed_points(motion), -1);
     SplineSpace space =

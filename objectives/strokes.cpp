@@ -18,6 +18,8 @@ namespace {
 using Datum = PlacedRule::Datum;
 
 constexpr double same_level = 1e-9;  // lifts: a set point this close to the edge of the range is on it
+// Of a stroke: its own ends lie on the edge of the range, and their rounding is no violation.
+constexpr double rounding = 1e-10;
 constexpr double slow_enough = 1e-9;     // lifts by x: a joint or set point this slow does not leave the range
 
 /// y and y' at a place that the motion passes.
@@ -79,7 +81,9 @@ void set_range(StrokeRange& stroke, const std::vector<Passed>& points, const std
 std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
     std::vector<PlacedRule> rules;
     const auto add = [&](const char* key, const BoundRule::Bound& bound, Datum datum) {
-        PlacedRule rule(std::make_shared<BoundRule>(key, bound), stroke.stretch);
+        BoundRule::Bound loosened = bound;
+        loosened.bound += rounding * bound.scale;
+        PlacedRule rule(std::make_shared<BoundRule>(key, loosened), stroke.stretch);
         rule.datum = datum;
         if (scene.motion.type == MotionType::rr) {
             rule.from = stroke.begin > 0.0 ? stroke.begin : -infinity;

@@ -91,6 +91,8 @@ struct MotionSpec {
 struct SplineSpec {
     int degree = 3;     ///< 3 or 5
     int segments = 12;  ///< uniform segments over the whole motion; ignored where breakpoints are given
+    /// RR: half of the segments over the rise, half over the return, in place of uniform ones over both.
+    bool by_stroke = false;
     std::vector<double> breakpoints;  ///< x, ascending, from 0 to length(); empty: uniform
     /// The interior breakpoints are variables too: those above are where the search starts. DRD and RR only.
     bool free_knots = false;

@@ -146,7 +146,7 @@ Rows spline() {
         {"spline", "degree", integer, plain, any, {"3", "5"}, "3", "Degree of the spline."},
         {"spline", "segments", integer, plain, Range::between(1, 65536), {}, "12",
          "Uniform segments over the rise (DRD), over rise and return (RR), or over each spline segment of a "
-         "program."},
+         "program. Without the key RR has six over the rise and six over the return."},
         {"spline", "breakpoints", numbers, plain, not_negative, {}, "uniform",
          "The breakpoints themselves, ascending from 0 to the end of the motion, in units of the rise; in a "
          "program from 0 to 1, in units of each spline segment.",

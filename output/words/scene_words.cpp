@@ -132,10 +132,15 @@ std::string spline_line(const Scene& scene) {
     const SplineSpec& spline = scene.spline;
     const std::size_t segments = spline.breakpoints.empty() ? static_cast<std::size_t>(spline.segments)
                                                             : spline.breakpoints.size() - 1;
+    const bool by_stroke = spline.by_stroke && spline.breakpoints.empty() &&
+                           scene.motion.type == MotionType::rr && scene.motion.length() != 2.0;
     return fmt::format(
         "Spline: degree {}, {} {}segments{}, continuous up to derivative {}{}{}{}{}", spline.degree, segments,
-        spline.breakpoints.empty() ? "uniform " : "",
-        scene.motion.type == MotionType::program ? " in each spline segment" : "", spline.smoothness(),
+        spline.breakpoints.empty() && !by_stroke ? "uniform " : "",
+        scene.motion.type == MotionType::program ? " in each spline segment"
+        : by_stroke                              ? ", half of them over the rise"
+                                                 : "",
+        spline.smoothness(),
         spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
         spline.free_knots ? ", its breakpoints free" : "", breakpoint_text(spline),
         spline.design == DesignKind::automatic ? ""

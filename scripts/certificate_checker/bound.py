@@ -178,9 +178,29 @@ class Bound:
         if cap is not None and run is not None and sign:
             function = {j: w * sign / cap for j, w in run.space.functional(at, order, side).items()}
             return Row(name, k, function, 1 + self.relaxed), Fraction(1)
+        if rule in ("motion.within_lift", "motion.monotone"):
+            return self.stroke_row(rule, order, sign, name, k, run, stretch, at, side)
         if self.problem.cam and run is not None:
             return self.problem.cam.row(self, k, run, name, origin, at)
         return None
+
+    def stroke_row(self, rule, order, sign, name, k, run, stretch, at, side):
+        """A row of a stroke that stays between its ends, or does not turn back; None where set points, or a law beside it,
+        may open the range."""
+        found = self.problem.stroke_at(stretch, at) if run is not None else None
+        if found is None or not sign:
+            return None
+        start, to, length = found
+        if rule == "motion.monotone":
+            if not self.problem.motion.get("monotone", False) or order != 1 or sign != (-1 if to > start else 1):
+                raise Refuted(f"{name}: the scene has no such rule")
+            scale, most = abs(to - start) / length, Fraction(0)
+        else:
+            if not self.problem.motion.get("within_lift", True) or order != 0:
+                raise Refuted(f"{name}: the scene has no such rule")
+            scale, most = abs(to - start), max(sign * start, sign * to)
+        function = {j: w * sign / scale for j, w in run.space.functional(at, order, side).items()}
+        return Row(name, k, function, most / scale + self.relaxed), Fraction(1)
 
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""

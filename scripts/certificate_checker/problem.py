@@ -312,6 +312,8 @@ class Problem:
                 run.rests = (run.rests[0] and side != "right", run.rests[1] and side != "left")
         for i in range(first, last):
             run.demand(self.stretches[i].end, 0, "right", self.stretches[i].to, "displacement at a joint")
+            if self.turns_back(segments, i):
+                run.demand(self.stretches[i].end, 1, "right", Fraction(0), "turning point")
         self.end_jerk(run)
         for via, own_begin, own_end in conditions:
             self.set_points(run, via, own_begin, own_end)
@@ -329,6 +331,31 @@ class Problem:
             return (own.to - own.start) / (own.end - own.begin), Fraction(0)
         raise Unverified(f"a spline beside the law {own.law}")
 
+    def stroke_at(self, stretch, at):
+        """(displacement at its start, at its end, length) of the stroke at x; None where it has set points, moves next to a law,
+        or ends where it began."""
+        if self.type == "program":
+            i = self.stretches.index(stretch)
+            segments, beside = self.motion["segments"], (i - 1, (i + 1) % len(self.stretches))
+            if segments[i].get("via") or any(self.stretches[j].kind == "law" for j in beside) or stretch.to == stretch.start:
+                return None
+            return stretch.start, stretch.to, stretch.end - stretch.begin
+        if self.motion.get("via"):
+            return None
+        if at <= 1:
+            return Fraction(0), Fraction(1), Fraction(1)
+        return Fraction(1), Fraction(0), stretch.end - 1
+
+    def turns_back(self, segments, i):
+        """Two splines that reverse the motion, neither of which may pass the joint between them."""
+        if not self.motion.get("within_lift", True) and not self.motion.get("monotone", False):
+            return False
+        if any(key.startswith("displacement") for j in (i, i + 1)
+               for point in segments[j].get("via", []) for key in point):
+            return False
+        before, after = self.stretches[i], self.stretches[i + 1]
+        return (before.to - before.start) * (after.to - after.start) < 0
+
     # -- breakpoints and set points
 
     def breakpoints(self, begin, end, regions):
@@ -344,6 +371,9 @@ class Problem:
                 given = [number(float(x)) for x in given]
             unit = width / (given[-1] - given[0])
             points, closest = [begin + unit * (x - given[0]) for x in given], Fraction(1, 10**12)
+        elif self.type == "RR" and "segments" not in self.spline and width != 2:  # six over either stroke
+            points = [Fraction(i, 6) for i in range(6)] + [1 + (width - 1) * i / 6 for i in range(7)]
+            closest = Fraction(1, 10**12)
         else:
             count = self.spline.get("segments", 12)
             points = [begin + width * i / count for i in range(count + 1)]

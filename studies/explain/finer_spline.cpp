@@ -43,6 +43,7 @@ int segments_of(const SplineSpec& spline) {
 Scene with_segments(const Scene& scene, int segments) {
     Scene finer = scene;
     finer.spline.segments = segments;
+    finer.spline.by_stroke = false;  // a number that is written is uniform
     std::vector<double>& points = finer.spline.breakpoints;
     while (!points.empty() && static_cast<int>(points.size()) - 1 < segments) {
         std::vector<double> halved = {points.front()};

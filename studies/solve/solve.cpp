@@ -90,12 +90,32 @@ bool is_general(const Scene& scene, SceneModels& models) {
     return (has_cam(scene) || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
 }
 
+/// A convex scene whose solver was chosen for it has a proof, unless its numbers are hard: then another
+/// backend tries from the same grid. It counts where it proves more.
+void try_next_backend(CamProblem& problem, const JudgeOptions& judge, Solution& solution,
+                      ContinuousResult& result, const SolveControl& control) {
+    const Verdict verdict = result.certificate.verdict;
+    const bool proved = verdict == Verdict::optimal || verdict == Verdict::infeasible;
+    const std::string next = general_solver();
+    if (proved || solution.scene.solver.name != "auto" || next == solution.solver.name || control.ending())
+        return;
+    ExchangeOptions exchange = exchange_options(solution.scene);
+    exchange.backend.native.clear();  // they belong to the first backend
+    ContinuousResult other = solve_continuous(problem, *make_solver(next), exchange, judge, control);
+    solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried then",
+                                         solution.solver.name, name_of(result.certificate.reason), next));
+    if (other.certificate.verdict >= verdict) return;
+    result = std::move(other);
+    solution.solver.name = next;
+}
+
 ContinuousResult solve_problem(CamProblem& problem, const Solver& solver, Solution& solution,
                                SceneModels& models, const SolveControl& control, GridMemory* memory) {
     const Scene& scene = solution.scene;
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap(!needs_starts(problem.model()))};
     if (!needs_starts(problem.model())) {
         ContinuousResult result = solve_continuous(problem, solver, exchange_options(scene), judge, control);
+        try_next_backend(problem, judge, solution, result, control);
         if (memory != nullptr) memory->keep(problem);
         GridMemory* const looking = memory != nullptr && memory->only_looks ? memory : nullptr;
         if (wants_tie_break(scene, result.certificate)) break_tie(problem, scene, result, control, looking);

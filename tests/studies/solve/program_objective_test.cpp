@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Objectives of programs against their definition: V, A, J are the largest over the spline segments of
-// |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h as found,
-// the lift where h = 0. Everything is recomputed from the published knots and control points alone.
+// |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h, the
+// lift where h is 0 or free. Everything is recomputed from the published knots and control points alone.
 #include "core/errors.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "studies/check/scene_check.hpp"
@@ -91,16 +91,33 @@ struct Measured {
     double objective = 0.0;
 };
 
+/// Which displacements at joints the scene gives, one more than segments: dwells carry them along.
+std::vector<bool> given_joints(const MotionSpec& motion) {
+    const std::vector<ProgramSegment>& segments = motion.segments;
+    std::vector<bool> given(segments.size() + 1, false);
+    given.front() = true;
+    given.back() = motion.closed;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (segments[i].to) given[i + 1] = true;
+        if (segments[i].kind == SegmentKind::dwell && given[i]) given[i + 1] = true;
+    }
+    for (std::size_t i = segments.size(); i-- > 0;)
+        if (segments[i].kind == SegmentKind::dwell && given[i + 1]) given[i] = true;
+    return given;
+}
+
 Measured measured(const Solution& solution) {
     Measured result;
-    for (const SegmentReport& segment : solution.segments) {
+    const std::vector<bool> given = given_joints(solution.scene.motion);
+    for (std::size_t i = 0; i < solution.segments.size(); ++i) {
+        const SegmentReport& segment = solution.segments[i];
         if (segment.kind != SegmentKind::spline) continue;
         const std::vector<double> knots = segment.curve->knots();
         const Eigen::VectorXd published = segment.curve->coefficients();
         const std::vector<double> points(published.begin(), published.end());
         const double angle = knots.back() - knots.front();
         const double moved = std::abs(points.back() - points.front());
-        const double measure = moved < 1e-9 ? 1.0 : moved;
+        const double measure = moved < 1e-9 || !given[i] || !given[i + 1] ? 1.0 : moved;
         for (int order = 1; order <= 3; ++order)
             result.peak[static_cast<std::size_t>(order)] = std::max(
                 result.peak[static_cast<std::size_t>(order)],
@@ -146,41 +163,33 @@ void expect_proved(const Solution& solution) {
     EXPECT_GE(bound, *certificate.lower_bound);
 }
 
-TEST(ProgramObjective, IsMeasuredByTheDisplacementFound) {
-    // Two splines share the rise: where they part is free, and with it what their peaks are measured by.
+TEST(ProgramObjective, IsMeasuredByTheLift) {
+    // Two splines share the rise: where they part is free.
     const Solution solution =
         solve(program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)}));
     expect_measured(solution);
     expect_proved(solution);
 }
 
-TEST(ProgramObjective, OfAnOpenChainIsMeasuredByTheDisplacementFound) {
-    Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
-    const Solution solution = solve(scene);
+TEST(ProgramObjective, OfAnOpenChainIsMeasuredByTheLift) {
+    const Solution solution = solve(program({spline(60), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
     expect_proved(solution);
-    // No displacement of a grid is better, and the optimum lies between two of them.
-    double best = infinity;
-    for (int k = -3; k <= 13; ++k) {
-        scene.motion.segments[0].to = 0.1 * k;
-        const Solution given = solve(scene);
-        if (given.motion) best = std::min(best, given.certificate.objective);
-    }
-    EXPECT_LE(solution.certificate.objective, best + 1e-9);
+    EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
 }
 
-TEST(ProgramObjective, OfADwellBetweenSplinesIsMeasuredByTheDisplacementFound) {
-    // Only the shape counts from rest to rest, so every level of the dwell is as good: proved.
+TEST(ProgramObjective, OfADwellBetweenSplinesIsMeasuredByTheLift) {
+    // Two rises of the same shape share the lift: each half of it has half the peaks.
     const Solution solution = solve(program({spline(60), dwell(30), spline(80, 1.0), dwell(30)}, false));
     expect_measured(solution);
     ASSERT_EQ(solution.certificate.verdict, Verdict::optimal) << solution.certificate.reason;
     expect_proved(solution);
     Scene rise = program({}, false);
     rise.motion = {};
-    EXPECT_NEAR(solution.certificate.objective, solve(rise).certificate.objective, 1e-7);
+    EXPECT_NEAR(solution.certificate.objective, 0.5 * solve(rise).certificate.objective, 1e-7);
 }
 
-TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheDisplacementFound) {
+TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheLift) {
     Scene scene = program({spline(60), spline(80, 1.0), dwell(30)}, false);
     scene.limits.velocity = PeakLimit{1.3, "limits.velocity", 1.3, ""};
     const Solution solution = solve(scene);
@@ -190,7 +199,7 @@ TEST(ProgramObjective, CapsOnPeaksAreMeasuredByTheDisplacementFound) {
     EXPECT_NEAR(solution.constraints.front().worst, measured(solution).peak[1], 1e-7);
 }
 
-TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByThem) {
+TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByTheLift) {
     Scene scene = program({spline(50), spline(60), spline(40), spline(70, 1.0), dwell(30)}, false);
     scene.spline.segments = 2;
     const Solution solution = solve(scene);
@@ -198,32 +207,14 @@ TEST(ProgramObjective, OfThreeFreeDisplacementsIsMeasuredByThem) {
     expect_proved(solution);
 }
 
-/// A piece of the search whose relaxation ends without a motion has no displacements to try; it crashed.
-TEST(ProgramObjective, OfAPieceWithoutDisplacementsIsNotTried) {
-    Scene scene =
-        program({spline(86), dwell(28), spline(105), spline(93, 0.5), law(48, "modified_sine", 0.0)});
-    scene.spline.degree = 5;
-    scene.spline.segments = 6;
-    scene.objective.velocity = 0.0;
-    scene.objective.acceleration = 0.66883312234853065;
-    scene.objective.jerk = 0.94712595616666306;
-    scene.solver.max_seconds = 8.0;
-    const Solution solution = solve(scene);
-    ASSERT_TRUE(solution.motion) << solution.certificate.reason;
-    expect_measured(solution);
-    if (const auto bound = solution.certificate.lower_bound) {
-        EXPECT_LE(*bound, solution.certificate.objective * (1.0 + 1e-9));
-    }
-}
-
-TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheDisplacementFound) {
+TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheLift) {
     const Solution solution =
         solve(program({law(60, "cycloidal"), dwell(20), spline(80, 1.0), dwell(30), spline(170, 0.0)}));
     expect_measured(solution);
     expect_proved(solution);
 }
 
-TEST(ProgramObjective, OnACamIsMeasuredByTheDisplacementFound) {
+TEST(ProgramObjective, OnACamIsMeasuredByTheLift) {
     Scene scene = program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
     scene.cam.emplace();
     (*scene.cam)[DimensionIndex::base_radius] = 25e-3;
@@ -238,7 +229,7 @@ TEST(ProgramObjective, OnACamIsMeasuredByTheDisplacementFound) {
 TEST(ProgramObjective, ACheckCountsTheFreeDisplacements) {
     const SceneCheck one = check_scene(program({spline(60), spline(80, 1.0), dwell(30)}, false));
     EXPECT_EQ(one.free_displacements, 1);
-    EXPECT_FALSE(one.convex);
+    EXPECT_TRUE(one.convex);
     const SceneCheck none = check_scene(program({spline(60, 0.5), spline(80, 1.0), dwell(30)}, false));
     EXPECT_EQ(none.free_displacements, 0);
     EXPECT_TRUE(none.convex);
@@ -377,7 +368,7 @@ TEST(ProgramObjective, OfRandomProgramsIsThatOfTheirSplines) {
         expect_proved(solution);
         if (HasFailure()) return;
     }
-    EXPECT_GT(verdicts[Verdict::optimal], 6);
+    EXPECT_GT(verdicts[Verdict::optimal], 14);
     for (const auto& [verdict, count] : verdicts) RecordProperty(name_of(verdict), count);
 }
 
