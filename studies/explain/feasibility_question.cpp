@@ -17,6 +17,9 @@ namespace camopt {
 namespace {
 
 constexpr int most_rounds = 40;
+// Of the solver's tolerance: a grid's least violation below this is rounding. That of a stroke within its lift is 0, for
+// its own ends lie on the edge of its range.
+constexpr double rounding_of_grid = 100.0;
 
 /// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is
 /// a bound from below and a judged motion's one from above. The value is whichever of the two decided.
@@ -32,9 +35,14 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
         BackendOptions options;
         options.tolerance = tolerance;
         const BackendResult result = solver->minimize(elastic.grid(), x, options, budget.control());
-        if (result.x.size() == 0 || !result.x.allFinite()) break;
+        if (result.termination != Termination::converged || !result.x.allFinite()) {
+            // The value of such a point is no bound: the whole search decides.
+            const Feasibility whole = find_feasible(problem, {}, budget.control());
+            return whole.point.violation <= tolerance ? std::min(0.0, whole.point.violation)
+                                                      : whole.point.violation;
+        }
         const double on_grid = result.x[result.x.size() - 1];
-        if (on_grid > tolerance) return on_grid;
+        if (on_grid > rounding_of_grid * tolerance) return on_grid;
         const Candidate found = judged(problem, result.x.head(result.x.size() - 1));
         violation = std::min(violation, found.violation);
         if (violation <= 0.0) return violation;

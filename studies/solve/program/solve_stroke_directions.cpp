@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -95,7 +96,9 @@ class DirectionSearch {
 
     /// Its own motion leaves a stroke, and one that does not may be better than the best.
     [[nodiscard]] bool is_open(const Case& part) const {
-        return part.leaves >= 0 && relative_gap(best_objective(), part.bound) > scene_.solver.wanted_gap();
+        const double best = best_objective();
+        return part.leaves >= 0 &&
+               (!std::isfinite(best) || relative_gap(best, part.bound) > scene_.solver.wanted_gap());
     }
 
     void split(std::vector<Case>::iterator at) {

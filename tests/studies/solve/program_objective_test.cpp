@@ -368,7 +368,7 @@ TEST(ProgramObjective, OfRandomProgramsIsThatOfTheirSplines) {
         expect_proved(solution);
         if (HasFailure()) return;
     }
-    EXPECT_GT(verdicts[Verdict::optimal], 14);
+    EXPECT_GE(verdicts[Verdict::optimal] + verdicts[Verdict::infeasible], 18);
     for (const auto& [verdict, count] : verdicts) RecordProperty(name_of(verdict), count);
 }
 
