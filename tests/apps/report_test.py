@@ -2,7 +2,7 @@
 """report_test.py PROGRAM SCENES SOLVED FOLDER: what a person reads of every example scene (SOLVED: solve_examples.py).
 
 The report names every key that the key table knows and the scene sets, with its value. Peaks are those of motion.csv
-to the printed digits. With a speed the motion stands in mm/s and m/s² (swinging: rad/s) first; a scene written in
+to the printed digits. With a speed the motion stands in mm/s and m/s² (swinging: rad/s, or deg/s where it is written so) first; a scene written in
 inches comes back in inches. Forces stand in profile.csv as their formulas say."""
 
 import csv
@@ -20,7 +20,7 @@ PROGRAM = sys.argv[1]
 SCENES, SOLVED, FOLDER = (pathlib.Path(word) for word in sys.argv[2:5])
 SECONDS = 300
 INCH = 25.4
-IN_TIME = {"mm/s", "m/s²", "m/s³", "rad/s", "rad/s²", "rad/s³", "in/s", "in/s²", "in/s³"}
+IN_TIME = {"mm/s", "m/s²", "m/s³", "rad/s", "rad/s²", "rad/s³", "deg/s", "deg/s²", "deg/s³", "in/s", "in/s²", "in/s³"}
 BY_ANGLE = re.compile(r"(?:mm|in)/rad|deg/deg")
 faults = []
 
@@ -46,6 +46,7 @@ def short(value, digits=6):
     text = f"{value:.{digits}g}"
     if "e+" in text and abs(float(text)) < 1e7:
         text = f"{float(text):.0f}"
+    text = re.sub(r"e([+-])0*", lambda sign: "e" + sign[1].strip("+"), text)
     return re.sub("^-", "−", text) if value else "0"
 
 
@@ -135,13 +136,22 @@ def is_said(number, key, numbers):
 
 
 def largest(folder, column):
-    """Of the magnitudes of a column; None where a cell is empty: infinite."""
+    """The first cell of the largest magnitude, with its sign; None where a cell is empty: infinite."""
     with open(folder / "motion.csv", newline="", encoding="utf-8") as file:
         cells = [row[column] for row in csv.DictReader(file)]
-    return None if "" in cells else max(abs(float(cell)) for cell in cells)
+    if "" in cells:
+        return None
+    values = [float(cell) for cell in cells]
+    most = max(map(abs, values))
+    return next(value for value in values if abs(value) >= most * (1 - 1e-7))
 
 
-def check_peaks(name, folder, report, swings, inches):
+def is_in_degrees(scene):
+    """A swinging scene that is written in deg/s is answered in deg/s."""
+    return any("_deg_s" in key for table in scene.values() if isinstance(table, dict) for key in table)
+
+
+def check_peaks(name, folder, report, swings, inches, degrees=False):
     """What the table of peaks says first and beside is what the CSV holds."""
     length = ("rad", "rad") if swings else ("mm", "m")
     first = {"velocity": (f"v_{length[0]}_s", f"{length[0]}/s"),
@@ -155,6 +165,8 @@ def check_peaks(name, folder, report, swings, inches):
         value, value_beside = largest(folder, column), largest(folder, beside[peak])
         if value is None:
             continue
+        if degrees:
+            value, unit = value * 180 / math.pi, unit.replace("rad", "deg")
         if inches:
             value, unit = value / (INCH if peak == "velocity" else INCH / 1000), unit.replace("mm", "in").replace(
                 "m/", "in/")
@@ -207,7 +219,7 @@ def check_scenes(known):
         if not any(key.startswith("speed_") for key in scene["motion"]) or not (folder / "motion.csv").exists():
             continue
         timed += 1
-        check_peaks(path.stem, folder, report, is_swinging(scene), inches)
+        check_peaks(path.stem, folder, report, is_swinging(scene), inches, is_in_degrees(scene))
         check_order(path.stem, console)
         check_order(path.stem, report)
     check(timed >= 8, "only", timed, "example scenes have a speed")

@@ -183,7 +183,9 @@ TEST(Comparison, NoLossOfAMissedSetPointOrBelowABrokenLimit) {
     const Comparison capped = compare(scene);
     bool better_and_broken = false;
     for (const ComparisonRow& row : capped.rows) {
-        if (row.loss_percent) EXPECT_GE(*row.loss_percent, 0.0) << row.key;
+        if (row.loss_percent) {
+            EXPECT_GE(*row.loss_percent, 0.0) << row.key;
+        }
         better_and_broken |= !row.feasible && row.objective < capped.optimum.certificate.objective;
     }
     EXPECT_TRUE(better_and_broken);
