@@ -15,7 +15,7 @@
 namespace camopt {
 
 struct FreeDisplacements {
-    std::vector<int> joints;          ///< joint j: the end of segment j − 1, which moves; the levels open
+    std::vector<int> joints;         ///< joint j: the end of segment j − 1, which moves; the levels open
     double least = 0.0, most = 0.0;  ///< range of the levels
 };
 

@@ -44,8 +44,8 @@ struct PlacedRule {
     /// What y is measured from: 0, or the displacement at an end of the stretch (linear rules only).
     enum class Datum { zero, begin, end };
 
-    std::shared_ptr<const PointRule> rule;  ///< shared by a problem and its tie-break
-    int stretch = -1;                       ///< of the family; -1: everywhere
+    std::shared_ptr<const PointRule> rule;      ///< shared by a problem and its tie-break
+    int stretch = -1;                           ///< of the family; -1: everywhere
     double from = -infinity, until = infinity;  ///< x between which it holds
     Datum datum = Datum::zero;
 

@@ -46,8 +46,9 @@ std::shared_ptr<const Motion> law_of_segment(const MotionSpec& motion, std::size
 
 }  // namespace
 
-/// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning point: y' = 0.
-/// Said as a condition, for as inequalities around the joint it would be degenerate. At the begin of segment `index`.
+/// Where two splines reverse the motion and both have to stay on their side of the joint, it is a turning
+/// point: y' = 0. Said as a condition, for as inequalities around the joint it would be degenerate. At the
+/// begin of segment `index`.
 bool turns_back(const MotionSpec& motion, std::size_t index) {
     const std::size_t count = motion.segments.size();
     if ((!motion.within_lift && !motion.monotone) || (index == 0 && !motion.closed)) return false;
@@ -91,9 +92,9 @@ MotionFamily program_family(const Scene& scene, DesignKind kind) {
             stretch.breakpoints = breakpoints_of(scene.spline, stretch.begin, stretch.end,
                                                  regions_of(scene.motion, points, static_cast<int>(i)));
             if (turns_back(scene.motion, i))
-                stretch.conditions.push_back({stretch.begin, 1, Side::right, 0.0,
-                                              fmt::format("turning point at the start of motion.segments[{}]", i),
-                                              false});
+                stretch.conditions.push_back(
+                    {stretch.begin, 1, Side::right, 0.0,
+                     fmt::format("turning point at the start of motion.segments[{}]", i), false});
             for (const PlacedPoint& point : points) {
                 if (point.segment != static_cast<int>(i)) continue;
                 const auto own = conditions_of(scene.motion, point, scene.spline.degree, stretch.end);

@@ -134,8 +134,8 @@ Peaks reference_peaks(const Scene& scene) {
 
 namespace {
 
-/// Half of the segments over either stroke: the shorter one of two unequal strokes decides the optimum, and uniform
-/// segments may leave it one or none.
+/// Half of the segments over either stroke: the shorter one of two unequal strokes decides the optimum, and
+/// uniform segments may leave it one or none.
 SplineSpec with_breakpoints_by_stroke(SplineSpec spline, const MotionSpec& motion) {
     const double length = motion.length();
     if (motion.type != MotionType::rr || !spline.by_stroke || !spline.breakpoints.empty() || length == 2.0)
@@ -287,8 +287,7 @@ void add_peaks(CamModel& model, const Scene& scene, const Peaks& reference) {
         if (caps_motion) {
             for (const int sign : {1, -1}) {
                 model.rules.emplace_back(std::make_shared<BoundRule>(
-                    limit->key,
-                    BoundRule::Bound{source.order, sign, limit->normalised, limit->normalised}));
+                    limit->key, BoundRule::Bound{source.order, sign, limit->normalised, limit->normalised}));
             }
         }
         if (source.weight == 0.0 && (!limit || caps_motion)) continue;

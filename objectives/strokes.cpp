@@ -20,23 +20,26 @@ using Datum = PlacedRule::Datum;
 constexpr double same_level = 1e-9;  // lifts: a set point this close to the edge of the range is on it
 // Of a stroke: its own ends lie on the edge of the range, and their rounding is no violation.
 constexpr double rounding = 1e-10;
-constexpr double slow_enough = 1e-9;     // lifts by x: a joint or set point this slow does not leave the range
+constexpr double slow_enough = 1e-9;  // lifts by x: a joint or set point this slow does not leave the range
 
-/// y and y' at a place that the motion passes.
+/// y and y' at a place that the motion passes, and y'' where it is given.
 struct Passed {
     double y = 0.0, slope = 0.0;
+    std::optional<double> bend = {};
 };
 
 /// The set points of a stroke that give a displacement: a region at both of its ends.
-std::vector<Passed> passed_points(const std::vector<PlacedPoint>& points, const StrokeRange& stroke, int segment) {
+std::vector<Passed> passed_points(const std::vector<PlacedPoint>& points, const StrokeRange& stroke,
+                                  int segment) {
     std::vector<Passed> passed;
     for (const PlacedPoint& point : points) {
         const bool own = point.segment == segment && point.begin >= stroke.begin - same_level &&
                          point.end <= stroke.end + same_level;
         if (!own || !point.wanted[0]) continue;
         const double slope = point.wanted[1].value_or(0.0);
-        passed.push_back({*point.wanted[0], slope});
-        if (point.is_region()) passed.push_back({*point.wanted[0] + slope * (point.end - point.begin), slope});
+        passed.push_back({*point.wanted[0], slope, point.wanted[2]});
+        if (point.is_region())
+            passed.push_back({*point.wanted[0] + slope * (point.end - point.begin), slope});
     }
     return passed;
 }
@@ -70,11 +73,12 @@ void set_range(StrokeRange& stroke, const std::vector<Passed>& points, const std
         if (below && y <= least + same_level) stroke.least = -infinity;
         if (above && y >= most - same_level) stroke.most = infinity;
     };
-    open_at(*stroke.from, slopes[0] < -slow_enough, slopes[0] > slow_enough);
+    open_at(*stroke.from, slopes[0]<-slow_enough, slopes[0]> slow_enough);
     open_at(*stroke.to, slopes[1] > slow_enough, slopes[1] < -slow_enough);
     for (const Passed& point : points) {
         const bool moves = std::abs(point.slope) > slow_enough;
-        open_at(point.y, moves, moves);
+        open_at(point.y, moves || (point.bend && *point.bend <= slow_enough),
+                moves || (point.bend && *point.bend >= -slow_enough));
     }
 }
 
@@ -92,7 +96,7 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
         rules.push_back(std::move(rule));
     };
     const bool free = stroke.is_free();
-    if (free && direction == StrokeDirection::open) return rules;
+    if (free && (direction == StrokeDirection::open || stroke.has_points)) return rules;
     const double lift = free ? 1.0 : std::abs(*stroke.to - *stroke.from);
     const bool rises = free ? direction == StrokeDirection::rises : *stroke.to > *stroke.from;
     if (scene.motion.monotone && lift >= standing_displacement) {
@@ -108,7 +112,8 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
     }
     const bool bounded = std::isfinite(stroke.least) && std::isfinite(stroke.most);
     const double width = bounded ? stroke.most - stroke.least : std::max(lift, standing_displacement);
-    if (std::isfinite(stroke.least)) add("motion.within_lift", {0, -1, -stroke.least, width, true}, Datum::zero);
+    if (std::isfinite(stroke.least))
+        add("motion.within_lift", {0, -1, -stroke.least, width, true}, Datum::zero);
     if (std::isfinite(stroke.most)) add("motion.within_lift", {0, 1, stroke.most, width, true}, Datum::zero);
     return rules;
 }
@@ -128,11 +133,18 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
     for (int i = 0; i < static_cast<int>(family.stretches().size()); ++i) {
         const MotionFamily::Stretch& stretch = family.stretches()[static_cast<std::size_t>(i)];
         if (stretch.kind != StretchRequest::Kind::spline) continue;
-        StrokeRange stroke{fmt::format("motion.segments[{}]", i), i, stretch.begin, stretch.end,
-                      known_displacement(stretch.from), known_displacement(stretch.to)};
+        StrokeRange stroke{fmt::format("motion.segments[{}]", i),
+                           i,
+                           stretch.begin,
+                           stretch.end,
+                           known_displacement(stretch.from),
+                           known_displacement(stretch.to)};
+        const std::vector<Passed> passed = passed_points(points, stroke, i);
+        stroke.has_points = !passed.empty();
         if (!stroke.is_free())
-            set_range(stroke, passed_points(points, stroke, i),
-                      {slope_beside(scene, family, i, Side::right), slope_beside(scene, family, i, Side::left)});
+            set_range(
+                stroke, passed,
+                {slope_beside(scene, family, i, Side::right), slope_beside(scene, family, i, Side::left)});
         strokes.push_back(std::move(stroke));
     }
     return strokes;

@@ -4,7 +4,8 @@
 // A stroke runs from displacement a to b: the rise of DRD; rise and return of RR; each spline segment of a
 // program. within_lift: min(a, b, set points) <= y <= max(a, b, set points). A side is open where the motion
 // has to leave the range: beside a law that moves outward at the joint, or at a set point on the edge of the
-// range that is passed at speed. A spline segment that ends where it began is held by its set points alone.
+// range that is passed at speed, or whose acceleration does not turn the motion back. A spline segment that
+// ends where it began is held by its set points alone.
 // monotone: y' has the sign of b − a, or is 0.
 //
 // Where a program leaves a or b open, the direction of the stroke is not known: StrokeDirection says which
@@ -26,11 +27,13 @@ namespace camopt {
 enum class StrokeDirection { open, rises, falls };
 
 struct StrokeRange {
-    std::string member;               ///< "motion", "motion.segments[2]"
-    int stretch = 0;                  ///< of the family
-    double begin = 0.0, end = 0.0;    ///< x
-    std::optional<double> from, to;   ///< displacements at its ends, in lifts; none: free
-    double least = -infinity, most = infinity;  ///< of its range, in lifts; infinite: open, or the ends are free
+    std::string member;              ///< "motion", "motion.segments[2]"
+    int stretch = 0;                 ///< of the family
+    double begin = 0.0, end = 0.0;   ///< x
+    std::optional<double> from, to;  ///< displacements at its ends, in lifts; none: free
+    double least = -infinity,
+           most = infinity;   ///< of its range, in lifts; infinite: open, or the ends are free
+    bool has_points = false;  ///< set points of its own that give a displacement
 
     [[nodiscard]] bool is_free() const { return !from || !to; }
 };

@@ -219,9 +219,9 @@ camopt_error camopt_relaxation_at(const camopt_solution* solution, size_t index,
 
 camopt_error camopt_relaxation_also(const camopt_solution* solution, size_t index, size_t which,
                                     camopt_companion_change* change) {
-    return entry_at(solution, which, change, [index](const Solution& of) {
+    return entry_at(solution, which, change, [index](const camopt::Solution& of) {
         check_index(index, of.relaxation.size(), "index");
-        return converted(of.relaxation[index].also, [](const CompanionChange& one) {
+        return converted(of.relaxation[index].also, [](const camopt::CompanionChange& one) {
             return camopt_companion_change{sizeof(camopt_companion_change), one.key.c_str(), one.given,
                                            one.solved};
         });

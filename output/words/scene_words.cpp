@@ -140,8 +140,7 @@ std::string spline_line(const Scene& scene) {
         scene.motion.type == MotionType::program ? " in each spline segment"
         : by_stroke                              ? ", half of them over the rise"
                                                  : "",
-        spline.smoothness(),
-        spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
+        spline.smoothness(), spline.end_jerk == EndJerk::zero ? ", zero jerk at the dwells" : "",
         spline.free_knots ? ", its breakpoints free" : "", breakpoint_text(spline),
         spline.design == DesignKind::automatic ? ""
                                                : fmt::format(", design vector: {}", name_of(spline.design)));

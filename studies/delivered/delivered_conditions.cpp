@@ -81,7 +81,8 @@ class Audit {
     void look_at_strokes() {
         if (!scene_.motion.within_lift && !scene_.motion.monotone) return;
         for (const StrokeRange& stroke : strokes_of(scene_, scene_family(scene_, DesignKind::states))) {
-            const bool open = scene_.motion.type == MotionType::program && stroke.is_free();
+            const bool open = stroke.is_free();
+            if (open && stroke.has_points) continue;
             const double from = motion_.at(stroke.begin, Side::right).derivative[0];
             const double to = motion_.at(stroke.end, Side::left).derivative[0];
             const double least = open ? std::min(from, to) : stroke.least;

@@ -98,8 +98,7 @@ void report_segments(Solution& solution) {
             const MotionFamily::Stretch& stretch = family.stretches()[s];
             const bool free = !known_displacement(stretch.from) || !known_displacement(stretch.to);
             report.peaks = normalised_peaks(
-                own, {part.end - part.begin,
-                      free ? 1.0 : measured_displacement(report.to - report.from)});
+                own, {part.end - part.begin, free ? 1.0 : measured_displacement(report.to - report.from)});
             raise_peaks(solution.peaks, *report.peaks);
             raise_peaks(solution.motion_peaks, own);
             means.add(*report.peaks, part.end - part.begin);

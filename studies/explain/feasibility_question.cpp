@@ -17,8 +17,8 @@ namespace camopt {
 namespace {
 
 constexpr int most_rounds = 40;
-// Of the solver's tolerance: a grid's least violation below this is rounding. That of a stroke within its lift is 0, for
-// its own ends lie on the edge of its range.
+// Of the solver's tolerance: a grid's least violation below this is rounding. That of a stroke within its
+// lift is 0, for its own ends lie on the edge of its range.
 constexpr double rounding_of_grid = 100.0;
 
 /// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is

@@ -42,8 +42,7 @@ constexpr double searched_in_vain = 0.6;
 /// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
 class SceneModels {
  public:
-    SceneModels(const Scene& scene, const Peaks& reference,
-                std::span<const StrokeDirection> directions = {})
+    SceneModels(const Scene& scene, const Peaks& reference, std::span<const StrokeDirection> directions = {})
         : scene_(scene), reference_(reference), directions_(directions) {}
 
     [[nodiscard]] const CamModel& with_states() {

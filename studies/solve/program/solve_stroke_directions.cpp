@@ -122,9 +122,8 @@ class DirectionSearch {
     }
 
     [[nodiscard]] Solution delivered() const {
-        const auto best = std::ranges::min_element(cases_, {}, [](const Case& part) {
-            return part.leaves < 0 ? part.objective() : infinity;
-        });
+        const auto best = std::ranges::min_element(
+            cases_, {}, [](const Case& part) { return part.leaves < 0 ? part.objective() : infinity; });
         const bool found = best->leaves < 0 && best->solution.motion;
         const bool nothing = std::ranges::all_of(cases_, &Case::infeasible);
         // Without a motion: of a case that is infeasible, or of one that ended early.
@@ -152,9 +151,9 @@ class DirectionSearch {
             solution.motion.reset();
             solution.curve.reset();
             certificate.verdict = Verdict::failed;
-            certificate.reason =
-                control_.stopped() ? Reason::interrupted
-                                   : control_.ending() ? Reason::time_limit : Reason::no_feasible_point;
+            certificate.reason = control_.stopped()  ? Reason::interrupted
+                                 : control_.ending() ? Reason::time_limit
+                                                     : Reason::no_feasible_point;
             return solution;
         }
         certificate.lower_bound = std::min(bound, certificate.objective);
@@ -164,7 +163,8 @@ class DirectionSearch {
             certificate.reason = Reason::none;
         } else if (own.verdict == Verdict::optimal) {
             certificate.verdict = Verdict::feasible;
-            certificate.reason = control_.ending().has_value() ? Reason::time_limit : Reason::free_displacements;
+            certificate.reason =
+                control_.ending().has_value() ? Reason::time_limit : Reason::free_displacements;
         }
         return solution;
     }

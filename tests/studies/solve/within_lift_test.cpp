@@ -85,10 +85,10 @@ TEST(WithinLift, CostsNothing) {
         std::array<double, 3> weights;
         double objective;
     };
-    for (const Known& known : {Known{3.0, 24, {0.4, 0.4, 0.2}, 0.87043393}, Known{3.0, 48, {0.4, 0.4, 0.2}, 0.85614438},
-                               Known{2.0, 36, {0.3, 0.3, 0.4}, 0.75379687},
-                               Known{1.375, 38, {0.4, 0.4, 0.2}, 0.85555644},
-                               Known{3.0, 32, {0.0, 0.5, 0.5}, 0.67828436}}) {
+    for (const Known& known :
+         {Known{3.0, 24, {0.4, 0.4, 0.2}, 0.87043393}, Known{3.0, 48, {0.4, 0.4, 0.2}, 0.85614438},
+          Known{2.0, 36, {0.3, 0.3, 0.4}, 0.75379687}, Known{1.375, 38, {0.4, 0.4, 0.2}, 0.85555644},
+          Known{3.0, 32, {0.0, 0.5, 0.5}, 0.67828436}}) {
         Scene scene;
         scene.motion.type = MotionType::rr;
         scene.motion.rise = 1.0;
@@ -134,11 +134,10 @@ TEST(WithinLift, IsOpenWhereTheNeighbourMovesOutward) {
     const auto segment = [](SegmentKind kind, double degrees_, const char* law, double to) {
         return ProgramSegment{kind, degrees_ * units::degree, law, to};
     };
-    scene.motion.segments = {segment(SegmentKind::spline, 60, "", 0.2),
-                             segment(SegmentKind::law, 100, "constant_velocity", 0.8),
-                             segment(SegmentKind::spline, 40, "", 0.8),
-                             segment(SegmentKind::law, 100, "constant_velocity", 0.2),
-                             segment(SegmentKind::spline, 60, "", 0.0)};
+    scene.motion.segments = {
+        segment(SegmentKind::spline, 60, "", 0.2), segment(SegmentKind::law, 100, "constant_velocity", 0.8),
+        segment(SegmentKind::spline, 40, "", 0.8), segment(SegmentKind::law, 100, "constant_velocity", 0.2),
+        segment(SegmentKind::spline, 60, "", 0.0)};
     const Solution solution = solve(scene);
     EXPECT_EQ(solution.certificate.verdict, Verdict::optimal);
     EXPECT_GT(range_of(solution)[1], 0.8 + 1e-3);
@@ -224,8 +223,7 @@ class RandomStrokes {
         scene.spline.degree = uniform(0.0, 1.0) < 0.5 ? 3 : 5;
         for (int side = 0; side < 2; ++side)
             for (int i = side; i <= count; ++i)
-                scene.spline.breakpoints.push_back(side == 0 ? double(i) / count
-                                                             : 1.0 + ratio * i / count);
+                scene.spline.breakpoints.push_back(side == 0 ? double(i) / count : 1.0 + ratio * i / count);
         std::array<double, 3> weights{};
         for (double& weight : weights) weight = uniform(0.0, 1.0);
         weights[2] += 0.05;
