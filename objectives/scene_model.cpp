@@ -361,12 +361,12 @@ void add_cam(CamModel& model, const Scene& scene) {
 }  // namespace
 
 CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                     std::span<const StrokeDirection> directions) {
+                     const HeldStrokes& strokes) {
     CamModel model(scene_family(scene, kind));
     add_program_scales(model, scene);
     add_known_points(model, scene);
     add_peaks(model, scene, reference);
-    add_stroke_rules(model, scene, directions);
+    add_stroke_rules(model, scene, strokes);
     set_entry_factors(model, scene);
     add_cam(model, scene);
     add_own_rules(model, scene);

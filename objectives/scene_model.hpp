@@ -36,9 +36,10 @@ namespace camopt {
 
 /// Only peaks with a weight or a limit become variables; what the scene does not ask for is not there. A
 /// program's peaks are the largest over its spline segments, each by its own angle and displacement (the lift
-/// where that is 0, or free). `directions`: of its free strokes (add_stroke_rules).
+/// where that is 0, or free). `strokes`: whether rules hold them to their
+/// range (add_stroke_rules).
 [[nodiscard]] CamModel scene_model(const Scene& scene, DesignKind kind, const Peaks& reference,
-                                   std::span<const StrokeDirection> directions = {});
+                                   const HeldStrokes& strokes = {});
 
 /// Which motions a rule must be convex over to be kept.
 enum class ConvexOver {

@@ -18,8 +18,8 @@ namespace {
 using Datum = PlacedRule::Datum;
 
 constexpr double same_level = 1e-9;  // lifts: a set point this close to the edge of the range is on it
-// Of a stroke: its own ends lie on the edge of the range, and their rounding is no violation.
-constexpr double rounding = 1e-10;
+// How y leaves the ends of a stroke from rest, and y'.
+constexpr int contact_of_y = 3, contact_of_slope = 2;
 constexpr double slow_enough = 1e-9;  // lifts by x: a joint or set point this slow does not leave the range
 
 /// y and y' at a place that the motion passes, and y'' where it is given.
@@ -84,10 +84,12 @@ void set_range(StrokeRange& stroke, const std::vector<Passed>& points, const std
 
 std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, StrokeDirection direction) {
     std::vector<PlacedRule> rules;
-    const auto add = [&](const char* key, const BoundRule::Bound& bound, Datum datum) {
-        BoundRule::Bound loosened = bound;
-        loosened.bound += rounding * bound.scale;
-        PlacedRule rule(std::make_shared<BoundRule>(key, loosened), stroke.stretch);
+    const auto add = [&](const char* key, BoundRule::Bound bound, Datum datum) {
+        bound.starts_without_rows = true;
+        bound.contact = bound.order == 0 ? contact_of_y : contact_of_slope;
+        bound.begin = stroke.begin;
+        bound.end = stroke.end;
+        PlacedRule rule(std::make_shared<BoundRule>(key, bound), stroke.stretch);
         rule.datum = datum;
         if (scene.motion.type == MotionType::rr) {
             rule.from = stroke.begin > 0.0 ? stroke.begin : -infinity;
@@ -101,20 +103,19 @@ std::vector<PlacedRule> rules_of(const Scene& scene, const StrokeRange& stroke, 
     const bool rises = free ? direction == StrokeDirection::rises : *stroke.to > *stroke.from;
     if (scene.motion.monotone && lift >= standing_displacement) {
         const double mean = lift / (stroke.end - stroke.begin);
-        add("motion.monotone", {1, rises ? -1 : 1, 0.0, mean, true}, Datum::zero);
+        add("motion.monotone", {1, rises ? -1 : 1, 0.0, mean}, Datum::zero);
         return rules;  // from a to b it stays between them
     }
     if (!scene.motion.within_lift) return rules;
     if (free) {
-        add("motion.within_lift", {0, -1, 0.0, 1.0, true}, rises ? Datum::begin : Datum::end);
-        add("motion.within_lift", {0, 1, 0.0, 1.0, true}, rises ? Datum::end : Datum::begin);
+        add("motion.within_lift", {0, -1, 0.0, 1.0}, rises ? Datum::begin : Datum::end);
+        add("motion.within_lift", {0, 1, 0.0, 1.0}, rises ? Datum::end : Datum::begin);
         return rules;
     }
     const bool bounded = std::isfinite(stroke.least) && std::isfinite(stroke.most);
     const double width = bounded ? stroke.most - stroke.least : std::max(lift, standing_displacement);
-    if (std::isfinite(stroke.least))
-        add("motion.within_lift", {0, -1, -stroke.least, width, true}, Datum::zero);
-    if (std::isfinite(stroke.most)) add("motion.within_lift", {0, 1, stroke.most, width, true}, Datum::zero);
+    if (std::isfinite(stroke.least)) add("motion.within_lift", {0, -1, -stroke.least, width}, Datum::zero);
+    if (std::isfinite(stroke.most)) add("motion.within_lift", {0, 1, stroke.most, width}, Datum::zero);
     return rules;
 }
 
@@ -150,12 +151,12 @@ std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& fami
     return strokes;
 }
 
-void add_stroke_rules(CamModel& model, const Scene& scene, std::span<const StrokeDirection> directions) {
-    if (!scene.motion.within_lift && !scene.motion.monotone) return;
+void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& strokes) {
+    if (!strokes.held || (!scene.motion.within_lift && !scene.motion.monotone)) return;
     std::size_t free = 0;
     for (const StrokeRange& stroke : strokes_of(scene, model.design)) {
         StrokeDirection direction = StrokeDirection::open;
-        if (stroke.is_free() && free < directions.size()) direction = directions[free++];
+        if (stroke.is_free() && free < strokes.directions.size()) direction = strokes.directions[free++];
         for (PlacedRule& rule : rules_of(scene, stroke, direction)) model.rules.push_back(std::move(rule));
     }
 }
@@ -178,11 +179,9 @@ void set_entry_factors(CamModel& model, const Scene& scene) {
     }
 }
 
-std::vector<double> excursions_of_free_strokes(const Scene& scene, const MotionFamily& family,
-                                               const MotionChain& motion) {
+std::vector<double> excursions_of(const Scene& scene, const MotionFamily& family, const MotionChain& motion) {
     std::vector<double> excursions;
     for (const StrokeRange& stroke : strokes_of(scene, family)) {
-        if (!stroke.is_free()) continue;
         const double moved = motion.at(stroke.end, Side::left).derivative[0] -
                              motion.at(stroke.begin, Side::right).derivative[0];
         double worst = 0.0;

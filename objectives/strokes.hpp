@@ -41,17 +41,24 @@ struct StrokeRange {
 /// In the order of the cam angle.
 [[nodiscard]] std::vector<StrokeRange> strokes_of(const Scene& scene, const MotionFamily& family);
 
-/// The rules of motion.within_lift and motion.monotone, named by these keys. `directions`: one for each free
-/// stroke in their order; those that are open, or missing, are not held.
-void add_stroke_rules(CamModel& model, const Scene& scene, std::span<const StrokeDirection> directions);
+/// Whether the strokes are held to their range by rules. Most optima stay within it anyway: they are sought
+/// without the rules first, which lie on the edge of what is feasible wherever a stroke begins or ends.
+struct HeldStrokes {
+    bool held = false;
+    /// One for each free stroke in their order; those that are open, or missing, are not held.
+    std::vector<StrokeDirection> directions = {};
+};
+
+/// The rules of motion.within_lift and motion.monotone, named by these keys.
+void add_stroke_rules(CamModel& model, const Scene& scene, const HeldStrokes& strokes);
 
 /// Sets model.entry_factors, so that each entry is near one: y^{(r)} of a stroke of length β and displacement
 /// h is about h / β^r times that of a rise of one lift over one unit of x.
 void set_entry_factors(CamModel& model, const Scene& scene);
 
-/// How far each free stroke of a motion of the family leaves its range for the direction that it takes, as
-/// the largest violation of its rules. Lifts.
-[[nodiscard]] std::vector<double> excursions_of_free_strokes(const Scene& scene, const MotionFamily& family,
-                                                             const MotionChain& motion);
+/// How far each stroke of a motion of the family leaves its range, as the largest violation of its rules; of
+/// a free one those of the direction that it takes. In the order of strokes_of; 0: not at all.
+[[nodiscard]] std::vector<double> excursions_of(const Scene& scene, const MotionFamily& family,
+                                                const MotionChain& motion);
 
 }  // namespace camopt

@@ -78,6 +78,7 @@ void CamProblem::start_rule(int index) {
 }
 
 bool CamProblem::add_sample(int rule, double at, Side side) {
+    if (model_->rules[rule]->scale_at(at) == 0.0) return false;
     const int index = model_->design.piece_of(at, side);
     const MotionFamily::Piece& piece = model_->design.pieces()[index];
     const double tolerance = same_sample * (piece.end - piece.begin);
@@ -174,7 +175,9 @@ std::vector<Violation> CamProblem::violations_of(bool limits_only, const Eigen::
         }
         for (const Extremum& maximum : rule_maxima(rule, model_->design, chain, own_parameters(r, x))) {
             // What has no value (an arm that cannot reach) is as broken as can be.
-            const double amount = std::isfinite(maximum.value) ? maximum.value / rule->scale() : infinity;
+            const double scale = rule->scale_at(maximum.at);
+            if (scale == 0.0) continue;
+            const double amount = std::isfinite(maximum.value) ? maximum.value / scale : infinity;
             if (amount > -slack) found.push_back({r, maximum, amount, rule->limit()});
         }
     }

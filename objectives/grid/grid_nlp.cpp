@@ -122,7 +122,7 @@ void GridNlp::add_sample_rows(int first) {
         const PointRule& rule = *model.rules[samples_[k].rule];
         shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
                                              Curvature::general;
-        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
+        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale_at(samples_[k].at)});
     }
     shape_.g_lower.conservativeResize(rows);
     shape_.g_upper.conservativeResize(rows);

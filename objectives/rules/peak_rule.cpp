@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/peak_rule.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace camopt {
 
@@ -19,6 +21,15 @@ RuleValue PeakRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q)
     result.gradient[4] = -1.0;
     result.value = result.gradient[order_] * point.derivative[order_] - q[0];
     return result;
+}
+
+double BoundRule::scale_at(double x) const {
+    if (bound_.contact == 0) return 1.0;
+    // So near to the ends that y, which leaves them from rest, is below 1e-10 of its stroke.
+    constexpr double at_the_end = 1e-9;
+    const double along = std::clamp((x - bound_.begin) / (bound_.end - bound_.begin), 0.0, 1.0);
+    const double scale = std::pow(4.0 * along * (1.0 - along), bound_.contact);
+    return scale > at_the_end ? scale : 0.0;
 }
 
 RuleValue BoundRule::evaluate(const MotionPoint& point, const Eigen::VectorXd&) const {

@@ -16,6 +16,11 @@ class BoundRule final : public PointRule {
         double bound = 0.0;                ///< of sign · y^{(order)}
         double scale = 1.0;                ///< passing the bound by this is a violation of 100 %; > 0
         bool starts_without_rows = false;  ///< as PointRule says
+        /// Of a rule that lies on its bound at both ends of a stroke, from `begin` to `end`, and leaves it
+        /// with the power `contact` of the distance: violations count by (4 ξ (1 − ξ))^contact, ξ = 0 … 1
+        /// along the stroke.
+        int contact = 0;
+        double begin = 0.0, end = 1.0;
     };
     BoundRule(std::string name, const Bound& bound) : name_(std::move(name)), bound_(bound) {}
 
@@ -26,6 +31,7 @@ class BoundRule final : public PointRule {
     [[nodiscard]] int highest_order() const override { return bound_.order; }
     [[nodiscard]] bool limit() const override { return true; }
     [[nodiscard]] double scale() const override { return 1.0; }
+    [[nodiscard]] double scale_at(double x) const override;
     [[nodiscard]] bool starts_without_rows() const override { return bound_.starts_without_rows; }
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 

@@ -78,6 +78,11 @@ class PointRule {
     [[nodiscard]] virtual bool starts_without_rows() const { return false; }
     /// Size of the limit: a value of `scale` is a violation of 100 %.
     [[nodiscard]] virtual double scale() const = 0;
+    /// The same at one place; 0 where conditions of the motion satisfy the rule with nothing to spare.
+    [[nodiscard]] virtual double scale_at(double x) const {
+        static_cast<void>(x);
+        return scale();
+    }
     /// Along a piece on which y to its third derivative are the polynomials `derivatives` of one variable:
     /// the rule as a polynomial of it, whose maxima are then found exactly. Empty where it is none; linear
     /// rules need not say.

@@ -18,9 +18,6 @@ namespace {
 constexpr double active_row = 1e-6;
 // How much further a point is pulled inside than its violation asks for.
 constexpr double pull = 1.0 + 1e-6;
-// The largest part of the way to a point inside that repairs rounding: where the inside is as shallow as the
-// violation, more would trade the optimum for that point.
-constexpr double most_pull = 0.01;
 
 /// Keeps the better of the proof at hand and the one these multipliers give.
 void try_proof(ContinuousResult& result, const ContinuousProblem& problem, const Eigen::VectorXd& multipliers,
@@ -141,7 +138,6 @@ Candidate pulled_inside(const ContinuousProblem& problem, const Candidate& point
     if (point.x.size() == 0 || point.violation <= 0.0) return point;
     if (inside.x.size() == 0 || inside.violation >= 0.0) return point;
     const double part = point.violation / (point.violation - inside.violation);
-    if (part > most_pull) return point;
     // A little further than the line says, so that rounding does not leave the last unit in the last place
     // outside.
     const Candidate pulled = judged(problem, point.x + std::min(1.0, pull * part) * (inside.x - point.x));

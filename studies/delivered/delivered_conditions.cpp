@@ -79,7 +79,8 @@ class Audit {
 
     /// Each stroke in the range of motion.within_lift; one whose displacement is free between its own ends.
     void look_at_strokes() {
-        if (!scene_.motion.within_lift && !scene_.motion.monotone) return;
+        const bool held = scene_.motion.within_lift || scene_.motion.monotone;
+        if (!held || !missed_.empty()) return;  // of a motion that is none of the scene's there is no stroke
         for (const StrokeRange& stroke : strokes_of(scene_, scene_family(scene_, DesignKind::states))) {
             const bool open = stroke.is_free();
             if (open && stroke.has_points) continue;
@@ -188,9 +189,9 @@ std::vector<ConditionMiss> missed_conditions(const Solution& solution, double to
     else
         audit.look_at_ends();
     audit.look_at_set_points();
-    audit.look_at_strokes();
     audit.look_at_symmetry();
     audit.look_at_end_jerk();
+    audit.look_at_strokes();
     return std::move(audit).missed();
 }
 

@@ -17,9 +17,6 @@ namespace camopt {
 namespace {
 
 constexpr int most_rounds = 40;
-// Of the solver's tolerance: a grid's least violation below this is rounding. That of a stroke within its
-// lift is 0, for its own ends lie on the edge of its range.
-constexpr double rounding_of_grid = 100.0;
 
 /// Whether t* of the model is above zero: at most so many exchange rounds as that needs, since a grid's t is
 /// a bound from below and a judged motion's one from above. The value is whichever of the two decided.
@@ -42,7 +39,7 @@ double least_violation(const CamModel& model, double tolerance, const Budget& bu
                                                       : whole.point.violation;
         }
         const double on_grid = result.x[result.x.size() - 1];
-        if (on_grid > rounding_of_grid * tolerance) return on_grid;
+        if (on_grid > tolerance) return on_grid;
         const Candidate found = judged(problem, result.x.head(result.x.size() - 1));
         violation = std::min(violation, found.violation);
         if (violation <= 0.0) return violation;
@@ -83,8 +80,13 @@ double least_violation(const Scene& scene, const Budget& budget) {
     const CamModel convex = convex_part(model, ConvexOver::every_motion);
     const double tolerance = scene.solver.tolerance;
     const double necessary = least_violation(convex, tolerance, budget);
-    if (necessary > 0.0 || convex.rules.size() == model.rules.size()) return necessary;
-    return least_violation(model, tolerance, budget);
+    if (necessary > 0.0) return necessary;
+    if (convex.rules.size() < model.rules.size())
+        if (const double all = least_violation(model, tolerance, budget); all > 0.0) return all;
+    // The strokes last: with them the edge of what is feasible is near everywhere.
+    const CamModel held =
+        scene_model(scene, DesignKind::states, reference_peaks(scene), HeldStrokes{.held = true});
+    return held.rules.size() == model.rules.size() ? necessary : least_violation(held, tolerance, budget);
 }
 
 std::shared_ptr<const MotionChain> solved_motion(const Scene& scene, const Budget& budget) {

@@ -2,11 +2,13 @@
 #include "studies/solve/solve.hpp"
 
 #include "core/errors.hpp"
+#include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
+#include "solvers/certificate/forget_proof.hpp"
 #include "solvers/counting_solver.hpp"
 #include "solvers/exchange/continuous_solve.hpp"
 #include "solvers/registry.hpp"
@@ -18,10 +20,10 @@
 #include "studies/solve/cost_scale.hpp"
 #include "studies/solve/limit_curve.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
-#include "studies/solve/program/solve_stroke_directions.hpp"
 #include "studies/solve/rest_conflict.hpp"
 #include "studies/solve/solve_free_knots.hpp"
 #include "studies/solve/solve_from_starts.hpp"
+#include "studies/solve/solve_held_strokes.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 #include "studies/solve/tie_break.hpp"
 
@@ -42,17 +44,17 @@ constexpr double searched_in_vain = 0.6;
 /// The model of a scene, each form of it made once: who is to solve it is asked of the same that is solved.
 class SceneModels {
  public:
-    SceneModels(const Scene& scene, const Peaks& reference, std::span<const StrokeDirection> directions = {})
-        : scene_(scene), reference_(reference), directions_(directions) {}
+    SceneModels(const Scene& scene, const Peaks& reference, const HeldStrokes& strokes = {})
+        : scene_(scene), reference_(reference), strokes_(strokes) {}
 
     [[nodiscard]] const CamModel& with_states() {
-        if (!with_states_) with_states_ = scene_model(scene_, DesignKind::states, reference_, directions_);
+        if (!with_states_) with_states_ = scene_model(scene_, DesignKind::states, reference_, strokes_);
         return *with_states_;
     }
     /// To be kept; it is made anew if it is asked for again.
     [[nodiscard]] CamModel taken(DesignKind kind) {
         if (kind != DesignKind::states || !with_states_)
-            return scene_model(scene_, kind, reference_, directions_);
+            return scene_model(scene_, kind, reference_, strokes_);
         CamModel model = std::move(*with_states_);
         with_states_.reset();
         return model;
@@ -61,20 +63,9 @@ class SceneModels {
  private:
     const Scene& scene_;
     const Peaks& reference_;
-    std::span<const StrokeDirection> directions_;
+    HeldStrokes strokes_;
     std::optional<CamModel> with_states_;
 };
-
-/// Strokes are held to their range, and the direction of some is not known.
-bool has_undirected_strokes(const Scene& scene) {
-    const MotionSpec& motion = scene.motion;
-    if (motion.type != MotionType::program || (!motion.within_lift && !motion.monotone)) return false;
-    const bool open = std::ranges::any_of(motion.segments, [](const ProgramSegment& segment) {
-        return segment.kind != SegmentKind::dwell && !segment.to;
-    });
-    return open && std::ranges::any_of(strokes_of(scene, scene_family(scene, DesignKind::states)),
-                                       &StrokeRange::is_free);
-}
 
 /// Who solves a problem that is not convex: Ipopt where this build has it.
 std::string general_solver() {
@@ -160,13 +151,13 @@ BackendChoice chosen_backend(const Scene& scene, SceneModels& models) {
     return choice;
 }
 
-/// A scene whose objective is near one (CostScale), its free strokes with these directions.
+/// A scene whose objective is near one (CostScale), its strokes held or not.
 Solution solve_directed(const Scene& scene, const Peaks& reference, const SolveControl& control,
-                        GridMemory* memory, std::span<const StrokeDirection> directions) {
+                        GridMemory* memory, const HeldStrokes& strokes) {
     const Stopwatch watch;
     Solution solution;
     solution.scene = scene;
-    SceneModels models(scene, reference, directions);
+    SceneModels models(scene, reference, strokes);
     const BackendChoice choice = chosen_backend(scene, models);
     CountingSolver solver(make_solver(choice.solver));
     check_native_options(choice.solver, scene.solver.options);
@@ -214,11 +205,16 @@ Solution solve_directed(const Scene& scene, const Peaks& reference, const SolveC
 
 Solution solve_scaled(const Scene& scene, const Peaks& reference, const SolveControl& control,
                       GridMemory* memory) {
-    if (!has_undirected_strokes(scene)) return solve_directed(scene, reference, control, memory, {});
-    const auto solve = [&](std::span<const StrokeDirection> directions) {
-        return solve_directed(scene, reference, control, nullptr, directions);
-    };
-    return solve_stroke_directions(scene, solve, control);
+    Solution first = solve_directed(scene, reference, control, memory, {});
+    if (!leaves_its_strokes(first)) return first;
+    Solution held = solve_held_strokes(
+        scene,
+        [&](const HeldStrokes& strokes) {
+            return solve_directed(scene, reference, control, nullptr, strokes);
+        },
+        control);
+    take_bound_of_relaxation(held, first);
+    return held;
 }
 
 /// What the clock ended depends on the machine: that must be told.
@@ -240,13 +236,31 @@ BackendChoice choose_backend(const Scene& scene) {
 
 namespace {
 
+/// Where the best breakpoints make a motion that leaves its lift: the best one on them that does not.
+Solution solve_free_knots_held(const Scene& scene, const Peaks& reference, const SolveControl& control) {
+    Solution first = solve_free_knots(scene, control);
+    if (!leaves_its_strokes(first)) return first;
+    const Scene fixed = with_breakpoints(scene, first.curve->space().breakpoints());
+    Solution held = solve_directed(fixed, reference, control, nullptr, {.held = true});
+    held.scene = scene;
+    if (held.certificate.verdict == Verdict::infeasible) held.certificate.verdict = Verdict::failed;
+    if (held.certificate.verdict == Verdict::failed) held.certificate.reason = Reason::no_feasible_point;
+    if (held.certificate.verdict == Verdict::optimal) {
+        held.certificate.verdict = Verdict::feasible;  // of these breakpoints alone
+        held.certificate.reason = Reason::converged;
+    }
+    forget_proof(held.certificate);
+    take_bound_of_relaxation(held, first);
+    return held;
+}
+
 /// A scene whose angles are given.
 Solution solve_for_angles(const Scene& scene, const SolveControl& timed, GridMemory* memory) {
     const Peaks reference = reference_peaks(scene);
     const CostScale scale(scene, reference);
     Solution solution =
         scene.spline.free_knots
-            ? solve_free_knots(scale.scaled(), timed)
+            ? solve_free_knots_held(scale.scaled(), reference, timed)
             : solve_scaled(scale.scaled(), scale.is_idle() ? reference : reference_peaks(scale.scaled()),
                            timed, memory);
     if (!scale.is_idle()) scale.restore(solution, scene, reference);

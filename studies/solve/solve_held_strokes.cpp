@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/solve/program/solve_stroke_directions.hpp"
+#include "studies/solve/solve_held_strokes.hpp"
 
 #include "objectives/scene_model.hpp"
 #include "solvers/certificate/forget_proof.hpp"
@@ -31,7 +31,7 @@ struct Case {
 
 class DirectionSearch {
  public:
-    DirectionSearch(const Scene& scene, const SolveDirected& solve, const SolveControl& control)
+    DirectionSearch(const Scene& scene, const SolveHeld& solve, const SolveControl& control)
         : scene_(scene), solve_(solve), control_(control), family_(scene_family(scene, DesignKind::states)) {
         for (const StrokeRange& stroke : strokes_of(scene, family_))
             if (stroke.is_free()) members_.push_back(stroke.member);
@@ -56,7 +56,7 @@ class DirectionSearch {
 
  private:
     const Scene& scene_;
-    const SolveDirected& solve_;
+    const SolveHeld& solve_;
     const SolveControl& control_;
     MotionFamily family_;
     std::vector<std::string> members_;  ///< of the free strokes
@@ -65,7 +65,7 @@ class DirectionSearch {
 
     [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
         ++solves_;
-        Case part{directions, solve_(directions)};
+        Case part{directions, solve_({true, directions})};
         const Certificate& certificate = part.solution.certificate;
         if (whole != nullptr) {
             part.bound = whole->bound;
@@ -76,8 +76,7 @@ class DirectionSearch {
         if (certificate.proof && (better || part.infeasible()))
             part.proof = std::make_shared<DualityProof>(*certificate.proof);
         if (!part.solution.motion) return part;
-        const std::vector<double> excursions =
-            excursions_of_free_strokes(scene_, family_, *part.solution.motion);
+        const std::vector<double> excursions = free_excursions(*part.solution.motion);
         double worst = scene_.solver.tolerance;
         for (std::size_t k = 0; k < excursions.size(); ++k) {
             if (directions[k] != StrokeDirection::open || excursions[k] <= worst) continue;
@@ -85,6 +84,15 @@ class DirectionSearch {
             part.leaves = static_cast<int>(k);
         }
         return part;
+    }
+
+    [[nodiscard]] std::vector<double> free_excursions(const MotionChain& motion) const {
+        const std::vector<double> all = excursions_of(scene_, family_, motion);
+        const std::vector<StrokeRange> strokes = strokes_of(scene_, family_);
+        std::vector<double> free;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (strokes[k].is_free()) free.push_back(all[k]);
+        return free;
     }
 
     [[nodiscard]] double best_objective() const {
@@ -142,9 +150,8 @@ class DirectionSearch {
             if (!part.infeasible()) bound = std::min(bound, part.bound);
         }
         solution.notes.push_back(fmt::format(
-            "free displacements: {} of their strokes leave the range between their ends in the best motion "
-            "without {}; {} solves with given directions",
-            members_.size() == 1 ? "the one" : "some",
+            "the best motion without {} leaves the range of a stroke whose displacement is free; {} solves "
+            "with given directions",
             scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", solves_ - 1));
         if (!found) {
             if (nothing) return solution;
@@ -172,9 +179,35 @@ class DirectionSearch {
 
 }  // namespace
 
-Solution solve_stroke_directions(const Scene& scene, const SolveDirected& solve,
-                                 const SolveControl& control) {
+bool leaves_its_strokes(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    if ((!scene.motion.within_lift && !scene.motion.monotone) || !solution.motion) return false;
+    const std::vector<double> excursions =
+        excursions_of(scene, scene_family(scene, DesignKind::states), *solution.motion);
+    return std::ranges::any_of(excursions,
+                               [&](double excursion) { return excursion > scene.solver.tolerance; });
+}
+
+Solution solve_held_strokes(const Scene& scene, const SolveHeld& solve, const SolveControl& control) {
     return DirectionSearch(scene, solve, control).run();
+}
+
+void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {
+    Certificate& certificate = solution.certificate;
+    const Certificate& other = relaxed.certificate;
+    const bool delivered = solution.motion && certificate.verdict != Verdict::failed;
+    if (!delivered || !other.lower_bound) return;
+    if (certificate.lower_bound && *certificate.lower_bound >= *other.lower_bound) return;
+    certificate.lower_bound = std::min(*other.lower_bound, certificate.objective);
+    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+    certificate.proof_kind = other.proof_kind;
+    certificate.proof = other.proof;
+    certificate.cases = other.cases;
+    certificate.box_proof = other.box_proof;
+    solution.solver.proof_source = relaxed.solver.proof_source;
+    if (*certificate.gap > solution.scene.solver.wanted_gap(solution.solver.convex)) return;
+    certificate.verdict = Verdict::optimal;
+    certificate.reason = Reason::none;
 }
 
 }  // namespace camopt
