@@ -133,7 +133,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n",
          "s.toml:3:1: motion.lift_mn: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
-         "via, segments, closed; did you mean 'lift_mm'?"},
+         "within_lift, monotone, via, segments, closed; did you mean 'lift_mm'?"},
         {"unknown_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -142,7 +142,7 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n",
          "s.toml:3:1: motion.lift_cm: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, "
          "lift_deg, lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
-         "via, segments, closed; did you mean 'lift_mm'?"},
+         "within_lift, monotone, via, segments, closed; did you mean 'lift_mm'?"},
         {"unknown_without_unit",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -150,8 +150,8 @@ std::vector<BrokenScene> broken_files() {
          "[objective]\n"
          "jerk = 1\n",
          "s.toml:3:1: motion.rise: found an unknown key; allowed: type, lift_mm, lift_in, lift_m, lift_deg, "
-         "lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, via, "
-         "segments, closed; did you mean 'rise_deg'?"},
+         "lift_rad, rise_deg, rise_rad, return_deg, return_rad, speed_rpm, speed_rad_s, symmetric, "
+         "within_lift, monotone, via, segments, closed; did you mean 'rise_deg'?"},
         {"unknown_spline",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -213,7 +213,7 @@ std::vector<BrokenScene> broken_files() {
          "[solver]\n"
          "max_time = 3\n",
          "s.toml:6:1: solver.max_time: found an unknown key; allowed: name, tolerance, gap, max_seconds, "
-         "starts, seed, options; did you mean 'max_seconds'?"},
+         "explain_seconds, explain_changes, starts, seed, options; did you mean 'max_seconds'?"},
         {"unknown_via",
          "[motion]\n"
          "type = \"DRD\"\n"

@@ -71,6 +71,8 @@ std::vector<KeyCase> segment_cases() {
          "motion.type = \"program\"\nmotion.closed = false\n"},
         {"motion.closed", "false", 0, [](const Scene& s) { return s.motion.closed ? 1.0 : 0.0; },
          "motion.type = \"program\"\nmotion.segments = [{ kind = \"spline\", angle_deg = 36, to = 1 }]\n"},
+        {"motion.within_lift", "false", 0, [](const Scene& s) { return s.motion.within_lift ? 1.0 : 0.0; }},
+        {"motion.monotone", "true", 1, [](const Scene& s) { return s.motion.monotone ? 1.0 : 0.0; }},
         {"motion.segments.kind", "\"dwell\"", 1,
          [](const Scene& s) { return s.motion.segments.at(0).kind == SegmentKind::dwell ? 1.0 : 0.0; },
          program},

@@ -152,6 +152,8 @@ std::vector<KeyCase> solver_cases() {
         {"solver.tolerance", "1e-8", 1e-8, [](const Scene& s) { return s.solver.tolerance; }},
         {"solver.gap", "1e-6", 1e-6, [](const Scene& s) { return s.solver.gap.value_or(0.0); }},
         {"solver.max_seconds", "5", 5, [](const Scene& s) { return s.solver.max_seconds; }},
+        {"solver.explain_seconds", "2.5", 2.5, [](const Scene& s) { return s.solver.explain_seconds; }},
+        {"solver.explain_changes", "7", 7, [](const Scene& s) { return double(s.solver.explain_changes); }},
         {"solver.starts", "8", 8, [](const Scene& s) { return double(s.solver.starts.value_or(0)); }},
         {"solver.seed", "4294967295", 4294967295.0, [](const Scene& s) { return double(s.solver.seed); }},
         {"solver.options", "{ a = 1, b = 0.5, c = true, d = \"e\" }", 4,

@@ -154,7 +154,7 @@ TEST(Report, SaysWhatACamEngineerAsks) {
           "camopt solve a.toml", "via point 1 follows from symmetry", "0.08333333333333333"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
     const std::string infeasible = report_markdown(test::infeasible_solution());
-    EXPECT_NE(infeasible.find("312.5 is needed"), std::string::npos);
+    EXPECT_NE(infeasible.find("raise the velocity limit to 312.5 mm/s"), std::string::npos);
     EXPECT_EQ(infeasible.find("motion.svg"), std::string::npos);
 }
 

@@ -73,7 +73,7 @@ TEST(Relaxation, AppliedWithAMillionthToSpareMakesTheSceneFeasible) {
         const Solution solution = solve(one.scene);
         EXPECT_FALSE(solution.relaxation.empty());
         for (const Relaxation& relaxation : solution.relaxation) {
-            if (!relaxation.needed) continue;
+            if (!relaxation.needed || !relaxation.key.starts_with("limits.")) continue;
             Scene eased = one.scene;
             for (std::optional<PeakLimit>* limit :
                  {&eased.limits.velocity, &eased.limits.acceleration, &eased.limits.jerk}) {
