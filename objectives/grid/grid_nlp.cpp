@@ -122,7 +122,7 @@ void GridNlp::add_sample_rows(int first) {
         const PointRule& rule = *model.rules[samples_[k].rule];
         shape_.convex = shape_.convex && rule.curvature(model.least_displacement, model.most_displacement) !=
                                              Curvature::general;
-        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale_at(samples_[k].at)});
+        shape_.rows.push_back({rule.linear(), rule.limit(), rule.scale()});
     }
     shape_.g_lower.conservativeResize(rows);
     shape_.g_upper.conservativeResize(rows);
@@ -177,20 +177,22 @@ void GridNlp::add_linear_row(int sample) {
     const RuleValue* const affine = whole ? nullptr : &affine_rule(place);
     const AffineRow sum = whole ? whole->row(model_->design, place.at, place.side, place.setting)
                                 : linear_rule_row(place, *affine);
+    // Where violations count for more, the row is larger by as much: a backend sees one tolerance.
+    const double unit = whole ? 1.0 : rule.scale() / rule.scale_at(place.at);
     Row row;
-    row.offset = sum.offset;
+    row.offset = unit * sum.offset;
     const std::size_t entries = sum.columns.size() + rule.parameters().size();
     row.columns.reserve(entries);
     row.weights.reserve(entries);
     for (std::size_t k = 0; k < sum.columns.size(); ++k) {
         if (sum.weights[k] == 0.0) continue;
         row.columns.push_back(sum.columns[k]);
-        row.weights.push_back(sum.weights[k] * scale_[sum.columns[k]]);
+        row.weights.push_back(unit * sum.weights[k] * scale_[sum.columns[k]]);
     }
     for (std::size_t k = 0; k < rule.parameters().size(); ++k) {
         row.columns.push_back(design_size() + rule.parameters()[k]);
         // Rules of the whole motion are f − q.
-        row.weights.push_back(whole ? -1.0 : affine->gradient[4 + static_cast<Eigen::Index>(k)]);
+        row.weights.push_back(whole ? -1.0 : unit * affine->gradient[4 + static_cast<Eigen::Index>(k)]);
     }
     rows_.push_back(std::move(row));
 }

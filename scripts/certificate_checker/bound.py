@@ -199,8 +199,14 @@ class Bound:
             if not self.problem.motion.get("within_lift", True) or order != 0:
                 raise Refuted(f"{name}: the scene has no such rule")
             scale, most = abs(to - start), max(sign * start, sign * to)
+        begin = Fraction(0) if self.problem.type != "program" else stretch.begin
+        begin = Fraction(1) if self.problem.type == "RR" and at > 1 else begin
+        along = (at - begin) / length
+        near = (4 * along * (1 - along))**(3 - order)  # camopt's row is this much larger
+        if near <= 0:
+            return None
         function = {j: w * sign / scale for j, w in run.space.functional(at, order, side).items()}
-        return Row(name, k, function, most / scale + self.relaxed), Fraction(1)
+        return Row(name, k, function, most / scale + self.relaxed * near), 1 / near
 
     def leave_out(self, rule, multiplier):
         """A row that is not used only weakens the bound."""
