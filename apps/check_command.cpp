@@ -61,7 +61,8 @@ std::string plan_text(const Scene& scene, const SceneCheck& check) {
             by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
     if (check.free_displacements > 0 && check.convex)
         return fmt::format(
-            "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, one "
+            "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, "
+            "one "
             "solve for each direction it may take; the verdict to be expected is optimal or infeasible",
             by, check.free_displacements, check.free_displacements == 1 ? "" : "s");
     if (check.starts > 1 || !check.convex)

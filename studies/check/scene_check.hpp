@@ -41,8 +41,8 @@ struct SceneCheck {
     bool convex = false;
     int starts = 1;  ///< searches that solve() makes at most; 1: the problem needs no more
     bool free_breakpoints = false;
-    int free_displacements = 0;  ///< of a program: levels that the solve chooses
-    int searched_angles = 0;     ///< of a program: segments with a range for their angle
+    int free_displacements = 0;      ///< of a program: levels that the solve chooses
+    int searched_angles = 0;         ///< of a program: segments with a range for their angle
     std::vector<LimitShape> limits;  ///< each once, with the worst of its parts, in the scene's order
     std::vector<DerivativeError> derivatives;
     bool derivatives_agree = false;
