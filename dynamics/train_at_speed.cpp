@@ -126,7 +126,7 @@ class TaylorSteps {
 
 LinearTrainAtSpeed::LinearTrainAtSpeed(const LinearTrain& train, double speed, double unit_angle,
                                        double lift) {
-    const int n = train.masses();
+    const Eigen::Index n = train.masses();
     const double seconds = unit_angle / speed;
     const MatrixXd root = stiffness_root(train, seconds);
     const MatrixXd damped = train.damped_elongations();
@@ -136,11 +136,12 @@ LinearTrainAtSpeed::LinearTrainAtSpeed(const LinearTrain& train, double speed, d
     generator_.bottomRightCorner(n, n) = -seconds * (damped.transpose() * damped);
     by_acceleration_ = by_velocity_ = VectorXd::Zero(2 * n);
     VectorXd mass_root(n);
-    for (int i = 0; i < n; ++i) mass_root[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].mass);
+    for (Eigen::Index i = 0; i < n; ++i)
+        mass_root[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].mass);
     by_acceleration_.tail(n) = -mass_root.cwiseProduct(train.share);
     // C s − c_1 e_1: how fast the dampers' ends part while every mass follows its share. 0 without a spring.
     VectorXd parting = VectorXd::Zero(n);
-    for (int i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < n; ++i) {
         const double before = i == 0 ? 1.0 : train.share[i - 1];
         parting[i] = std::sqrt(train.stages[static_cast<std::size_t>(i)].damping) * (train.share[i] - before);
     }
@@ -151,7 +152,7 @@ LinearTrainAtSpeed::LinearTrainAtSpeed(const LinearTrain& train, double speed, d
 
 void LinearTrainAtSpeed::set_readings(const LinearTrain& train, const MatrixXd& root, double seconds,
                                       double lift) {
-    const int n = train.masses();
+    const Eigen::Index n = train.masses();
     const TrainStage& first = train.stages.front();
     const TrainStage& last = train.stages.back();
     const double last_root = std::sqrt(last.mass), first_root = std::sqrt(first.mass);
@@ -175,7 +176,7 @@ void LinearTrainAtSpeed::set_readings(const LinearTrain& train, const MatrixXd& 
 }
 
 void LinearTrainAtSpeed::set_modes(const LinearTrain& train) {
-    const int n = train.masses();
+    const Eigen::Index n = train.masses();
     const double last_root = std::sqrt(train.stages.back().mass);
     if (n == 1) {
         const double w = generator_(0, 1), decay = -0.5 * generator_(1, 1);
@@ -199,7 +200,7 @@ void LinearTrainAtSpeed::set_modes(const LinearTrain& train) {
     modes_.resize(static_cast<Eigen::Index>(vibrating.size()), 2 * n);
     for (std::size_t m = 0; m < vibrating.size(); ++m) {
         std::complex<double> output = 0.0;
-        for (int i = 0; i < 2 * n; ++i) output += deflection_.state[i] * vectors(i, vibrating[m]);
+        for (Eigen::Index i = 0; i < 2 * n; ++i) output += deflection_.state[i] * vectors(i, vibrating[m]);
         modes_.row(static_cast<Eigen::Index>(m)) = 2.0 * output * left.row(vibrating[m]);
     }
 }

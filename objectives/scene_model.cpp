@@ -234,8 +234,10 @@ void add_known_points(CamModel& model, const Scene& scene) {
         // A spline among others may pass its ends at speed; dwells, DRD and RR rest there, and most laws.
         const bool rests = stretches.size() == 1 || stretches[s].kind != StretchRequest::Kind::spline;
         const Motion* const shape = stretches[s].shape.get();
-        points.push_back({stretches[s].begin, *from, rests && (!shape || rests_at(*shape, Side::right))});
-        points.push_back({stretches[s].end, *to, rests && (!shape || rests_at(*shape, Side::left))});
+        points.push_back(
+            {stretches[s].begin, *from, rests && (shape == nullptr || rests_at(*shape, Side::right))});
+        points.push_back(
+            {stretches[s].end, *to, rests && (shape == nullptr || rests_at(*shape, Side::left))});
     }
     if (scene.motion.type == MotionType::rr) points.insert(points.begin() + 1, {1.0, 1.0, true});
     model.known_points = std::move(points);

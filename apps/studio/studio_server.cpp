@@ -147,7 +147,7 @@ void set_up(httplib::Server& server, const StudioServerOptions& options) {
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server.set_exception_handler([](const httplib::Request&, httplib::Response& response,
-                                    std::exception_ptr) { refuse(response, 500); });
+                                    const std::exception_ptr&) { refuse(response, 500); });
     server.set_expect_100_continue_handler([](const httplib::Request&, httplib::Response&) { return 417; });
 }
 

@@ -16,7 +16,4 @@ namespace camopt::input {
 /// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.
 [[nodiscard]] std::string value_text(const Node& node);
 
-/// One value of it: 30.0, "DRD", [0.0, 0.5], {min = 20, max = 60}.
-[[nodiscard]] std::string value_text(const Node& node);
-
 }  // namespace camopt::input

@@ -71,6 +71,7 @@ std::vector<double> first_speeds(const Scene& scene, double length) {
         slowest * scene.motion.unit_angle() * length / units::turn * (1.0 / low - 1.0 / high);
     const int count = static_cast<int>(std::clamp(std::ceil(speeds_a_turn * turns) + 3.0, 3.0, 33.0));
     std::vector<double> speeds;
+    speeds.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) speeds.push_back(low + (high - low) * k / (count - 1));
     return speeds;
 }
@@ -179,7 +180,7 @@ void ResponseRule::add_places(std::vector<Place>& all, double speed, std::size_t
                               const EventPieces& pieces, double q) const {
     const auto train = train_at(scene_, speed);
     const EventResponse response(*train, pieces);
-    const double number = static_cast<double>(event);
+    const auto number = static_cast<double>(event);
     if (asked_.kind == ResponseKind::residual) {
         const Eigen::VectorXcd modes = response.residual_modes();
         std::vector<double> setting = {speed, number};
@@ -220,7 +221,7 @@ std::vector<WholeMotionRule::Place> ResponseRule::first() const {
     for (std::size_t event = 0; event < events_.size(); ++event) {
         const MotionEvent& one = events_[event];
         for (const double speed : first_speeds(scene_, length_of(one))) {
-            const double number = static_cast<double>(event);
+            const auto number = static_cast<double>(event);
             if (asked_.kind == ResponseKind::residual) {
                 std::vector<double> setting(2 + modes, 0.0);
                 setting[0] = speed;
