@@ -1,166 +1,179 @@
 // SPDX-License-Identifier: MIT
+// The groove's surface and the lands between its windings reach beyond both ends; planes cut them off.
 #include "output/spatial/indexing_body.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "core/whole_turn.hpp"
+#include "output/surface/mesh_cut.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace camopt {
 
 namespace {
 
-using Section = std::vector<Eigen::Vector3d>;
+using Eigen::Vector3d;
+using Line = std::vector<Vector3d>;
 
-constexpr double same_end = 1e-9;  // rad
-constexpr int roller_corners = 40, hub_corners = 96;
-// Choices of drawing, as parts of the least radius of the flanks.
-constexpr double hub_part = 0.985, thread_part = 0.975, bore_part = 0.35;
+constexpr int land_points = 24, floor_points = 24, bore_corners = 180;
+constexpr double bore_part = 0.35;  // of the groove's least radius
+constexpr int roller_corners = 40;
 
-class Builder {
+/// A place of the body's outside, the polar angle unwound; the point itself where it is the top of a flank.
+struct Place {
+    double z = 0.0, polar = 0.0;
+    std::optional<Vector3d> point = {};
+};
+Place between(const Place& a, const Place& b, double share) {
+    return {a.z + share * (b.z - a.z), a.polar + share * (b.polar - a.polar), {}};
+}
+Place place_of(const Vector3d& point) {
+    return {point.z(), std::atan2(point.y(), point.x()), point};
+}
+
+/// Lines of contact and lands at every angle, as strips of a surface that reaches beyond the body's ends.
+class Surface {
  public:
-    Builder(const SpatialCam& cam, const FollowerMotion& motion, const IndexingBodyOptions& options)
-        : cam_(cam), motion_(motion), options_(options) {
-        pitch_ = motion.state(motion.end()).s - motion.state(motion.begin()).s;
-    }
-
-    [[nodiscard]] IndexingBody build() {
-        std::vector<Section> sections;
-        // The thread between the rollers −1 and 0 comes in, stays, and goes on as that between 0 and 1.
-        for (const int left : {-1, 0})
-            for (int k = left < 0 ? 0 : 1; k <= options_.angles; ++k) {
-                const double theta = motion_.begin() + units::turn * k / options_.angles;
-                if (within_reach(theta, left)) sections.push_back(flanks_at(theta, left));
-            }
-        if (sections.size() < 2) throw InputError("indexing cam: the thread is not within reach");
-        measure(sections);
-        for (Section& section : sections) sink(section);
-        return {swept_solid(sections, false), hub(), rollers()};
-    }
-
- private:
-    [[nodiscard]] SpatialCam roller(int index) const {
-        SpatialCam shifted = cam_;
-        shifted.start += index * pitch_;
-        return shifted;
-    }
-    [[nodiscard]] bool within_reach(double theta, int left) const {
-        // From the middle of the dwell's two rollers, in pitches.
-        const double first = motion_.state(theta).s / pitch_ + left - 0.5;
-        const double limit = 0.5 + options_.reach;
-        return first >= -limit && first + 1.0 <= limit;
-    }
-    [[nodiscard]] double height(int i) const { return cam_.roller_length * i / (options_.heights - 1); }
-    /// The contact of a roller on the side where s grows (+1) or falls (−1).
-    [[nodiscard]] Eigen::Vector3d side(int index, double theta, double h, int direction) const {
-        const SpatialCam cam = roller(index);
-        const FollowerState state = motion_.state(theta);
-        const Eigen::Vector3d travel = roller_axis(cam, theta, state.s).travel;
-        const SpatialPoint point = spatial_point(cam, theta, state, {h, 1});
-        const bool along = point.normal.dot(travel) * direction > 0.0;
-        return along ? point.contact : spatial_point(cam, theta, state, {h, -1}).contact;
-    }
-    [[nodiscard]] Section flanks_at(double theta, int left) const {
-        Section section;
-        for (int i = 0; i < options_.heights; ++i) section.push_back(side(left, theta, height(i), 1));
-        for (int i = options_.heights; i-- > 0;) section.push_back(side(left + 1, theta, height(i), -1));
-        return section;
-    }
-    void measure(const std::vector<Section>& sections) {
-        least_radius_ = HUGE_VAL;
-        lower_ = HUGE_VAL;
-        upper_ = -HUGE_VAL;
-        for (const Section& section : sections)
-            for (const Eigen::Vector3d& point : section) {
-                least_radius_ = std::min(least_radius_, std::hypot(point.x(), point.y()));
-                lower_ = std::min(lower_, point.z());
-                upper_ = std::max(upper_, point.z());
-            }
-    }
-    /// The foot of the section, inside the hub.
-    void sink(Section& section) const {
-        const auto foot = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
-            const double part = (options_.foot_on_hub ? hub_part : thread_part) * least_radius_ /
-                                std::hypot(point.x(), point.y());
-            return {part * point.x(), part * point.y(), point.z()};
-        };
-        const auto middle = section.begin() + options_.heights;
-        const Eigen::Vector3d left = foot(*(middle - 1)), right = foot(*middle);
-        section.insert(middle, {left, right});
-    }
-    [[nodiscard]] TriangleMesh hub() const {
-        std::vector<Section> sections;
-        for (int k = 0; k < hub_corners; ++k) {
-            const double angle = units::turn * k / hub_corners, c = std::cos(angle), s = std::sin(angle);
-            const auto rim = [&](double part, double z) {
-                return Eigen::Vector3d(part * least_radius_ * c, part * least_radius_ * s, z);
-            };
-            // Many short facets: painted one by one, large ones would hide what stands on them.
-            Section section{rim(bore_part, upper_), rim(bore_part, lower_)};
-            const int rings = 32;
-            for (int i = 0; i <= rings; ++i)
-                section.push_back(rim(hub_part, lower_ + (upper_ - lower_) * i / rings));
-            sections.push_back(section);
+    Surface(const IndexingGroove& groove, const FollowerMotion& motion, const IndexingBodyOptions& options)
+        : groove_(groove) {
+        const double begin = motion.begin();
+        std::vector<double> angles(motion.breakpoints.begin(), motion.breakpoints.end() - 1);
+        for (int k = 0; k < options.angles; ++k) {
+            const double angle = begin + units::turn * k / options.angles;
+            if (std::ranges::none_of(motion.breakpoints, [&](double b) { return std::abs(b - angle) < least_step; }))
+                angles.push_back(angle);
         }
-        return swept_solid(sections, true);
+        std::ranges::sort(angles);
+        turn_ = static_cast<int>(angles.size());
+        std::vector<double> parts;
+        for (int k = 0; k <= options.points; ++k) parts.push_back(static_cast<double>(k) / options.points);
+        for (int k = 1; k < floor_points; ++k) parts.push_back(1.0 + 3.0 * k / floor_points);
+        for (int k = 0; k <= options.points; ++k) parts.push_back(4.0 + static_cast<double>(k) / options.points);
+        const int first = static_cast<int>(std::floor((groove.path().begin() - begin) / units::turn));
+        const int last = static_cast<int>(std::floor((groove.path().end() - begin) / units::turn));
+        for (int turn = first; turn <= last; ++turn)
+            for (const double angle : angles) {
+                const double phi = angle + turn * units::turn;
+                if (phi < groove.path().begin() || phi > groove.path().end()) continue;
+                add_line(phi, parts);
+            }
+        if (count() <= turn_) throw InputError("indexing cam: a roller is in the cam for less than a turn");
     }
-    [[nodiscard]] TriangleMesh rollers() const {
+
+    [[nodiscard]] TriangleMesh mesh() const {
         TriangleMesh all;
-        for (const int index : {0, 1}) {
-            const double theta = motion_.begin();
-            const RollerAxis axis = roller_axis(roller(index), theta, motion_.state(theta).s);
-            const Eigen::Vector3d across = axis.direction.cross(axis.travel);
-            std::vector<Section> sections;
-            for (const double h : {-0.35, 0.0, 0.5, 1.0}) {
-                Section circle;
-                for (int i = 0; i < roller_corners; ++i) {
-                    const double angle = units::turn * i / roller_corners;
-                    circle.push_back(axis.foot + h * cam_.roller_length * axis.direction +
-                                     cam_[SpatialDimension::roller_radius] *
-                                         (std::cos(angle) * axis.travel + std::sin(angle) * across));
-                }
-                sections.push_back(circle);
-            }
-            append(all, swept_solid(sections, false));
+        add_strip(all, lines_);
+        // From where the groove came in, between its windings, to where it leaves.
+        std::vector<Line> lands;
+        const std::vector<Place>&came = tops_.front(), &leaves = tops_.back();
+        const double turned = std::copysign(units::turn, tops_[1].front().polar - came.front().polar);
+        const Place came_later{came.back().z, came.back().polar + turned, {}};
+        const Place leaves_before{leaves.front().z, leaves.front().polar - turned, {}};
+        for (int n = -turn_; n < count(); ++n) {
+            const int next = n + turn_, beyond = next - count() + 1;
+            const Place from = n < 0 ? between(came.front(), came_later, share_of(next))
+                                     : tops_[static_cast<std::size_t>(n)].back();
+            const Place to = beyond > 0 ? between(leaves_before, leaves.back(), share_of(beyond))
+                                        : tops_[static_cast<std::size_t>(next)].front();
+            lands.push_back(land(from, to));
         }
+        add_strip(all, lands);
         return all;
     }
+    [[nodiscard]] double least_radius() const { return least_radius_; }
 
-    const SpatialCam& cam_;
-    const FollowerMotion& motion_;
-    const IndexingBodyOptions& options_;
-    double pitch_ = 0.0, least_radius_ = 0.0, lower_ = 0.0, upper_ = 0.0;
+ private:
+    static constexpr double least_step = 1e-6;  // rad
+
+    [[nodiscard]] int count() const { return static_cast<int>(lines_.size()); }
+    [[nodiscard]] double share_of(int steps) const { return static_cast<double>(steps) / turn_; }
+
+    void add_line(double phi, const std::vector<double>& parts) {
+        const double from = groove_.first(phi), to = groove_.last(phi);
+        Line& line = lines_.emplace_back();
+        for (const double t : parts) {
+            // The whole flank below its top.
+            const double place = t < 1.0 ? from + t * (1.0 - from) : t > 4.0 ? 4.0 + (t - 4.0) * (to - 4.0) : t;
+            line.push_back(groove_.contact(phi, place));
+            least_radius_ = std::min(least_radius_, line.back().head<2>().norm());
+        }
+        std::vector<Place> tops{place_of(line.front()), place_of(line.back())};
+        // Unwound: the first top from the one before, the last from the first.
+        if (!tops_.empty())
+            tops[0].polar += units::turn * std::round((tops_.back()[0].polar - tops[0].polar) / units::turn);
+        tops[1].polar += units::turn * std::round((tops[0].polar - tops[1].polar) / units::turn);
+        tops_.push_back(std::move(tops));
+    }
+    /// Along the body's outside, along the cam where it leaves a groove.
+    [[nodiscard]] Line land(const Place& from, const Place& to) const {
+        const double turned = std::remainder(to.polar - from.polar, units::turn);
+        Line line;
+        for (int k = 0; k <= land_points; ++k) {
+            const double share = static_cast<double>(k) / land_points;
+            const double z = from.z + share * (to.z - from.z), radius = groove_.outside(z);
+            const double polar = from.polar + share * share * (3.0 - 2.0 * share) * turned;
+            line.emplace_back(radius * std::cos(polar), radius * std::sin(polar), z);
+        }
+        line.front() = from.point.value_or(line.front());
+        line.back() = to.point.value_or(line.back());
+        return line;
+    }
+    static void add_strip(TriangleMesh& mesh, const std::vector<Line>& lines) {
+        SurfaceGrid grid;
+        for (std::size_t i = 0; i < lines.front().size(); ++i) grid.u.push_back(static_cast<double>(i));
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            grid.v.push_back(static_cast<double>(k));
+            grid.points.insert(grid.points.end(), lines[k].begin(), lines[k].end());
+        }
+        append(mesh, mesh_of(grid));
+    }
+
+    const IndexingGroove& groove_;
+    int turn_ = 0;  // lines in a turn
+    double least_radius_ = HUGE_VAL;
+    std::vector<Line> lines_;
+    std::vector<std::vector<Place>> tops_;  // of the first and the last flank
 };
 
 }  // namespace
 
 void IndexingBodyOptions::validate() const {
     if (angles < 16) throw InputError(fmt::format("indexing body: angles must be >= 16, found {}", angles));
-    if (heights < 2) throw InputError(fmt::format("indexing body: heights must be >= 2, found {}", heights));
-    if (!(reach >= 0.0 && reach <= 0.9))
-        throw InputError(fmt::format("indexing body: reach must be 0 … 0.9, found {:g}", reach));
+    if (points < 2) throw InputError(fmt::format("indexing body: points must be >= 2, found {}", points));
 }
 
-IndexingBody indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
-                           const IndexingBodyOptions& options) {
+TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion, const IndexingBodyOptions& options) {
     options.validate();
-    if (!is_whole_turn(motion.end() - motion.begin()))
-        throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
-                                     (motion.end() - motion.begin()) / units::degree));
-    if (!(std::abs(motion.state(motion.end()).s - motion.state(motion.begin()).s) > same_end))
-        throw InputError("indexing cam: the motion must end one pitch from where it begins");
-    return Builder(cam, motion, options).build();
+    const IndexingGroove groove(cam, motion, cam.roller_length + floor_clearance);
+    const Surface surface(groove, motion, options);
+    return bored_solid(surface.mesh(), {groove.lower(), groove.upper(), bore_part * surface.least_radius(), bore_corners});
 }
 
-std::vector<PaintedMesh> painted(const IndexingBody& body) {
-    return {{body.hub, {150, 160, 172}, MeshPlace::revolved},
-            {body.thread, {226, 164, 84}, MeshPlace::around_revolved},
-            {body.rollers, {96, 142, 198}, MeshPlace::around_revolved}};
+TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion) {
+    const double theta = motion.begin(), pitch = motion.state(motion.end()).s - motion.state(theta).s;
+    TriangleMesh all;
+    for (const int index : {0, 1}) {
+        const RollerAxis axis = roller_axis(cam, theta, motion.state(theta).s + index * pitch);
+        const Vector3d across = axis.direction.cross(axis.travel);
+        std::vector<Line> sections;
+        for (const double h : {-0.35, 0.0, 0.5, 1.0}) {
+            Line circle;
+            for (int i = 0; i < roller_corners; ++i) {
+                const double angle = units::turn * i / roller_corners;
+                circle.push_back(axis.foot + h * cam.roller_length * axis.direction +
+                                 cam[SpatialDimension::roller_radius] *
+                                     (std::cos(angle) * axis.travel + std::sin(angle) * across));
+            }
+            sections.push_back(circle);
+        }
+        append(all, swept_solid(sections, false));
+    }
+    return all;
 }
 
 }  // namespace camopt

@@ -33,6 +33,7 @@ class EarCutter {
     EarCutter(std::span<const Vector2d> outline, std::span<const Vector2d> hole) {
         for (const std::span<const Vector2d> part : {outline, hole})
             points_.insert(points_.end(), part.begin(), part.end());
+        area_ = polygon_area(outline);
         const int count = static_cast<int>(outline.size());
         for (int i = 0; i < count; ++i) ring_.push_back(i);
         if (!hole.empty()) join(outline, hole);
@@ -51,7 +52,12 @@ class EarCutter {
                 at += 1;  // the next but one: fewer slivers than a fan
                 continue;
             }
-            if (++since > count) throw InputError("a plane region has lines that cross each other");
+            if (++since > count) {
+                at = flattest();
+                triangles.push_back({corner(at + count - 1), corner(at), corner(at + 1)});
+                ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(at));
+                since = 0;
+            }
             ++at;
         }
         triangles.push_back({ring_[0], ring_[1], ring_[2]});
@@ -59,11 +65,29 @@ class EarCutter {
     }
 
  private:
+    static constexpr double flat_ = 1e-7;  // of the outline's area
+
     std::vector<Vector2d> points_;
     std::vector<int> ring_;
+    double area_ = 0.0;
 
     [[nodiscard]] int corner(std::size_t at) const { return ring_[at % ring_.size()]; }
     [[nodiscard]] const Vector2d& place(int index) const { return points_[static_cast<std::size_t>(index)]; }
+
+    /// Where lines lie on each other but for rounding no corner is an ear: the flattest goes.
+    [[nodiscard]] std::size_t flattest() const {
+        const std::size_t count = ring_.size();
+        std::size_t best = 0;
+        double least = HUGE_VAL;
+        for (std::size_t i = 0; i < count; ++i)
+            if (const double turn = std::abs(turn_of(place(corner(i + count - 1)), place(corner(i)), place(corner(i + 1))));
+                turn < least) {
+                least = turn;
+                best = i;
+            }
+        if (least > flat_ * area_) throw InputError("a plane region has lines that cross each other");
+        return best;
+    }
 
     /// The ring runs along the outline, over the bridge, against the sense of the hole around it, and back.
     void join(std::span<const Vector2d> outline, std::span<const Vector2d> hole) {

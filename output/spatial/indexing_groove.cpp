@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "output/spatial/indexing_groove.hpp"
+
+#include "core/errors.hpp"
+#include "core/numbers/scalar_search.hpp"
+#include "core/units.hpp"
+#include "core/whole_turn.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+using Eigen::Vector3d;
+using enum SpatialDimension;
+
+constexpr double same_end = 1e-9;     // rad
+constexpr double scan_step = 0.5 * units::degree;
+constexpr double most_turns = 3.0;                   // of the way through the body, to either side
+constexpr double most_swing = 80.0 * units::degree;  // of the follower where the roller leaves
+constexpr double wall = 1.25, way_beyond = 0.05;     // of the roller's radius: see the header
+constexpr int halvings = 45;
+// Where else the roller is looked for, and how far it must reach to count.
+constexpr double window_step = 2.0 * units::degree, least_way = 1e-7, near_roller = 1e-3;
+constexpr int window_steps = 30, most_rounds = 12, sections = 20;
+
+}  // namespace
+
+FollowerMotion rollers_as_one(const FollowerMotion& motion, double from, double to) {
+    const double begin = motion.begin(), end = motion.end();
+    const double pitch = motion.state(end).s - motion.state(begin).s;
+    FollowerMotion all;
+    all.state = [motion, begin, end, pitch](double phi) {
+        const double turns = std::floor((phi - begin) / units::turn);
+        FollowerState state = motion.state(std::clamp(phi - turns * units::turn, begin, end));
+        state.s += turns * pitch;
+        return state;
+    };
+    all.breakpoints = {from};
+    const int first = static_cast<int>(std::floor((from - begin) / units::turn));
+    const int last = static_cast<int>(std::floor((to - begin) / units::turn));
+    for (int turn = first; turn <= last; ++turn)
+        for (const double angle : motion.breakpoints) {
+            const double phi = angle + turn * units::turn;
+            if (phi > all.breakpoints.back() + same_end && phi < to - same_end) all.breakpoints.push_back(phi);
+        }
+    all.breakpoints.push_back(to);
+    return all;
+}
+
+/// How far from the point along the unit direction the roller at φ reaches; 0: it does not hold the point.
+double IndexingGroove::way_out_of_roller(const Vector3d& point, const Vector3d& direction, double phi) const {
+    const RollerAxis axis = roller_axis(cam_, phi, path_.state(phi).s);
+    const Vector3d from = point - axis.foot;
+    const double along = from.dot(axis.direction), under = floor_ - along, r = cam_[roller_radius];
+    const Vector3d beside = from - along * axis.direction;
+    const double room = r * r - beside.squaredNorm();
+    if (!(under > 0.0 && room > 0.0)) return 0.0;
+    const double rise = direction.dot(axis.direction);
+    const Vector3d across = direction - rise * axis.direction;
+    const double a = across.squaredNorm(), b = beside.dot(across);
+    const double to_end = rise > 0.0 ? under / rise : HUGE_VAL;
+    const double to_side = a > 0.0 ? (std::sqrt(b * b + a * room) - b) / a : HUGE_VAL;
+    return std::min(to_end, to_side);
+}
+
+/// How deep the point lies in the roller at φ; below 0: outside of it.
+double IndexingGroove::depth_in_roller(const Vector3d& point, double phi) const {
+    const RollerAxis axis = roller_axis(cam_, phi, path_.state(phi).s);
+    const Vector3d from = point - axis.foot;
+    const double along = from.dot(axis.direction);
+    return std::min(cam_[roller_radius] - (from - along * axis.direction).norm(), floor_ - along);
+}
+
+/// The point moved along the direction out of every place of the roller near φ.
+Vector3d IndexingGroove::left_of(Vector3d point, const Vector3d& direction, double phi) const {
+    const auto depth_at = [&](double there) { return depth_in_roller(point, there); };
+    std::array<double, 2 * window_steps + 1> depths{};
+    for (int round = 0; round < most_rounds; ++round) {
+        const auto there = [&](std::size_t k) { return phi + (static_cast<double>(k) - window_steps) * window_step; };
+        for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = depth_at(there(k));
+        double farthest = 0.0;
+        for (std::size_t k = 1; k + 1 < depths.size(); ++k) {
+            if (depths[k] < depths[k - 1] || depths[k] < depths[k + 1] || depths[k] < -near_roller) continue;
+            const GoldenSection deepest = golden_maximum(depth_at, there(k - 1), there(k + 1), sections);
+            if (deepest.value() > least_way)
+                farthest = std::max(farthest, way_out_of_roller(point, direction, deepest.place()));
+        }
+        if (farthest == 0.0) break;
+        point += farthest * direction;
+    }
+    return point;
+}
+
+Vector3d IndexingGroove::contact(double phi, double t) const {
+    const FollowerState state = path_.state(phi);
+    const bool on_flank = t <= 1.0 || t >= 4.0;
+    const double height = t <= 1.0 ? floor_ * t : t >= 4.0 ? floor_ * (5.0 - t) : floor_;
+    const SpatialPoint touched = spatial_point(cam_, phi, state, {height, 1});
+    // The flank whose side lies where rollers come from.
+    const double in = (touched.normal.z() > 0.0) == enters_above_ ? 1.0 : -1.0;
+    const double r = cam_[roller_radius];
+    const double share = on_flank ? (t <= 1.0 ? 1.0 : -1.0) : std::cos(0.5 * units::turn * (t - 1.0) / 3.0);
+    const Vector3d point = touched.center + in * share * r * touched.normal;
+    if (on_flank) return left_of(point, in * share * touched.normal, phi);
+    return left_of(point, roller_axis(cam_, phi, state.s).direction, phi);
+}
+
+double IndexingGroove::outside(double z) const {
+    if (cam_.follower != SpatialFollower::cylindrical_rotating) return cam_[center_distance];
+    const double along = z - cam_.axial_offset, arm = cam_[arm_length];
+    return cam_[center_distance] - std::sqrt(std::max(arm * arm - along * along, 0.0));
+}
+
+double IndexingGroove::depth(const Vector3d& point) const {
+    const double within = cam_[center_distance] - point.head<2>().norm();
+    if (cam_.follower != SpatialFollower::cylindrical_rotating) return within;
+    return std::copysign(std::hypot(within, point.z() - cam_.axial_offset), within) - cam_[arm_length];
+}
+
+std::string IndexingGroove::turned_words() const {
+    using units::millimetre;
+    const std::string ends =
+        fmt::format("from {:.3f} to {:.3f} mm along the axis", lower_ / millimetre, upper_ / millimetre);
+    if (cam_.follower != SpatialFollower::cylindrical_rotating)
+        return fmt::format("diameter {:.3f} mm, {}", 2.0 * outside(0.0) / millimetre, ends);
+    return fmt::format("radius {:.3f} - sqrt({:.3f}^2 - (z - {:.3f})^2) mm at z, {}",
+                       cam_[center_distance] / millimetre, cam_[arm_length] / millimetre,
+                       cam_.axial_offset / millimetre, ends);
+}
+
+/// `from` 0 or 5, inwards +1 or −1.
+double IndexingGroove::top(double phi, double from, double inwards) const {
+    const auto inside = [&](double way) { return depth(contact(phi, from + inwards * way)) >= 0.0; };
+    if (inside(0.0)) return from;
+    if (!inside(1.0))
+        throw InputError(fmt::format(
+            "indexing cam: the roller leaves the cam's outside, not its ends, at a cam angle of {:.1f} deg",
+            phi / units::degree));
+    return from + inwards * bisected(inside, {1.0, 0.0}, halvings).with;
+}
+
+void IndexingGroove::choose_ends(double middle, double pitch) {
+    const double r = cam_[roller_radius];
+    // Where the roller's axis lies along the cam: of its two ends that nearer to the cam's middle, or not.
+    const auto z_at = [&](double q, bool near_middle, double sign) {
+        SpatialCam standing = cam_;
+        standing.start = q;
+        const RollerAxis axis = roller_axis(standing, 0.0, 0.0);
+        const double a = axis.foot.z(), b = a + floor_ * axis.direction.z();
+        return (sign * a < sign * b) == near_middle ? a : b;
+    };
+    const auto end_at = [&](double q, double sign) {
+        const double farthest = z_at(std::copysign(most_swing, q - middle), true, sign);
+        const double end = std::min(sign * z_at(q, false, sign) + wall * r, sign * farthest - (1.0 + way_beyond) * r);
+        if (!(end > sign * z_at(q, true, sign) - r))
+            throw InputError(fmt::format(
+                "indexing cam: {:g} stops leave no room between the roller in the dwell and where it leaves the cam",
+                units::turn / std::abs(pitch)));
+        return sign * end;
+    };
+    const double in = middle - 0.5 * pitch, out = middle + 0.5 * pitch;
+    enters_above_ = z_at(in, true, 1.0) > z_at(out, true, 1.0);
+    upper_ = end_at(enters_above_ ? in : out, 1.0);
+    lower_ = end_at(enters_above_ ? out : in, -1.0);
+}
+
+/// The φ where the whole line of contact is beyond that end; towards: +1 where rollers leave.
+double IndexingGroove::way_out(double towards) const {
+    const bool above = (towards > 0.0) != enters_above_;
+    const double sign = above ? 1.0 : -1.0, end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
+    for (double way = scan_step; way < most_turns * units::turn; way += scan_step) {
+        const double phi = begin_ + towards * way;
+        // The flank on the inner side passes last.
+        const double behind = towards > 0.0 ? first(phi) : last(phi);
+        bool is_out = true;
+        for (const double t : {behind, 0.5, 4.5, 1.0, 2.0, 2.5, 3.0, 4.0})
+            is_out = is_out && sign * contact(phi, t).z() > end;
+        if (is_out) return phi;
+    }
+    throw InputError("indexing cam: a roller does not leave the cam within three turns");
+}
+
+IndexingGroove::IndexingGroove(const SpatialCam& cam, const FollowerMotion& motion, double floor)
+    : cam_(cam), begin_(motion.begin()), floor_(floor) {
+    if (!is_whole_turn(motion.end() - motion.begin()))
+        throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
+                                     (motion.end() - motion.begin()) / units::degree));
+    const double before = motion.state(motion.begin()).s, pitch = motion.state(motion.end()).s - before;
+    if (!(std::abs(pitch) > same_end))
+        throw InputError("indexing cam: the motion must end one pitch from where it begins");
+    path_ = rollers_as_one(motion, begin_ - most_turns * units::turn, begin_ + (most_turns + 1.0) * units::turn);
+    choose_ends(cam.start + before + 0.5 * pitch, pitch);
+    path_ = rollers_as_one(motion, way_out(-1.0), way_out(1.0));
+}
+
+}  // namespace camopt

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "output/surface/mesh_cut.hpp"
+
+#include "core/errors.hpp"
+#include "core/units.hpp"
+#include "output/surface/plane_region.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+constexpr double same_vertex = 1e-8;  // m
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Vertices at one place become one; those in no triangle and triangles without an area go.
+TriangleMesh welded(const TriangleMesh& mesh) {
+    TriangleMesh result;
+    std::map<std::array<long long, 3>, int> known;
+    for (const auto& t : mesh.triangles) {
+        std::array<int, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector3d& vertex = mesh.vertices[at(t[i])];
+            const auto key = [&](int k) { return std::llround(vertex[k] / same_vertex); };
+            const auto [place, is_new] =
+                known.emplace(std::array{key(0), key(1), key(2)}, static_cast<int>(result.vertices.size()));
+            if (is_new) result.vertices.push_back(vertex);
+            corners[i] = place->second;
+        }
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+            result.triangles.push_back(corners);
+    }
+    return result;
+}
+
+/// What lies at sign · z <= sign · plane. Cut edges get one vertex, so neighbours stay neighbours.
+TriangleMesh cut_off(TriangleMesh mesh, double plane, double sign) {
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        if (std::abs(vertex.z() - plane) < same_vertex) vertex.z() = plane;
+    const auto beyond = [&](int i) { return sign * (mesh.vertices[at(i)].z() - plane); };
+    std::map<std::pair<int, int>, int> cuts;
+    const auto cut = [&](int a, int b) {
+        const auto [place, is_new] = cuts.emplace(std::minmax(a, b), static_cast<int>(mesh.vertices.size()));
+        if (is_new) {
+            const auto [low, high] = place->first;
+            const double share = beyond(low) / (beyond(low) - beyond(high));
+            Eigen::Vector3d vertex = mesh.vertices[at(low)] + share * (mesh.vertices[at(high)] - mesh.vertices[at(low)]);
+            vertex.z() = plane;
+            mesh.vertices.push_back(vertex);
+        }
+        return place->second;
+    };
+    std::vector<std::array<int, 3>> kept;
+    for (const auto& t : mesh.triangles) {
+        std::vector<int> corners;
+        bool has_inside = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int here = t[i], next = t[(i + 1) % 3];
+            has_inside = has_inside || beyond(here) < 0.0;
+            if (beyond(here) <= 0.0) corners.push_back(here);
+            if (beyond(here) * beyond(next) < 0.0) corners.push_back(cut(here, next));
+        }
+        for (std::size_t i = 2; has_inside && i < corners.size(); ++i)
+            kept.push_back({corners[0], corners[i - 1], corners[i]});
+    }
+    mesh.triangles = std::move(kept);
+    return mesh;
+}
+
+/// The borders in a plane as closed lines, along the edges that a cap must have.
+std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane) {
+    std::map<std::pair<int, int>, int> passes;
+    const auto in_plane = [&](int i) { return mesh.vertices[at(i)].z() == plane; };
+    for (const auto& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const int a = t[i], b = t[(i + 1) % 3]; in_plane(a) && in_plane(b)) {
+                if (const auto back = passes.find({a, b}); back != passes.end())
+                    passes.erase(back);
+                else
+                    ++passes[{b, a}];
+            }
+    std::multimap<int, int> next;
+    for (const auto& [edge, count] : passes) next.emplace(edge);
+    std::vector<std::vector<int>> borders;
+    std::vector<int> way;
+    while (!next.empty()) {
+        if (way.empty()) way.push_back(next.begin()->first);
+        const auto edge = next.find(way.back());
+        if (edge == next.end()) throw InputError("a surface around an axis is open between the planes that cut it");
+        const int corner = edge->second;
+        next.erase(edge);
+        // A corner that is passed again ends a line of its own.
+        const auto again = std::ranges::find(way, corner);
+        if (again == way.end()) {
+            way.push_back(corner);
+            continue;
+        }
+        borders.emplace_back(again, way.end());
+        way.erase(again + (again == way.begin() ? 0 : 1), way.end());
+    }
+    return borders;
+}
+
+/// Closes the mesh in a plane, up to the bore whose corners begin at `first`. sign: +1 the upper plane.
+void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int first, int corners, double sign) {
+    const auto seen = [&](int i) {  // from outside
+        const Eigen::Vector3d& vertex = mesh.vertices[at(i)];
+        return sign > 0.0 ? Eigen::Vector2d(vertex.x(), vertex.y()) : Eigen::Vector2d(vertex.y(), vertex.x());
+    };
+    const auto line_of = [&](const std::vector<int>& indices) {
+        std::vector<Eigen::Vector2d> line;
+        for (const int i : indices) line.push_back(seen(i));
+        return line;
+    };
+    std::vector<int> hole;
+    for (int k = 0; k < corners; ++k) hole.push_back(first + (sign > 0.0 ? k : corners - 1 - k));
+    const auto around = std::ranges::max_element(
+        borders, {}, [&](const std::vector<int>& border) { return polygon_area(line_of(border)); });
+    if (around == borders.end()) throw InputError("a surface around an axis does not reach the planes that cut it");
+    for (auto border = borders.begin(); border != borders.end(); ++border) {
+        std::vector<int> indices = *border;
+        const std::vector<Eigen::Vector2d> outline = line_of(indices);
+        const bool bored = border == around;
+        if (bored) indices.insert(indices.end(), hole.begin(), hole.end());
+        for (const auto& t : plane_triangles(outline, bored ? line_of(hole) : std::vector<Eigen::Vector2d>{}))
+            mesh.triangles.push_back({indices[at(t[0])], indices[at(t[1])], indices[at(t[2])]});
+    }
+}
+
+}  // namespace
+
+TriangleMesh bored_solid(const TriangleMesh& surface, const Bore& bore) {
+    TriangleMesh mesh = welded(surface);
+    mesh = cut_off(cut_off(std::move(mesh), bore.upper, 1.0), bore.lower, -1.0);
+    auto above = borders_in(mesh, bore.upper);
+    double turned = 0.0;
+    for (const std::vector<int>& border : above)
+        for (std::size_t i = 0; i < border.size(); ++i) {
+            const Eigen::Vector3d &a = mesh.vertices[at(border[i])], &b = mesh.vertices[at(border[(i + 1) % border.size()])];
+            turned += a.x() * b.y() - a.y() * b.x();
+        }
+    if (turned < 0.0) {
+        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+        for (std::vector<int>& border : above) std::ranges::reverse(border);
+    }
+    const auto below = borders_in(mesh, bore.lower);
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const double z : {bore.lower, bore.upper})
+        for (int k = 0; k < bore.corners; ++k) {
+            const double angle = units::turn * k / bore.corners;
+            mesh.vertices.emplace_back(bore.radius * std::cos(angle), bore.radius * std::sin(angle), z);
+        }
+    for (int k = 0; k < bore.corners; ++k) {
+        const int a = first + k, b = first + (k + 1) % bore.corners;
+        mesh.triangles.push_back({a, a + bore.corners, b});
+        mesh.triangles.push_back({b, a + bore.corners, b + bore.corners});
+    }
+    close(mesh, above, first + bore.corners, bore.corners, 1.0);
+    close(mesh, below, first, bore.corners, -1.0);
+    return welded(mesh);
+}
+
+}  // namespace camopt
