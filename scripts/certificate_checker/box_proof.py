@@ -27,6 +27,7 @@ from .exact import ORDERS, STATED, Refuted, Unverified, number
 
 ROUNDED = Fraction(1, 2**44)   # what the sums of a step may be off by in the file, relative: it was rounded outward
 SAME_ROW = Fraction(1, 10**9)  # a row of the scene is that of the file to this, relative to its size
+ROUNDED_ROW = Fraction(1, 10**14)  # of a row's value in doubles, which is about one
 TOUCHING = Fraction(1, 10**6)  # a plane is pushed back by the square of this part of its size where it touches its rule
 SHORT = 2**150                 # sides are rounded up to parts of this
 
@@ -224,14 +225,14 @@ class BoxProof:
             self.steps.append(step)
         return self.parts()
 
-    def of_scene(self, step, index, function, most):
-        """A step that is function . x <= most but for rounding."""
+    def of_scene(self, step, index, function, most, factor=Fraction(1)):
+        """A step that is function . x <= most but for rounding; of the row before it was taken times the factor."""
         step.side = most + greatest(difference(step.weights, function), self.box)
-        self.compare(step, index)
+        self.compare(step, index, factor * ROUNDED_ROW)
 
-    def compare(self, step, index):
+    def compare(self, step, index, rounded=Fraction(0)):
         size = max([Fraction(1)] + [abs(w) * max(map(abs, self.box[j])) for j, w in step.weights.items()])
-        if step.side > step.stated + SAME_ROW * size:
+        if step.side > step.stated + SAME_ROW * size + rounded:
             raise Refuted(f"step {index} is no row of the scene: it says at most {float(step.stated)}, the scene allows "
                           f"{float(step.side)}")
 
@@ -277,7 +278,7 @@ class BoxProof:
         for name, slope in row.searched.items():
             weights[self.place["dimension", name]] = slope * self.problem.cam.searched[name][1]
         function = {j: factor * w for j, w in weights.items()}
-        return self.of_scene(step, index, function, factor * (row.most - fixed))
+        return self.of_scene(step, index, function, factor * (row.most - fixed), factor)
 
     def condition(self, step, index):
         """What the conditions leave of a row that they imply is a number. A cap on a peak is an end of its box."""

@@ -332,16 +332,18 @@ class Problem:
         raise Unverified(f"a spline beside the law {own.law}")
 
     def stroke_at(self, stretch, at):
-        """(displacement at its start, at its end, length) of the stroke at x; None where it has set points, moves next to a law,
-        or ends where it began."""
+        """(displacement at its start, at its end, length) of the stroke at x; None where its set points are not between them,
+        it moves next to a law, or ends where it began."""
         if self.type == "program":
             i = self.stretches.index(stretch)
             segments, beside = self.motion["segments"], (i - 1, (i + 1) % len(self.stretches))
             if segments[i].get("via") or any(self.stretches[j].kind == "law" for j in beside) or stretch.to == stretch.start:
                 return None
             return stretch.start, stretch.to, stretch.end - stretch.begin
-        if self.motion.get("via"):
-            return None
+        for point in self.motion.get("via", []):
+            displacement, is_region = self.in_lifts(point, "displacement"), self.place(point, "at", Fraction(0)) is None
+            if displacement is not None and (is_region or not 0 < displacement < 1):
+                return None
         if at <= 1:
             return Fraction(0), Fraction(1), Fraction(1)
         return Fraction(1), Fraction(0), stretch.end - 1

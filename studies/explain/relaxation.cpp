@@ -91,9 +91,9 @@ class Explainer {
             change_each();
         else if (!has_enough())
             try_segments();
-        std::ranges::stable_partition(solution_.relaxation,
-                                      [](const Relaxation& row) { return row.needed.has_value(); });
-        std::ranges::stable_partition(solution_.relaxation, is_useful);
+        std::stable_partition(solution_.relaxation.begin(), solution_.relaxation.end(),
+                              [](const Relaxation& row) { return row.needed.has_value(); });
+        std::stable_partition(solution_.relaxation.begin(), solution_.relaxation.end(), is_useful);
         relax_together();
         name_the_impossible();
         found_.seconds = watch_.seconds();
