@@ -142,7 +142,7 @@ std::string CheckedProgram::fault() const {
         return fmt::format("line {}: WRONG: a block is farther off than the printed digits explain",
                            poses.line);
     if (!direction.fault.empty()) return direction.fault;
-    return spindle_fault;
+    return spindle_fault.empty() ? unfinished : spindle_fault;
 }
 
 CheckedProgram checked_program(const Machine& machine, const PostProcessor& post, NcWork work) {
@@ -188,6 +188,13 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
         check_direction(moves, machine, *task.finished, work.job.spindle, flank_blocks(printed, task));
     program.spindle_fault = spindle_fault(read_nc_words(text, machine, post), work.job.spindle);
     program.surfaces = surface_findings(known_moves(moves), machine, task);
+    program.unfinished.clear();
+    for (std::size_t i = 0; i < task.surfaces.size() && program.unfinished.empty(); ++i) {
+        const double found = program.surfaces[i].check.stock, most = task.surfaces[i].most_stock;
+        if (found > most + program.most_depth)
+            program.unfinished = fmt::format("the program leaves {} of {}, allowed: {}", mm(found),
+                                             task.surfaces[i].name, mm(most + program.most_depth));
+    }
     program.roughed.clear();
     const std::span<const NcMove> rough = roughing_moves(moves, task);
     if (!rough.empty()) program.roughed = surface_findings(known_moves(rough), machine, task);

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +46,8 @@ struct CuttingPass {
 struct WantedSurface {
     std::string name;
     std::vector<Eigen::Vector3d> points;
+    /// m: the most that the cutter leaves there where it stands at its place; more is a fault.
+    double most_stock = HUGE_VAL;
 };
 
 struct CuttingTask {
@@ -93,6 +96,7 @@ struct CheckedProgram {
     std::string spindle_fault;                      ///< the text turns it the other way; empty: it does not
     double least_distance = 0.0, most_depth = 0.0;  ///< m: what `travel` asked for
     std::vector<SurfaceFinding> surfaces, roughed;  ///< at the end; after roughing alone
+    std::string unfinished;                         ///< the first surface with more stock than it may have
 
     /// No reason not to run it; empty: none was found.
     [[nodiscard]] std::string fault() const;

@@ -47,6 +47,10 @@ struct CutterShape {
     void validate() const;  ///< throws InputError
 };
 
+/// From the side of the cutter, outwards; beyond its ends from its rim.
+[[nodiscard]] double cutter_clearance(const ToolPose& pose, const CutterShape& cutter,
+                                      const Eigen::Vector3d& point);
+
 struct NcSurfaceCheck {
     double gouge = 0.0;                            ///< the deepest, m, >= 0
     double stock = 0.0;                            ///< the highest left, m, >= 0

@@ -50,15 +50,6 @@ class Sweep {
     std::vector<ToolPose> coarse_;
 };
 
-/// From the side of the cutter, outwards; beyond its ends from its rim.
-double clearance(const ToolPose& pose, const CutterShape& cutter, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d from_tip = point - pose.tip;
-    const double along = -from_tip.dot(pose.axis);  // up the cutter
-    const double side = (from_tip + along * pose.axis).norm() - 0.5 * cutter.diameter;
-    const double beyond = std::max(-along, along - cutter.length);
-    return beyond <= 0.0 ? side : std::hypot(std::max(side, 0.0), beyond);
-}
-
 class PointClearance {
  public:
     PointClearance(const Sweep& sweep, const CutterShape& cutter, const Eigen::Vector3d& point)
@@ -67,7 +58,8 @@ class PointClearance {
     [[nodiscard]] double least() {
         const std::vector<ToolPose>& coarse = sweep_.coarse();
         values_.resize(coarse.size());
-        for (std::size_t i = 0; i < coarse.size(); ++i) values_[i] = clearance(coarse[i], cutter_, point_);
+        for (std::size_t i = 0; i < coarse.size(); ++i)
+            values_[i] = cutter_clearance(coarse[i], cutter_, point_);
         double best = *std::min_element(values_.begin(), values_.end());
         const double worth_a_look = best + candidate_part * cutter_.diameter;
         for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -80,7 +72,7 @@ class PointClearance {
 
  private:
     [[nodiscard]] double at(std::size_t segment, double share) const {
-        return clearance(sweep_.pose(segment, share), cutter_, point_);
+        return cutter_clearance(sweep_.pose(segment, share), cutter_, point_);
     }
     /// Around coarse pose i; either side may belong to another block.
     [[nodiscard]] double refined(std::size_t i) const {
@@ -102,6 +94,14 @@ class PointClearance {
 };
 
 }  // namespace
+
+double cutter_clearance(const ToolPose& pose, const CutterShape& cutter, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d from_tip = point - pose.tip;
+    const double along = -from_tip.dot(pose.axis);  // up the cutter
+    const double side = (from_tip + along * pose.axis).norm() - 0.5 * cutter.diameter;
+    const double beyond = std::max(-along, along - cutter.length);
+    return beyond <= 0.0 ? side : std::hypot(std::max(side, 0.0), beyond);
+}
 
 void CutterShape::validate() const {
     if (!(std::isfinite(diameter) && diameter > 0.0))

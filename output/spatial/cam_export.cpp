@@ -2,6 +2,7 @@
 #include "output/spatial/cam_export.hpp"
 
 #include "core/text/text_file.hpp"
+#include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/spatial/drum_pictures.hpp"
 #include "output/spatial/flank_surfaces.hpp"
@@ -34,12 +35,6 @@ void write_step(Paths& written, const std::filesystem::path& path, const FlankGr
     written.push_back(path);
 }
 
-TriangleMesh body_of(const IndexingBody& body) {
-    TriangleMesh mesh = body.hub;
-    append(mesh, body.thread);
-    return mesh;
-}
-
 std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, const FlankGrid& grid,
                        const std::string& title) {
     return mesh_svg(drum_parts(cam, motion, grid), drum_view(cam), title);
@@ -55,20 +50,25 @@ bool indexes(const SpatialCam& cam, const FollowerMotion& motion) {
 
 Paths write_cam_files(const std::filesystem::path& folder, const SpatialCam& cam,
                       const FollowerMotion& motion, const CamExportOptions& options) {
-    const FlankGrid grid = flank_grid(cam, motion, options.sampling);
+    const bool indexing = indexes(cam, motion);
+    const FollowerMotion way = indexing ? IndexingGroove(cam, motion, cam.roller_length).path() : motion;
+    FlankSampling sampling = options.sampling;
+    if (indexing)  // as dense as over one turn
+        sampling.angles =
+            static_cast<int>(std::ceil(sampling.angles * (way.end() - way.begin()) / units::turn));
+    const FlankGrid grid = flank_grid(cam, way, sampling);
     Paths written;
     if (options.csv) write_bytes(written, folder / "flanks.csv", flank_csv(grid));
     if (options.step) write_step(written, folder / "flanks.step", grid);
     if (options.stl) {
         write_bytes(written, folder / "groove.stl", stl_bytes(groove_body(grid), options.title + ", groove"));
-        if (indexes(cam, motion))
-            write_bytes(written, folder / "cam.stl",
-                        stl_bytes(body_of(indexing_body(cam, motion)), options.title));
+        if (indexing)
+            write_bytes(written, folder / "cam.stl", stl_bytes(indexing_body(cam, motion), options.title));
     }
     if (options.obj) {
         std::vector<NamedMesh> parts;
         for (const SurfaceGrid& flank : flank_surfaces(grid)) parts.push_back({flank.name, mesh_of(flank)});
-        if (indexes(cam, motion)) parts.push_back({"body", body_of(indexing_body(cam, motion))});
+        if (indexing) parts.push_back({"body", indexing_body(cam, motion)});
         write_bytes(written, folder / "cam.obj", obj_text(parts, options.title));
     }
     if (options.picture)

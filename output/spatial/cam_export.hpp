@@ -15,7 +15,7 @@ namespace camopt {
 
 struct CamExportOptions {
     bool csv = false;      ///< flanks.csv
-    bool stl = false;      ///< groove.stl and, of an indexing cam, cam.stl
+    bool stl = false;      ///< groove.stl and, of an indexing cam, its whole body cam.stl
     bool obj = false;      ///< cam.obj: both flanks; of an indexing cam its body too
     bool step = false;     ///< flanks.step; needs Open CASCADE
     bool picture = false;  ///< cam.svg
@@ -23,7 +23,8 @@ struct CamExportOptions {
     std::string title = "cam";
 };
 
-/// Over one turn the follower advances by one pitch: the thread between two rollers is the cam's body.
+/// Over one turn the follower advances by one pitch: all rollers run through the cam one after the other.
+/// Flanks and groove are then those of a roller from where it comes in to where it leaves.
 [[nodiscard]] bool indexes(const SpatialCam& cam, const FollowerMotion& motion);
 
 /// Writes what is asked for into the folder, which exists; returns the paths. Throws InputError where a file

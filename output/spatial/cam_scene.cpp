@@ -17,9 +17,9 @@ namespace {
 
 constexpr int scene_angles = 181, scene_heights = 3;
 constexpr double closed_groove = 1e-9;  // of the lift: the follower is where it began
-constexpr IndexingBodyOptions scene_body{96, 3};
+constexpr IndexingBodyOptions scene_body{120, 3};
 // Choices of drawing: of the roller's radius beyond the groove, of the least radius of the flanks.
-constexpr double beyond_groove = 1.0, bore_share = 0.35, core_share = 0.98, hub_share = 1.01;
+constexpr double beyond_groove = 1.0, bore_share = 0.35, core_share = 0.98;
 constexpr int core_corners = 72;
 
 struct Extent {
@@ -83,16 +83,10 @@ CamScene cam_scene(const SpatialCam& cam, const FollowerMotion& motion, std::spa
     if (indexes(cam, motion)) {
         pitch = motion.state(motion.end()).s - motion.state(motion.begin()).s;
         rollers = std::max(1, static_cast<int>(std::lround(units::turn / std::abs(pitch))));
-        TriangleMesh thread = indexing_body(cam, motion, scene_body).thread;
-        Extent extent;
-        widen(extent, thread.vertices);
-        // The thread's foot stands in the hub.
-        TriangleMesh hub = tube(bore_share * extent.least_radius, hub_share * extent.least_radius,
-                                extent.lower, extent.upper);
-        scene.parts = {{"hub", std::move(hub), true}, {"thread", std::move(thread), true}};
-    } else {
-        scene.parts = grooved_parts(cam, motion);
+        if (auto body = drawn_indexing_body(cam, motion, scene_body))
+            scene.parts = {{"cam", std::move(*body), true}};
     }
+    if (scene.parts.empty()) scene.parts = grooved_parts(cam, motion);
     for (int k = 0; k < rollers; ++k) {
         SpatialCam shifted = cam;
         shifted.start += k * pitch;

@@ -2,9 +2,9 @@
 // A three-dimensional cam with its rollers as what is drawn and moved: meshes that turn with the cam, and
 // where every roller stands at given cam angles. Frames of profiles/spatial/spatial_cam.hpp; m, rad.
 //
-//   the motion takes a turn and ends one pitch on   hub and thread (indexing_body.hpp), all rollers of the
-//   index the groove closes after one turn                the grooved drum as a solid else both flanks as
-//   surfaces around a core
+//   the motion takes a turn and ends one pitch on   the body (indexing_body.hpp), all rollers of the index
+//   the groove closes after one turn                the grooved drum as a solid
+//   else                                            both flanks as surfaces around a core
 // How far a drum reaches beyond its groove, its bore and its core are choices of drawing.
 #pragma once
 
@@ -26,7 +26,7 @@ struct RollerPlace {
 
 struct CamScene {
     struct Part {
-        std::string name;  ///< "drum", "flank +1", "hub", "thread"
+        std::string name;  ///< "cam", "drum", "core", "flank +1"
         TriangleMesh mesh;
         bool closed = true;  ///< a solid; false: a surface, seen from both sides
     };

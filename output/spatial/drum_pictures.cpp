@@ -25,7 +25,8 @@ using units::degree;
 constexpr int drum_angles = 361, drum_sections = 5, drum_corners = 96, core_rings = 24;
 constexpr double core_part = 0.985, core_bore = 0.35;  // of the least radius of the flanks
 constexpr double longest_bar = 180;                    // px
-constexpr std::array<int, 3> core_colour = {150, 160, 172}, flank_colour = {226, 164, 84};
+constexpr std::array<int, 3> core_colour = {150, 160, 172}, flank_colour = {226, 164, 84},
+                             roller_colour = {96, 142, 198};
 
 const char* const drum_style =
     ".hub{stroke:#96a0ac;stroke-width:9}.rib{stroke:#e2a454;stroke-width:9}.rollers{stroke:#608ec6;stroke-"
@@ -129,13 +130,9 @@ std::vector<Vector2d> developed_line(const std::vector<Vector3d>& points, double
 
 std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
                                     const FlankGrid& grid) {
-    if (indexes(cam, motion)) {
-        IndexingBodyOptions coarse;
-        coarse.angles = 180;  // a picture shows no more
-        coarse.heights = 4;
-        coarse.foot_on_hub = true;
-        return painted(indexing_body(cam, motion, coarse));
-    }
+    if (indexes(cam, motion))
+        if (auto body = drawn_indexing_body(cam, motion, {240, 5}))
+            return {{std::move(*body), flank_colour}, {holding_rollers(cam, motion), roller_colour}};
     std::vector<PaintedMesh> parts = {
         {core_of(size_of(grid), 0.5 * grid.roller_radius), core_colour, MeshPlace::revolved}};
     for (const SurfaceGrid& flank : flank_surfaces(grid))
@@ -170,9 +167,9 @@ std::string drum_svg(const Drum& drum) {
                 "parallel projection, cam angle 0", "end");
     const bool ribs = indexes(drum.cam, drum.motion);
     LegendColumn column(canvas, length, 8 + dimension_entries(drum.solution) + figure_entries(drum.solution));
-    column.sample("hub", ribs ? "hub" : "core");
-    column.sample("rib", ribs ? "rib" : "both flanks of the groove");
-    if (ribs) column.sample("rollers", "rollers that hold it");
+    if (!ribs) column.sample("hub", "core");
+    column.sample("rib", ribs ? "cam" : "both flanks of the groove");
+    if (ribs) column.sample("rollers", "rollers that hold its rib");
     column.heading("dimensions");
     add_dimensions(column, drum.solution);
     column.words(fmt::format("turns {}", name_of(drum.cam.rotation)));

@@ -32,7 +32,7 @@ struct Drum {
 [[nodiscard]] std::string drum_svg(const Drum& drum);
 [[nodiscard]] std::string developed_svg(const Drum& drum);
 
-/// What is shown of it: hub, thread and rollers of an indexing cam; of others both flanks around a core.
+/// What is shown of it: an indexing cam with the rollers that hold it; of others both flanks around a core.
 [[nodiscard]] std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
                                                   const FlankGrid& grid);
 /// From the side on which the first part of the motion lies.

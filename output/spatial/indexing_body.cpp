@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace camopt {
 
@@ -20,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 using Line = std::vector<Vector3d>;
 
-constexpr int land_points = 24, floor_points = 24, bore_corners = 180;
+constexpr int lines_to_bore = 4;    // sections for a corner of the bore
 constexpr double bore_part = 0.35;  // of the groove's least radius
 constexpr int roller_corners = 40;
 
@@ -40,20 +42,22 @@ Place place_of(const Vector3d& point) {
 class Surface {
  public:
     Surface(const IndexingGroove& groove, const FollowerMotion& motion, const IndexingBodyOptions& options)
-        : groove_(groove) {
+        : groove_(groove), across_(2 * options.points) {
         const double begin = motion.begin();
         std::vector<double> angles(motion.breakpoints.begin(), motion.breakpoints.end() - 1);
         for (int k = 0; k < options.angles; ++k) {
             const double angle = begin + units::turn * k / options.angles;
-            if (std::ranges::none_of(motion.breakpoints, [&](double b) { return std::abs(b - angle) < least_step; }))
+            if (std::ranges::none_of(motion.breakpoints,
+                                     [&](double b) { return std::abs(b - angle) < least_step; }))
                 angles.push_back(angle);
         }
         std::ranges::sort(angles);
         turn_ = static_cast<int>(angles.size());
         std::vector<double> parts;
         for (int k = 0; k <= options.points; ++k) parts.push_back(static_cast<double>(k) / options.points);
-        for (int k = 1; k < floor_points; ++k) parts.push_back(1.0 + 3.0 * k / floor_points);
-        for (int k = 0; k <= options.points; ++k) parts.push_back(4.0 + static_cast<double>(k) / options.points);
+        for (int k = 1; k < across_; ++k) parts.push_back(1.0 + 3.0 * k / across_);
+        for (int k = 0; k <= options.points; ++k)
+            parts.push_back(4.0 + static_cast<double>(k) / options.points);
         const int first = static_cast<int>(std::floor((groove.path().begin() - begin) / units::turn));
         const int last = static_cast<int>(std::floor((groove.path().end() - begin) / units::turn));
         for (int turn = first; turn <= last; ++turn)
@@ -98,7 +102,9 @@ class Surface {
         Line& line = lines_.emplace_back();
         for (const double t : parts) {
             // The whole flank below its top.
-            const double place = t < 1.0 ? from + t * (1.0 - from) : t > 4.0 ? 4.0 + (t - 4.0) * (to - 4.0) : t;
+            const double place = t < 1.0   ? from + t * (1.0 - from)
+                                 : t > 4.0 ? 4.0 + (t - 4.0) * (to - 4.0)
+                                           : t;
             line.push_back(groove_.contact(phi, place));
             least_radius_ = std::min(least_radius_, line.back().head<2>().norm());
         }
@@ -113,8 +119,8 @@ class Surface {
     [[nodiscard]] Line land(const Place& from, const Place& to) const {
         const double turned = std::remainder(to.polar - from.polar, units::turn);
         Line line;
-        for (int k = 0; k <= land_points; ++k) {
-            const double share = static_cast<double>(k) / land_points;
+        for (int k = 0; k <= across_; ++k) {
+            const double share = static_cast<double>(k) / across_;
             const double z = from.z + share * (to.z - from.z), radius = groove_.outside(z);
             const double polar = from.polar + share * share * (3.0 - 2.0 * share) * turned;
             line.emplace_back(radius * std::cos(polar), radius * std::sin(polar), z);
@@ -134,7 +140,8 @@ class Surface {
     }
 
     const IndexingGroove& groove_;
-    int turn_ = 0;  // lines in a turn
+    int across_ = 0;  // steps across a floor or a land
+    int turn_ = 0;    // lines in a turn
     double least_radius_ = HUGE_VAL;
     std::vector<Line> lines_;
     std::vector<std::vector<Place>> tops_;  // of the first and the last flank
@@ -147,11 +154,22 @@ void IndexingBodyOptions::validate() const {
     if (points < 2) throw InputError(fmt::format("indexing body: points must be >= 2, found {}", points));
 }
 
-TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion, const IndexingBodyOptions& options) {
+TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
+                           const IndexingBodyOptions& options) {
     options.validate();
     const IndexingGroove groove(cam, motion, cam.roller_length + floor_clearance);
     const Surface surface(groove, motion, options);
-    return bored_solid(surface.mesh(), {groove.lower(), groove.upper(), bore_part * surface.least_radius(), bore_corners});
+    return bored_solid(surface.mesh(), {groove.lower(), groove.upper(), bore_part * surface.least_radius(),
+                                        options.angles / lines_to_bore});
+}
+
+std::optional<TriangleMesh> drawn_indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
+                                                const IndexingBodyOptions& options) {
+    try {
+        return indexing_body(cam, motion, options);
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion) {

@@ -6,16 +6,15 @@
 #pragma once
 
 #include "output/spatial/indexing_groove.hpp"
-#include "output/surface/mesh_svg.hpp"
 #include "output/surface/triangle_mesh.hpp"
 
-#include <vector>
+#include <optional>
 
 namespace camopt {
 
 struct IndexingBodyOptions {
     int angles = 720;  ///< sections over one turn; >= 16
-    int points = 12;   ///< along a flank; >= 2
+    int points = 12;   ///< along a flank, half of those across a floor or a rib; >= 2
 
     void validate() const;  ///< throws InputError
 };
@@ -24,6 +23,11 @@ struct IndexingBodyOptions {
 /// for rollers that do not leave the cam by its ends.
 [[nodiscard]] TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
                                          const IndexingBodyOptions& options = {});
+
+/// The same for pictures; none where rollers do not leave the cam by its ends.
+[[nodiscard]] std::optional<TriangleMesh> drawn_indexing_body(const SpatialCam& cam,
+                                                              const FollowerMotion& motion,
+                                                              const IndexingBodyOptions& options);
 
 /// The two rollers that hold the rib where the motion begins.
 [[nodiscard]] TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion);

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using enum SpatialDimension;
 
-constexpr double same_end = 1e-9;     // rad
+constexpr double same_end = 1e-9;  // rad
 constexpr double scan_step = 0.5 * units::degree;
 constexpr double most_turns = 3.0;                   // of the way through the body, to either side
 constexpr double most_swing = 80.0 * units::degree;  // of the follower where the roller leaves
@@ -48,7 +48,8 @@ FollowerMotion rollers_as_one(const FollowerMotion& motion, double from, double 
     for (int turn = first; turn <= last; ++turn)
         for (const double angle : motion.breakpoints) {
             const double phi = angle + turn * units::turn;
-            if (phi > all.breakpoints.back() + same_end && phi < to - same_end) all.breakpoints.push_back(phi);
+            if (phi > all.breakpoints.back() + same_end && phi < to - same_end)
+                all.breakpoints.push_back(phi);
         }
     all.breakpoints.push_back(to);
     return all;
@@ -83,7 +84,9 @@ Vector3d IndexingGroove::left_of(Vector3d point, const Vector3d& direction, doub
     const auto depth_at = [&](double there) { return depth_in_roller(point, there); };
     std::array<double, 2 * window_steps + 1> depths{};
     for (int round = 0; round < most_rounds; ++round) {
-        const auto there = [&](std::size_t k) { return phi + (static_cast<double>(k) - window_steps) * window_step; };
+        const auto there = [&](std::size_t k) {
+            return phi + (static_cast<double>(k) - window_steps) * window_step;
+        };
         for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = depth_at(there(k));
         double farthest = 0.0;
         for (std::size_t k = 1; k + 1 < depths.size(); ++k) {
@@ -158,11 +161,13 @@ void IndexingGroove::choose_ends(double middle, double pitch) {
     };
     const auto end_at = [&](double q, double sign) {
         const double farthest = z_at(std::copysign(most_swing, q - middle), true, sign);
-        const double end = std::min(sign * z_at(q, false, sign) + wall * r, sign * farthest - (1.0 + way_beyond) * r);
+        const double end =
+            std::min(sign * z_at(q, false, sign) + wall * r, sign * farthest - (1.0 + way_beyond) * r);
         if (!(end > sign * z_at(q, true, sign) - r))
-            throw InputError(fmt::format(
-                "indexing cam: {:g} stops leave no room between the roller in the dwell and where it leaves the cam",
-                units::turn / std::abs(pitch)));
+            throw InputError(
+                fmt::format("indexing cam: {:g} stops leave no room between the roller in the dwell and "
+                            "where it leaves the cam",
+                            units::turn / std::abs(pitch)));
         return sign * end;
     };
     const double in = middle - 0.5 * pitch, out = middle + 0.5 * pitch;
@@ -174,7 +179,8 @@ void IndexingGroove::choose_ends(double middle, double pitch) {
 /// The φ where the whole line of contact is beyond that end; towards: +1 where rollers leave.
 double IndexingGroove::way_out(double towards) const {
     const bool above = (towards > 0.0) != enters_above_;
-    const double sign = above ? 1.0 : -1.0, end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
+    const double sign = above ? 1.0 : -1.0,
+                 end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
     for (double way = scan_step; way < most_turns * units::turn; way += scan_step) {
         const double phi = begin_ + towards * way;
         // The flank on the inner side passes last.
@@ -195,7 +201,8 @@ IndexingGroove::IndexingGroove(const SpatialCam& cam, const FollowerMotion& moti
     const double before = motion.state(motion.begin()).s, pitch = motion.state(motion.end()).s - before;
     if (!(std::abs(pitch) > same_end))
         throw InputError("indexing cam: the motion must end one pitch from where it begins");
-    path_ = rollers_as_one(motion, begin_ - most_turns * units::turn, begin_ + (most_turns + 1.0) * units::turn);
+    path_ =
+        rollers_as_one(motion, begin_ - most_turns * units::turn, begin_ + (most_turns + 1.0) * units::turn);
     choose_ends(cam.start + before + 0.5 * pitch, pitch);
     path_ = rollers_as_one(motion, way_out(-1.0), way_out(1.0));
 }

@@ -5,9 +5,9 @@
 // them follow one path, that of one roller over an angle φ of as many turns as it takes it through the cam:
 //   s(φ + 2π j) = s(φ) + j pitch
 // At each φ the roller, a cylinder of radius r whose end is `floor` from its near end, leaves one line of the
-// groove: t = 0 … 1 down the flank on the side where rollers come in, to 4 across the floor, to 5 up the other
-// flank. Flanks are where it touches; where that is undercut, and on the floor, into which the edge of the
-// roller's end digs as it turns: how far along n, along e, any place of the roller near φ reaches.
+// groove: t = 0 … 1 down the flank on the side where rollers come in, to 4 across the floor, to 5 up the
+// other flank. Flanks are where it touches; where that is undercut, and on the floor, into which the edge of
+// the roller's end digs as it turns: how far along n, along e, any place of the roller near φ reaches.
 //
 // The body is turned, as far as the follower that holds the rollers at their near ends lets it:
 //   barrel                 ρ <= l3                              (ρ, z: about the cam's axis)
@@ -62,7 +62,8 @@ class IndexingGroove {
     [[nodiscard]] double way_out_of_roller(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
                                            double phi) const;
     [[nodiscard]] double depth_in_roller(const Eigen::Vector3d& point, double phi) const;
-    [[nodiscard]] Eigen::Vector3d left_of(Eigen::Vector3d point, const Eigen::Vector3d& direction, double phi) const;
+    [[nodiscard]] Eigen::Vector3d left_of(Eigen::Vector3d point, const Eigen::Vector3d& direction,
+                                          double phi) const;
     [[nodiscard]] double top(double phi, double from, double inwards) const;
     void choose_ends(double middle, double pitch);
     [[nodiscard]] double way_out(double towards) const;

@@ -5,13 +5,14 @@
 #include "core/units.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
-#include "output/spatial/indexing_body.hpp"
+#include "output/spatial/indexing_groove.hpp"
 #include "output/spatial/roller_path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ constexpr int checked_heights = 5;
 constexpr int checked_angles = 360;
 // Where the cutter has only begun, or has stopped, a flank is not finished: the roller's round end.
 constexpr double end_share = 0.01;  // of the motion, left out at either end of an open path
+constexpr double checked_step = 2.0 * units::degree, extension_step = 0.5 * units::degree;  // indexing cams
 
 std::vector<int> flanks_cut(const SpatialCam& cam, const NcExportOptions& options, double diameter) {
     const double roller = 2.0 * cam[SpatialDimension::roller_radius];
@@ -31,40 +33,110 @@ std::vector<int> flanks_cut(const SpatialCam& cam, const NcExportOptions& option
     return equal ? std::vector{1} : std::vector{1, -1};
 }
 
-std::vector<Eigen::Vector3d> flank_points(const RollerPath& roller, double radius, double height,
-                                          const FollowerMotion& motion) {
-    std::vector<Eigen::Vector3d> points;
-    const double length = motion.end() - motion.begin();
-    for (int k = 0; k <= checked_angles; ++k) {
-        const double share = end_share + (1.0 - 2.0 * end_share) * k / checked_angles;
-        const RollerPose at = roller(motion.begin() + share * length, height);
-        for (const int flank : {1, -1}) points.push_back(at.center + flank * radius * at.normal);
+/// A point of the wanted surface, and the cam angle at which the roller leaves it.
+struct LeftPoint {
+    double theta = 0.0;
+    Eigen::Vector3d point;
+};
+
+/// What is milled: a roller's way over the cam angle, all rollers of an index in one.
+class MilledGroove {
+ public:
+    MilledGroove(const SpatialCam& cam, const FollowerMotion& motion, double floor)
+        : cam_(cam), turn_(motion), way_(motion), floor_(floor) {
+        if (!indexes(cam, motion)) return;
+        indexing_.emplace(cam, motion, floor);
+        way_ = indexing_->path();
     }
-    return points;
-}
 
-void widen(Blank& extent, const Eigen::Vector3d& point) {
-    extent.radius = std::max(extent.radius, std::hypot(point.x(), point.y()));
-    extent.lower = std::min(extent.lower, point.z());
-    extent.upper = std::max(extent.upper, point.z());
-}
+    [[nodiscard]] const FollowerMotion& way() const { return way_; }
+    [[nodiscard]] RollerPath roller() const { return roller_path(cam_, way_); }
+    [[nodiscard]] const std::optional<IndexingGroove>& indexing() const { return indexing_; }
 
-Blank blank_of(const SpatialCam& cam, const FollowerMotion& motion, const BlankChoice& choice) {
-    const RollerPath roller = roller_path(cam, motion);
-    Blank extent{0.0, HUGE_VAL, -HUGE_VAL};
-    double deepest = HUGE_VAL;  // radius
-    for (int i = 0; i < checked_heights; ++i)
-        for (const Eigen::Vector3d& point :
-             flank_points(roller, cam[SpatialDimension::roller_radius],
-                          cam.roller_length * i / (checked_heights - 1), motion)) {
-            widen(extent, point);
-            deepest = std::min(deepest, std::hypot(point.x(), point.y()));
+    /// Both flanks at a height of the roller: those of an indexing cam as far as its body reaches.
+    [[nodiscard]] std::vector<LeftPoint> flanks(double height) const {
+        if (indexing_) return left_at({height / floor_, 5.0 - height / floor_});
+        const RollerPath path = roller();
+        const double radius = cam_[SpatialDimension::roller_radius], length = way_.end() - way_.begin();
+        std::vector<LeftPoint> points;
+        for (int k = 0; k <= checked_angles; ++k) {
+            const double share = end_share + (1.0 - 2.0 * end_share) * k / checked_angles;
+            const double theta = way_.begin() + share * length;
+            const RollerPose at = path(theta, height);
+            for (const int flank : {1, -1}) points.push_back({theta, at.center + flank * radius * at.normal});
         }
-    if (indexes(cam, motion)) {
-        const IndexingBody body = indexing_body(cam, motion);
-        for (const TriangleMesh* part : {&body.thread, &body.hub})
-            for (const Eigen::Vector3d& point : part->vertices) widen(extent, point);
+        return points;
     }
+    /// Of an indexing cam.
+    [[nodiscard]] std::vector<LeftPoint> floor() const { return left_at({1.5, 2.0, 2.5, 3.0, 3.5}); }
+
+    [[nodiscard]] Blank extent() const {
+        Blank extent{0.0, HUGE_VAL, -HUGE_VAL};
+        if (indexing_) {
+            const double lower = indexing_->lower(), upper = indexing_->upper();
+            return {std::max(indexing_->outside(lower), indexing_->outside(upper)), lower, upper};
+        }
+        for (int i = 0; i < checked_heights; ++i)
+            for (const LeftPoint& left : flanks(cam_.roller_length * i / (checked_heights - 1))) {
+                extent.radius = std::max(extent.radius, left.point.head<2>().norm());
+                extent.lower = std::min(extent.lower, left.point.z());
+                extent.upper = std::max(extent.upper, left.point.z());
+            }
+        return extent;
+    }
+
+    /// Of an indexing cam: the roller's way on to either side, to where a cutter stands clear of the blank.
+    void extend_beyond(const Blank& blank, double distance) {
+        const FollowerMotion all =
+            rollers_as_one(turn_, way_.begin() - units::turn, way_.end() + units::turn);
+        const RollerPath path = roller_path(cam_, all);
+        const auto clear_from = [&](double begin, double step) {
+            for (int k = 0; std::abs(k * step) < units::turn; ++k) {
+                const RollerPose at = path(begin + k * step, floor_);
+                if (distance_to_blank(blank, {at.center, at.axis}, cam_[SpatialDimension::roller_radius]) >
+                    distance)
+                    return begin + k * step;
+            }
+            throw InputError(
+                fmt::format("milling: the cutter does not leave the blank ({}) by its ends; allowed: "
+                            "a shorter blank",
+                            words_of(blank)));
+        };
+        const double begin = clear_from(way_.begin(), -extension_step),
+                     end = clear_from(way_.end(), extension_step);
+        way_ = rollers_as_one(turn_, begin, end);
+    }
+
+ private:
+    [[nodiscard]] std::vector<LeftPoint> left_at(std::vector<double> places) const {
+        std::vector<LeftPoint> points;
+        const FollowerMotion& inside = indexing_->path();
+        const int count = static_cast<int>(std::ceil((inside.end() - inside.begin()) / checked_step));
+        for (int k = 0; k <= count; ++k) {
+            const double theta = inside.begin() + (inside.end() - inside.begin()) * k / count;
+            for (double t : places) {
+                if (t < 1.0) t = std::max(t, indexing_->first(theta));
+                if (t > 4.0) t = std::min(t, indexing_->last(theta));
+                const Eigen::Vector3d point = indexing_->contact(theta, t);
+                if (point.z() > indexing_->lower() && point.z() < indexing_->upper())
+                    points.push_back({theta, point});
+            }
+        }
+        return points;
+    }
+
+    const SpatialCam& cam_;
+    FollowerMotion turn_, way_;
+    double floor_ = 0.0;
+    std::optional<IndexingGroove> indexing_;
+};
+
+Blank blank_of(const MilledGroove& groove, const SpatialCam& cam, const BlankChoice& choice) {
+    Blank extent = groove.extent();
+    double deepest = HUGE_VAL;  // radius
+    for (const double height : {0.0, cam.roller_length})
+        for (const LeftPoint& left : groove.flanks(height))
+            deepest = std::min(deepest, left.point.head<2>().norm());
     extent.radius += choice.allowance;
     extent.lower -= choice.allowance;
     extent.upper += choice.allowance;
@@ -75,6 +147,24 @@ Blank blank_of(const SpatialCam& cam, const FollowerMotion& motion, const BlankC
     return blank;
 }
 
+/// What a cutter that stands where the roller leaves each point leaves of it at most.
+double most_stock(const std::vector<LeftPoint>& points, const MilledGroove& groove, CutterLocation location,
+                  const CutterShape& cutter) {
+    const RollerPath roller = groove.roller();
+    double most = 0.0;
+    for (const LeftPoint& left : points) {
+        double least = HUGE_VAL;
+        for (const int flank : {1, -1}) {
+            location.flank = flank;
+            least =
+                std::min(least, cutter_clearance(cutter_pose(roller(left.theta, location.station), location),
+                                                 cutter, left.point));
+        }
+        most = std::max(most, least);
+    }
+    return most;
+}
+
 }  // namespace
 
 std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset) {
@@ -83,39 +173,53 @@ std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset) {
 }
 
 NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
-    const RollerPath roller = roller_path(cam, motion);
+    const double working_length = cam.roller_length + options.tip_beyond;
+    MilledGroove groove(cam, motion, working_length);
     CutterLocation location;
     location.roller_radius = cam[SpatialDimension::roller_radius];
     location.diameter = options.cutter_diameter.value_or(2.0 * location.roller_radius);
     location.stock = options.stock;
     location.station = cam.roller_length;
     location.tip_beyond = options.tip_beyond;
-    const double working_length = cam.roller_length + options.tip_beyond;
 
     NcWork work;
     NcJob& job = work.job;
-    job = milling_job(options, blank_of(cam, motion, options.blank), location.diameter, working_length);
+    job = milling_job(options, blank_of(groove, cam, options.blank), location.diameter, working_length);
     job.remarks = {"origin: the centre of the cam; turn 0: its cam angle 0"};
     job.rotary_speed = options.rotary_speed;
+    if (groove.indexing()) {
+        groove.extend_beyond(job.blank, options.safe_distance);
+        job.remarks.push_back("finished cam: turned outside of the groove, " +
+                              groove.indexing()->turned_words());
+    }
 
     CuttingTask& task = work.task;
+    const RollerPath roller = groove.roller();
+    const FollowerMotion& way = groove.way();
     MillingPasses milled =
-        groove_passes({roller, motion.breakpoints, location, flanks_cut(cam, options, location.diameter),
+        groove_passes({roller, way.breakpoints, location, flanks_cut(cam, options, location.diameter),
                        job.blank, options.milling});
     task.passes = std::move(milled.passes);
     job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
-    task.knots = motion.breakpoints;
+    task.knots = way.breakpoints;
     task.blocks = {options.blocks, options.chord_tolerance, working_length};
     task.cutter = {location.diameter, working_length + location.diameter};
-    GroovedBody body{roller, motion.begin(), motion.end(), location.roller_radius, working_length, job.blank};
+    GroovedBody body{roller, way.begin(), way.end(), location.roller_radius, working_length, job.blank};
+    body.poses = std::max(body.poses, static_cast<int>(body.poses * (way.end() - way.begin()) / units::turn));
     body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);
     task.finished = grooved_finished_cam(body);
     task.gouge_tolerance = options.gouge_tolerance;
+    const auto add_surface = [&](const std::string& name, const std::vector<LeftPoint>& points) {
+        WantedSurface& surface = task.surfaces.emplace_back();
+        surface.name = name;
+        for (const LeftPoint& left : points) surface.points.push_back(left.point);
+        surface.most_stock = most_stock(points, groove, location, task.cutter);
+    };
     for (int i = 0; i < checked_heights; ++i) {
         const double height = cam.roller_length * i / (checked_heights - 1);
-        task.surfaces.push_back({fmt::format("both flanks, {:.3f} mm from the near end of the roller",
-                                             height / units::millimetre),
-                                 flank_points(roller, location.roller_radius, height, motion)});
+        add_surface(
+            fmt::format("both flanks, {:.3f} mm from the near end of the roller", height / units::millimetre),
+            groove.flanks(height));
         if (i > 0 && i + 1 < checked_heights) continue;
         for (const std::size_t flank : {std::size_t{0}, std::size_t{1}}) {
             std::vector<Eigen::Vector3d>& line = task.outlines.emplace_back();
@@ -123,6 +227,7 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
                 line.push_back(task.surfaces.back().points[k]);
         }
     }
+    if (groove.indexing()) add_surface("the floor of the groove", groove.floor());
     return work;
 }
 

@@ -53,7 +53,8 @@ TriangleMesh cut_off(TriangleMesh mesh, double plane, double sign) {
         if (is_new) {
             const auto [low, high] = place->first;
             const double share = beyond(low) / (beyond(low) - beyond(high));
-            Eigen::Vector3d vertex = mesh.vertices[at(low)] + share * (mesh.vertices[at(high)] - mesh.vertices[at(low)]);
+            Eigen::Vector3d vertex =
+                mesh.vertices[at(low)] + share * (mesh.vertices[at(high)] - mesh.vertices[at(low)]);
             vertex.z() = plane;
             mesh.vertices.push_back(vertex);
         }
@@ -95,7 +96,8 @@ std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane)
     while (!next.empty()) {
         if (way.empty()) way.push_back(next.begin()->first);
         const auto edge = next.find(way.back());
-        if (edge == next.end()) throw InputError("a surface around an axis is open between the planes that cut it");
+        if (edge == next.end())
+            throw InputError("a surface around an axis is open between the planes that cut it");
         const int corner = edge->second;
         next.erase(edge);
         // A corner that is passed again ends a line of its own.
@@ -111,7 +113,8 @@ std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane)
 }
 
 /// Closes the mesh in a plane, up to the bore whose corners begin at `first`. sign: +1 the upper plane.
-void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int first, int corners, double sign) {
+void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int first, int corners,
+           double sign) {
     const auto seen = [&](int i) {  // from outside
         const Eigen::Vector3d& vertex = mesh.vertices[at(i)];
         return sign > 0.0 ? Eigen::Vector2d(vertex.x(), vertex.y()) : Eigen::Vector2d(vertex.y(), vertex.x());
@@ -125,7 +128,8 @@ void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int
     for (int k = 0; k < corners; ++k) hole.push_back(first + (sign > 0.0 ? k : corners - 1 - k));
     const auto around = std::ranges::max_element(
         borders, {}, [&](const std::vector<int>& border) { return polygon_area(line_of(border)); });
-    if (around == borders.end()) throw InputError("a surface around an axis does not reach the planes that cut it");
+    if (around == borders.end())
+        throw InputError("a surface around an axis does not reach the planes that cut it");
     for (auto border = borders.begin(); border != borders.end(); ++border) {
         std::vector<int> indices = *border;
         const std::vector<Eigen::Vector2d> outline = line_of(indices);
@@ -145,7 +149,8 @@ TriangleMesh bored_solid(const TriangleMesh& surface, const Bore& bore) {
     double turned = 0.0;
     for (const std::vector<int>& border : above)
         for (std::size_t i = 0; i < border.size(); ++i) {
-            const Eigen::Vector3d &a = mesh.vertices[at(border[i])], &b = mesh.vertices[at(border[(i + 1) % border.size()])];
+            const Eigen::Vector3d &a = mesh.vertices[at(border[i])],
+                                  &b = mesh.vertices[at(border[(i + 1) % border.size()])];
             turned += a.x() * b.y() - a.y() * b.x();
         }
     if (turned < 0.0) {

@@ -80,7 +80,8 @@ class EarCutter {
         std::size_t best = 0;
         double least = HUGE_VAL;
         for (std::size_t i = 0; i < count; ++i)
-            if (const double turn = std::abs(turn_of(place(corner(i + count - 1)), place(corner(i)), place(corner(i + 1))));
+            if (const double turn =
+                    std::abs(turn_of(place(corner(i + count - 1)), place(corner(i)), place(corner(i + 1))));
                 turn < least) {
                 least = turn;
                 best = i;

@@ -208,6 +208,8 @@ class GroovePassMaker {
                                              double above) const {
         const ToolPose low = groove.at(place, groove.middle(), lift);
         if (above <= lift + same_place) return {low};
+        if (distance_to_blank(milling_.blank, low, 0.5 * milling_.location.diameter) > 0.0)
+            return {low};  // beside it
         const double from = std::min(above + over_cut_layer, groove.height(place)), drop = from - lift;
         const double slope = std::tan(milling_.choice.ramp_angle);
         if (!(drop > 0.0) || slope > 1e6) return {low};
