@@ -76,6 +76,9 @@ std::string words_of(const Roughing& roughing) {
     const auto part = [](const char* words, double metres) {
         return metres > 0.0 ? fmt::format(", {} {:.4g} mm", words, metres / units::millimetre) : "";
     };
+    if (roughing.roughed == 0)
+        return fmt::format("roughing: none, the finishing pass cuts the only layer, {:.4g} mm deep",
+                           roughing.height / units::millimetre);
     return fmt::format("roughing: {} of {} layers, {:.4g} mm deep each{}{}", roughing.roughed,
                        roughing.layers, roughing.height / units::millimetre,
                        part("step-over", roughing.step_over), part("for finishing", roughing.allowance));

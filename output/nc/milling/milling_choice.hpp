@@ -77,9 +77,9 @@ struct MillingPasses {
     std::vector<std::string> remarks;  ///< for the program's header
 };
 
-/// For the program's header, one line: m, of all layers and of those that roughing cuts.
+/// For the program's header, one line; m.
 struct Roughing {
-    int layers = 1, roughed = 1;
+    int layers = 1, roughed = 1;  ///< a finishing pass that cuts a slot is the last layer
     double height = 0.0, step_over = 0.0, allowance = 0.0;  ///< height: of a layer
 };
 [[nodiscard]] std::string words_of(const Roughing& roughing);
