@@ -188,18 +188,18 @@ void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
                             const char* what) {
         command.add_option(name, target, what)->type_name("NAME")->needs(&nc)->check(CLI::IsMember(allowed));
     };
-    optional_number(
-        "--rough-step-over-mm", request.rough_step_over_mm,
-        "Rough first: how far two passes lie apart; default: half the cutter's diameter where only "
-        "--rough-step-down-mm is given");
+    optional_number("--rough-step-over-mm", request.rough_step_over_mm,
+                    "Largest distance between two roughing passes; default: half the cutter's diameter");
     optional_number("--rough-step-down-mm", request.rough_step_down_mm,
-                    "Rough first: how deep a layer is; default: the whole depth");
+                    "Largest depth of a roughing layer; default: half the cutter's diameter");
+    optional_number(
+        "--finish-allowance-mm", request.finish_allowance_mm,
+        "What roughing leaves for the finishing pass, in addition to --stock-mm; default: 0.3, in a "
+        "groove no more than there is room for beside the cutter");
     command
-        .add_option("--finish-allowance-mm", request.finish_allowance_mm,
-                    "What roughing leaves for the finishing pass, beside --stock-mm")
-        ->type_name("NUMBER")
-        ->needs(&nc)
-        ->capture_default_str();
+        .add_flag("--full-depth", request.full_depth,
+                  "No roughing: the finishing pass cuts the full depth, and the program warns of the slot")
+        ->needs(&nc);
     choice("--direction", request.direction, {"climb", "conventional"},
            "climb or conventional; default: climb; a cutter as large as a drum's roller does both");
     choice("--spindle", request.spindle, {"clockwise", "counterclockwise"},

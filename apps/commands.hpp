@@ -74,8 +74,10 @@ struct ExportRequest {
     std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
     double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;
     double feed_mm_min = 300.0, rotary_deg_s = 0.0, spindle_rpm = 0.0;
-    std::optional<double> rough_step_over_mm, rough_step_down_mm;  ///< none of both: no roughing
-    double finish_allowance_mm = 0.3, ramp_deg = 3.0;
+    std::optional<double> rough_step_over_mm, rough_step_down_mm,
+        finish_allowance_mm;  ///< none: milling_choice.hpp
+    bool full_depth = false;  ///< no roughing
+    double ramp_deg = 3.0;
     std::optional<double> lead_mm;  ///< none: the cutter's radius
     std::string direction, spindle = "clockwise",
                            compensation = "none";  ///< direction empty: climb where there is one

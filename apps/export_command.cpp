@@ -168,7 +168,8 @@ void set_safety(const ExportRequest& request, MillingOptions& options) {
     MillingChoice& milling = options.milling;
     milling.step_over = metres(request.rough_step_over_mm);
     milling.step_down = metres(request.rough_step_down_mm);
-    milling.finish_allowance = request.finish_allowance_mm * units::millimetre;
+    milling.finish_allowance = metres(request.finish_allowance_mm);
+    milling.full_depth = request.full_depth;
     if (!request.direction.empty())
         milling.direction =
             request.direction == "climb" ? MillingDirection::climb : MillingDirection::conventional;

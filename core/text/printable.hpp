@@ -5,6 +5,7 @@
 // Written out as \u001b (as JSON does): control characters (U+0000 … 1F, 7F … 9F), the separators of lines
 // and paragraphs (U+2028, 2029), the marks that turn the direction of writing (U+200E, 200F, 202A … 202E,
 // 2066 … 2069). A byte that is no UTF-8 becomes \x and two digits. Everything else stays as it is.
+// For readers that know ASCII alone (NC controls) letters and signs are transliterated.
 #pragma once
 
 #include <string>
@@ -20,5 +21,9 @@ namespace camopt {
 
 /// `printable` for XML and HTML, in elements and in attributes: & < > " are escaped.
 [[nodiscard]] std::string xml_text(std::string_view text);
+
+/// In printable ASCII: ä as ae, é as e, µ as u, ° as " deg", – as -; a control character as a blank, anything
+/// else, and a byte that is no UTF-8, as '?'.
+[[nodiscard]] std::string ascii_text(std::string_view text);
 
 }  // namespace camopt

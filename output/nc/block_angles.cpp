@@ -7,14 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace camopt {
 
 namespace {
 
-constexpr int most_halvings = 16;     // of the pieces a section begins with
-constexpr int first_pieces = 8;       // so that no wave of the path hides between the quarters
-constexpr double longest_step = 0.1;  // rad: beyond, half a turn of an axis is no longer certain
+constexpr int most_halvings = 16;      // of the pieces a section begins with
+constexpr int first_pieces = 8;        // so that no wave of the path hides between the quarters
+constexpr double longest_step = 0.1;   // rad: beyond, half a turn of an axis is no longer certain
+constexpr int arc_samples = 32;        // of a path that may be a circle
+constexpr double same_radius = 1e-9;   // m: far below a printed digit
+constexpr double shortest_arc = 1e-5;  // m: below, printed digits would decide where it turns
+constexpr double longest_arc = 0.5 * std::numbers::pi;  // rad
 
 class Subdivision {
  public:
@@ -26,6 +31,7 @@ class Subdivision {
             add(begin + (end - begin) * i / count, begin + (end - begin) * (i + 1) / count, 0);
     }
     void add_within_tolerance(double begin, double end) {
+        if (options_.arcs && add_arcs(begin, end)) return;
         const int pieces = std::max(first_pieces, static_cast<int>(std::ceil((end - begin) / longest_step)));
         for (int i = 0; i < pieces; ++i)
             add(begin + (end - begin) * i / pieces, begin + (end - begin) * (i + 1) / pieces, most_halvings);
@@ -33,6 +39,32 @@ class Subdivision {
     [[nodiscard]] BlockAngles finish() && { return std::move(result_); }
 
  private:
+    /// False: the path is no circle about the cam's axis, or goes along it to and fro.
+    bool add_arcs(double begin, double end) {
+        const Eigen::Vector3d first = path_(begin).tip;
+        Eigen::Vector3d before = first;
+        double turn = 0.0;
+        for (int k = 0; k <= arc_samples; ++k) {
+            const double theta = begin + (end - begin) * k / arc_samples;
+            const Eigen::Vector3d tip = path_(theta).tip;
+            const double step =
+                std::atan2(before.x() * tip.y() - before.y() * tip.x(), before.head<2>().dot(tip.head<2>()));
+            const bool same = std::abs(tip.head<2>().norm() - first.head<2>().norm()) <= same_radius &&
+                              std::abs(tip.z() - first.z()) <= same_radius;
+            if (!same || step * turn < 0.0 || !options_.arcs(theta)) return false;
+            turn += step;
+            before = tip;
+        }
+        if (std::abs(turn) * first.head<2>().norm() < shortest_arc) return false;
+        const int pieces = static_cast<int>(std::ceil(std::abs(turn) / longest_arc - 1e-9));
+        if (result_.theta.empty()) result_.theta.push_back(begin);
+        for (int i = 1; i <= pieces; ++i) {
+            // The tool looks down on the plane.
+            result_.arcs.push_back({result_.theta.size(), turn < 0.0});
+            result_.theta.push_back(begin + (end - begin) * i / pieces);
+        }
+        return true;
+    }
     void add(double begin, double end, int halvings) {
         const double deviation = chord_deviation(begin, end);
         if (deviation > options_.chord_tolerance && halvings > 0) {

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/path/nc_path.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,9 @@ namespace camopt {
 namespace {
 
 constexpr double kinematics_rounding = 1e-9;  // m: of heights, far above what double precision loses
+constexpr double arc_step = 2.0 * units::degree;
+constexpr double least_clamp = 1e-3;   // m: diameter; below, there is no room for one
+constexpr double beside_clamp = 1e-4;  // m: in addition to the safe distance, for chords and printed digits
 
 std::string mm(double metres) {
     return fmt::format("{:.3g} mm", metres / units::millimetre);
@@ -30,6 +34,22 @@ std::vector<NcMove> known_moves(std::span<const NcMove> moves) {
     return known;
 }
 
+/// known_moves with arcs in short pieces, as the search along a block takes them.
+std::vector<NcMove> short_moves(std::span<const NcMove> moves) {
+    std::vector<NcMove> pieces;
+    for (const NcMove& move : known_moves(moves)) {
+        const Eigen::VectorXd from = pieces.empty() ? move.values : pieces.back().values;
+        const double radius = move.arc ? (move.values.head<2>() - move.arc->center).norm() : 0.0;
+        const int count =
+            radius > 0.0 ? static_cast<int>(1.0 + linear_length(from, move) / (radius * arc_step)) : 1;
+        for (int k = 1; k <= count; ++k) {
+            pieces.push_back(move);
+            if (k < count) pieces.back().values = values_along(from, move, static_cast<double>(k) / count);
+        }
+    }
+    return pieces;
+}
+
 std::vector<SurfaceFinding> surface_findings(const std::vector<NcMove>& moves, const Machine& machine,
                                              const CuttingTask& task) {
     std::vector<SurfaceFinding> findings;
@@ -38,11 +58,20 @@ std::vector<SurfaceFinding> surface_findings(const std::vector<NcMove>& moves, c
     return findings;
 }
 
+bool is_plane(const Machine& machine) {
+    return machine.axes().size() == 3;
+}
+bool takes_arcs(const Machine& machine, const PostProcessor& post) {
+    return is_plane(machine) && post_axis(post, machine.axes()[0]).letter == "X" &&
+           post_axis(post, machine.axes()[1]).letter == "Y";
+}
+
 /// One pass of the task as poses, and what its check wants of it.
-NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task,
+NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task, bool arcs,
                     double& deviation) {
     BlockOptions options = task.blocks;
-    options.chord_tolerance = cut.chord_tolerance.value_or(options.chord_tolerance);
+    options.chord_tolerance = std::max(cut.chord_tolerance.value_or(0.0), options.chord_tolerance);
+    if (arcs) options.arcs = cut.keep ? cut.keep : [](double) { return true; };
     const BlockAngles blocks =
         block_angles(cut.path, machine, cut.knots.empty() ? task.knots : cut.knots, options);
     if (!cut.roughs) deviation = std::max(deviation, blocks.chord_deviation);
@@ -51,11 +80,44 @@ NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const Cuttin
         if (arc) pass.arcs.push_back({pass.poses.size(), arc->center, arc->clockwise});
     };
     arc_to_next(cut.in.arc);
-    for (const double theta : blocks.theta)
-        if (!cut.keep || cut.keep(theta)) pass.poses.push_back(cut.path(theta));
+    auto arc = blocks.arcs.begin();
+    for (std::size_t i = 0; i < blocks.theta.size(); ++i) {
+        const bool round = arc != blocks.arcs.end() && arc->end == i;
+        if (round) pass.arcs.push_back({pass.poses.size(), Eigen::Vector2d::Zero(), (arc++)->clockwise});
+        if (round || !cut.keep || cut.keep(blocks.theta[i])) pass.poses.push_back(cut.path(blocks.theta[i]));
+    }
     arc_to_next(cut.out.arc);
     pass.poses.insert(pass.poses.end(), cut.out.poses.begin(), cut.out.poses.end());
     return pass;
+}
+
+/// Room about the cam's axis for what holds the cam by its bore: the cutter keeps the safe distance from it.
+/// On three axes it is clamped from above. None: there is no room.
+std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
+    const double above = is_plane(machine) ? job.clearance - job.safe_distance : 0.0;
+    Blank clamp{0.0, job.blank.lower, job.blank.upper + above};
+    double least = job.blank.radius;
+    for (const NcPass& pass : job.passes) {
+        const double radius = pass.compensation == CompensationSide::none ? 0.5 * job.cutter_diameter : 0.0;
+        for (const ToolPose& pose : pass.poses)
+            least = std::min(least, distance_to_blank(clamp, pose, radius));
+    }
+    const double diameter = 2.0 * (least - job.safe_distance - beside_clamp);
+    clamp.radius = 0.5 * units::millimetre * std::floor(diameter / units::millimetre);
+    if (clamp.radius < 0.5 * least_clamp) return std::nullopt;
+    return clamp;
+}
+
+std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank& clamp) {
+    const double diameter = 2.0 * clamp.radius / units::millimetre;
+    if (is_plane(machine))
+        return fmt::format(
+            "fixture: the cam is held by its bore, clamps lie within diameter {:g} mm about its axis, no "
+            "more than {:g} mm above the blank",
+            diameter, (clamp.upper - job.blank.upper) / units::millimetre);
+    return fmt::format(
+        "fixture: the cam is held at both ends, on a mandrel of diameter {:g} mm or less through its bore",
+        diameter);
 }
 
 /// Moves of each pass, from the first feed to the last.
@@ -150,12 +212,21 @@ CheckedProgram checked_program(const Machine& machine, const PostProcessor& post
     work.job.passes.clear();
     work.job.cutter_diameter = work.task.cutter.diameter;
     for (const CuttingPass& cut : work.task.passes) {
-        work.job.passes.push_back(printed_pass(cut, machine, work.task, result.chord_deviation));
+        work.job.passes.push_back(
+            printed_pass(cut, machine, work.task, takes_arcs(machine, post), result.chord_deviation));
         const std::vector<ToolPose>& poses = work.job.passes.back().poses;
         result.wanted.insert(result.wanted.end(), poses.begin(), poses.end());
+        if (!cut.warning.empty()) work.job.warnings.push_back(cut.warning);
     }
+    work.job.blank.validate();
+    result.clamp = clamp_of(work.job, machine);
+    if (result.clamp)
+        work.job.remarks.push_back(words_of_clamp(work.job, machine, *result.clamp));
+    else
+        work.job.warnings.emplace_back(
+            "the cutter leaves no room about the cam's axis to hold the cam by its bore");
     result.program = nc_program(machine, post, work.job);
-    result.missing = missing_words(post, work.job);
+    result.warnings = warnings_of(post, work.job);
     verify(result, machine, post, work);
     return result;
 }
@@ -180,14 +251,15 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
                         program.most_depth,
                         false,
                         {}};
-    travel.rapids_above = machine.axes().size() == 3;
+    travel.rapids_above = is_plane(machine);
+    travel.clamp = program.clamp;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);
     program.moves = followed_moves(printed, moves, task);
     program.direction =
         check_direction(moves, machine, *task.finished, work.job.spindle, flank_blocks(printed, task));
     program.spindle_fault = spindle_fault(read_nc_words(text, machine, post), work.job.spindle);
-    program.surfaces = surface_findings(known_moves(moves), machine, task);
+    program.surfaces = surface_findings(short_moves(moves), machine, task);
     program.unfinished.clear();
     for (std::size_t i = 0; i < task.surfaces.size() && program.unfinished.empty(); ++i) {
         const double found = program.surfaces[i].check.stock, most = task.surfaces[i].most_stock;
@@ -197,7 +269,7 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
     }
     program.roughed.clear();
     const std::span<const NcMove> rough = roughing_moves(moves, task);
-    if (!rough.empty()) program.roughed = surface_findings(known_moves(rough), machine, task);
+    if (!rough.empty()) program.roughed = surface_findings(short_moves(rough), machine, task);
 }
 
 std::string nc_check_text(const CheckedProgram& result) {
@@ -220,10 +292,13 @@ std::string nc_check_text(const CheckedProgram& result) {
             "  feeds              {}, at no point of their way more than {:.4f} mm inside the finished cam",
             result.travel.feeds, result.most_depth / units::millimetre));
     }
+    if (result.travel.good() && result.clamp)
+        add(fmt::format("  fixture            no move comes within diameter {:g} mm about the cam's axis",
+                        2.0 * result.clamp->radius / units::millimetre));
     if (result.direction.climb + result.direction.conventional > 0)
         add(fmt::format("  direction          climb in {} blocks along the flanks, conventional in {}",
                         result.direction.climb, result.direction.conventional));
-    for (const std::string& missing : result.missing) add("  WARNING            " + missing);
+    for (const std::string& warning : result.warnings) add("  WARNING            " + warning);
     add(fault.empty() ? "  verdict            every block is where it belongs, within the printed digits"
                       : fmt::format("  verdict            REFUSED: {}", fault));
     const auto add_surfaces = [&](const char* what, const std::vector<SurfaceFinding>& surfaces) {

@@ -34,12 +34,13 @@ struct CuttingPass {
     ToolPath path;
     std::vector<double> knots = {};  ///< of this path; empty: the task's
     CuttingWay in = {}, out = {};
-    std::optional<double> chord_tolerance = {};  ///< m; none: the task's
+    std::optional<double> chord_tolerance = {};  ///< m; none, or finer: the task's
     std::function<bool(double)> keep = {};       ///< blocks end only where it holds; empty: everywhere
     bool roughs = false;
     double stock = 0.0;  ///< m: what it must leave of the cam; finishing passes: 0
     CompensationSide compensation = CompensationSide::none;
     std::optional<bool> climbs = {};  ///< none: it has no direction (both flanks at once)
+    std::string warning = {};         ///< for header and check
 };
 
 /// Points of the wanted surface that are reported together.
@@ -86,7 +87,8 @@ struct SurfaceFinding {
 
 struct CheckedProgram {
     NcProgram program;
-    std::vector<std::string> missing;               ///< missing_words: not a fault
+    std::vector<std::string> warnings;              ///< warnings_of: not a fault
+    std::optional<Blank> clamp;                     ///< where no move goes: room to hold the cam by its bore
     std::vector<ToolPose> wanted;                   ///< one a cutting block
     double chord_deviation = 0.0;                   ///< m, of the blocks
     NcPoseCheck poses;                              ///< of the printed text, read back

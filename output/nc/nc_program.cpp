@@ -168,19 +168,19 @@ void NcJob::validate() const {
     }
 }
 
-std::vector<std::string> missing_words(const PostProcessor& post, const NcJob& job) {
+std::vector<std::string> warnings_of(const PostProcessor& post, const NcJob& job) {
     const auto has = [&](char letter, int value) {
         return std::ranges::any_of(post.header, [&](const std::string& line) {
             return has_word(without_comments(line, post), letter, value);
         });
     };
-    std::vector<std::string> missing;
+    std::vector<std::string> warnings = job.warnings;
     const bool starts = has('M', 3) || has('M', 4);
     if (!starts && !(job.spindle_rpm > 0.0 && !post.spindle_on.empty()))
-        missing.emplace_back("no spindle speed in this program, the spindle must be running before");
+        warnings.emplace_back("no spindle speed in this program, the spindle must be running before");
     if (!has('M', 6) && !(job.tool_number && !post.tool_call.empty()))
-        missing.emplace_back("no tool call in this program, the tool must be in the spindle and measured");
-    return missing;
+        warnings.emplace_back("no tool call in this program, the tool must be in the spindle and measured");
+    return warnings;
 }
 
 NcProgram nc_program(const Machine& machine, const PostProcessor& post, const NcJob& job) {

@@ -56,16 +56,17 @@ struct NcJob {
     double safe_distance = 2e-3;       ///< m, > 0: rapids keep so far from the blank
     double spindle_rpm = 0.0;          ///< rev/min, >= 0; 0: no word for the spindle
     SpindleSense spindle = SpindleSense::clockwise;
-    std::optional<int> tool_number = {};  ///< 1 … 9999; none: no tool call
-    int compensation_register = 1;        ///< 1 … 9999: D of G41 and G42
-    double cutter_diameter = 0.0;         ///< m, >= 0; 0: not known, every plunge is one into the blank
+    std::optional<int> tool_number = {};     ///< 1 … 9999; none: no tool call
+    int compensation_register = 1;           ///< 1 … 9999: D of G41 and G42
+    double cutter_diameter = 0.0;            ///< m, >= 0; 0: not known, every plunge is one into the blank
+    std::vector<std::string> warnings = {};  ///< for header and check
 
     void validate() const;  ///< throws InputError
 };
 
-/// What the operator must do because the program has no words for it: no spindle speed, no tool call. Words
-/// in the post's own lines count.
-[[nodiscard]] std::vector<std::string> missing_words(const PostProcessor& post, const NcJob& job);
+/// The job's warnings, and what the operator must do because the program has no words for it: no spindle
+/// speed, no tool call. Words in the post's own lines count.
+[[nodiscard]] std::vector<std::string> warnings_of(const PostProcessor& post, const NcJob& job);
 
 struct NcProgram {
     std::string text;

@@ -63,6 +63,10 @@ class Reader {
     }
 
     [[nodiscard]] std::vector<Word> words_of(std::string_view line) const {
+        const auto foreign = [](char letter) {
+            return letter != '\t' && letter != '\r' && (letter < ' ' || letter > '~');
+        };
+        if (std::ranges::any_of(line, foreign)) refuse("a character that is not ASCII");
         std::vector<Word> words;
         std::size_t place = 0;
         while (place < line.size()) {

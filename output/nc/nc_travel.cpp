@@ -49,7 +49,8 @@ class Travel {
         }
         feeding_ = false;
         ++check_.rapids;
-        if (!above_everything(from, move.values)) rapid(from, move.values);
+        if (!above_everything(from, move.values)) rapid(from, move.values, task_.blank);
+        if (task_.clamp && task_.rapids_above) rapid_past_clamp(from, move.values);
     }
     [[nodiscard]] NcTravelCheck finish() && { return std::move(check_); }
 
@@ -101,28 +102,51 @@ class Travel {
         return true;
     }
 
-    /// Every value of every axis between the two.
-    void rapid(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    /// Above it, or beside it.
+    void rapid_past_clamp(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        const double begin = from(travel_height_axis), end = to(travel_height_axis);
+        const double lowest = std::isnan(begin) ? end : std::min(begin, end);
+        if (lowest + height_offset_ >= task_.clamp->upper + task_.least_distance) return;
+        if (!from.allFinite())
+            return refuse("a rapid below the upper end of the clamps while not every axis has a value");
+        rapid(from, to, *task_.clamp);
+    }
+
+    /// Every value of every axis between the two. body: the blank or the clamp.
+    void rapid(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Blank& body) {
         if (!check_.good()) return;
         const Eigen::VectorXd half = 0.5 * (to - from).cwiseAbs().cwiseProduct(levers_);
         const double distance =
-            distance_to_blank(task_.blank, machine_.pose(0.5 * (from + to)), task_.cutter_radius);
-        check_.nearest = std::min(check_.nearest, distance);
+            distance_to_blank(body, machine_.pose(0.5 * (from + to)), task_.cutter_radius);
+        const char* const name = &body == &task_.blank ? "blank" : "clamp";
+        if (&body == &task_.blank) check_.nearest = std::min(check_.nearest, distance);
         const double around = half.head<3>().norm() + half.tail(half.size() - 3).sum();
         if (distance < task_.least_distance) {
-            refuse(distance > 0.0 ? fmt::format("a rapid may come within {} of the blank; {} are kept",
-                                                mm(distance), mm(task_.least_distance))
-                                  : "a rapid may touch the blank");
+            refuse(distance > 0.0 ? fmt::format("a rapid may come within {} of the {}; {} are kept",
+                                                mm(distance), name, mm(task_.least_distance))
+                                  : fmt::format("a rapid may touch the {}", name));
             return;
         }
         if (distance - around >= task_.least_distance - rounding) return;
-        if (++pieces_ > most_pieces) return refuse("a rapid that could not be shown to keep off the blank");
+        if (++pieces_ > most_pieces)
+            return refuse(fmt::format("a rapid that could not be shown to keep off the {}", name));
         Eigen::Index widest = 0;
         half.maxCoeff(&widest);
         Eigen::VectorXd middle = to, other = from;
         middle(widest) = other(widest) = 0.5 * (from(widest) + to(widest));
-        rapid(from, middle);
-        rapid(other, to);
+        rapid(from, middle, body);
+        rapid(other, to, body);
+    }
+
+    /// From below. The plane that faces the cutter's axis is enough as a rule.
+    [[nodiscard]] double distance_to_clamp(const ToolPose& pose, double enough) const {
+        const Eigen::Vector2d tip = pose.tip.head<2>(), up = -pose.axis.head<2>();
+        const double across = up.norm(), along = pose.axis.z();
+        const double side = across > 0.5 ? tip.dot(up) / across - task_.cutter_radius * std::abs(along)
+                                         : tip.norm() - task_.cutter_radius;
+        const double apart = side - task_.clamp->radius;
+        if (apart >= enough && (across > 0.5 || across == 0.0)) return apart;
+        return distance_to_blank(*task_.clamp, pose, task_.cutter_radius);
     }
 
     void feed(const Eigen::VectorXd& from, const NcMove& move, double begin, double end) {
@@ -137,7 +161,14 @@ class Travel {
                                        : fmt::format("the cutter enters the finished cam by {}; {} are "
                                                      "allowed",
                                                      mm(depth), mm(task_.most_depth)));
-        if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding) return;
+        const double apart = task_.clamp ? distance_to_clamp(pose, around) : HUGE_VAL;
+        if (apart < 0.0)
+            return refuse(
+                fmt::format("the cutter comes within diameter {} about the cam's axis, where clamps lie",
+                            mm(2.0 * task_.clamp->radius)));
+        if (around <= task_.cutter_radius && depth + around <= task_.most_depth + rounding &&
+            around <= apart + rounding)
+            return;
         if (++pieces_ > most_pieces)
             return refuse("a feed that could not be shown to stay out of the finished cam");
         const double middle = 0.5 * (begin + end);

@@ -18,6 +18,7 @@
 #include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct NcTravelTask {
     bool rapids_above = false;
     /// m, >= 0, one a pass: what it must leave of the cam. Passes are feeds between rapids. Empty: nothing.
     std::vector<double> stocks = {};
+    std::optional<Blank> clamp =
+        {};  ///< no feed may touch it; where rapids stay above, they keep their distance
 
     void validate() const;  ///< throws InputError
 };

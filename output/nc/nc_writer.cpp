@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/nc/nc_writer.hpp"
 
+#include "core/text/printable.hpp"
 #include "core/units.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +12,14 @@ namespace camopt {
 
 namespace {
 
-/// As it may stand in a comment: brackets end comments, lines end them too, and a control reads ASCII.
+/// As a comment: brackets and lines end comments, % ends programs, and a control reads ASCII.
 std::string plain(std::string_view words) {
-    std::string result;
-    for (const char letter : words)
-        result +=
-            letter == '(' || letter == ')' || letter == ';' || letter < ' ' || letter > '~' ? ' ' : letter;
+    std::string result = ascii_text(words);
+    std::ranges::replace(result, '(', ' ');
+    std::ranges::replace(result, ')', ' ');
+    std::ranges::replace(result, ';', ',');
+    for (std::size_t place = 0; (place = result.find('%', place)) != std::string::npos;)
+        result.replace(place, 1, "percent");
     return result;
 }
 
@@ -119,9 +122,8 @@ void NcWriter::begin(const NcJob& job, double plane) {
     if (job.spindle_rpm > 0.0 && !post_.spindle_on.empty()) line(placed(post_.spindle_on));
 }
 
-/// What a control needs before it cuts and this program does not say.
 void NcWriter::warn(const NcJob& job) {
-    for (const std::string& warning : missing_words(post_, job)) comment("WARNING: " + warning);
+    for (const std::string& warning : warnings_of(post_, job)) comment("WARNING: " + warning);
 }
 
 /// What the operator must set up so that no rapid runs into anything.

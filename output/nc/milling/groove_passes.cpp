@@ -90,6 +90,12 @@ bool climbs_forward(const GrooveMilling& milling, int flank) {
     return turn * roller.axis.cross(flank * roller.normal).dot(way) < 0.0;
 }
 
+/// What the cutter leaves on either side in the middle of the groove.
+double most_allowance(const GrooveMilling& milling) {
+    return std::max(milling.location.roller_radius - 0.5 * milling.location.diameter - milling.location.stock,
+                    0.0);
+}
+
 class GroovePassMaker {
  public:
     explicit GroovePassMaker(const GrooveMilling& milling) : milling_(milling) {
@@ -102,17 +108,35 @@ class GroovePassMaker {
     [[nodiscard]] MillingPasses made() {
         MillingPasses result;
         double cut_to = HUGE_VAL;  // lift of the deepest layer in the middle of the groove
-        if (milling_.choice.roughs()) cut_to = add_roughing(result);
+        if (!milling_.choice.full_depth) cut_to = add_roughing(result);
         for (const Groove& groove : grooves_) {
             const std::string name = is_slot() ? "both flanks" : fmt::format("flank {:+d}", groove.flank());
             result.passes.push_back(pass(name, groove, milling_.location.stock, 0.0, cut_to));
         }
+        warn_of_slots(result.passes.front());
         describe(result.remarks);
         return result;
     }
 
  private:
     [[nodiscard]] bool is_slot() const { return milling_.flanks.size() == 1; }
+
+    [[nodiscard]] double greatest_height() const {
+        const Groove& groove = grooves_.front();
+        double height = 0.0;
+        for (int k = 0; k <= height_samples; ++k)
+            height = std::max(
+                height, groove.height(groove.begin() + (groove.end() - groove.begin()) * k / height_samples));
+        return height;
+    }
+    /// Every layer begins with a slot.
+    void warn_of_slots(CuttingPass& first) const {
+        const MillingChoice& choice = milling_.choice;
+        const double diameter = milling_.location.diameter, height = greatest_height();
+        const double depth = choice.full_depth ? height : height / choice.layers(height, diameter);
+        if (choice.full_depth || depth > diameter)
+            first.warning = "the first pass " + slot_words(depth, diameter);
+    }
 
     void describe(std::vector<std::string>& remarks) const {
         const MillingChoice& choice = milling_.choice;
@@ -131,19 +155,14 @@ class GroovePassMaker {
     [[nodiscard]] double add_roughing(MillingPasses& result) const {
         const MillingChoice& choice = milling_.choice;
         const Groove& middle = grooves_.front();
-        double height = 0.0;
-        for (int k = 0; k <= height_samples; ++k)
-            height = std::max(
-                height, middle.height(middle.begin() + (middle.end() - middle.begin()) * k / height_samples));
-        const int layers = choice.step_down
-                               ? std::max(1, static_cast<int>(std::ceil(height / *choice.step_down - 1e-9)))
-                               : 1;
-        const double stock = milling_.location.stock + choice.finish_allowance;
-        const double room = std::max(middle.middle() - stock, 0.0);
-        const double wanted = choice.step_over.value_or(0.5 * milling_.location.diameter);
-        const int rings = static_cast<int>(std::ceil(room / wanted - 1e-9));
+        const double height = greatest_height(), diameter = milling_.location.diameter;
+        const int layers = choice.layers(height, diameter);
+        const double allowance = choice.allowance(most_allowance(milling_));
+        const double stock = milling_.location.stock + allowance, chords = choice.coarse_chords(allowance);
+        const double room = std::max(middle.middle() - stock - chords, 0.0);
+        const int rings = static_cast<int>(std::ceil(room / choice.step_over_of(diameter) - 1e-9));
         // What the last layer of a slot would cut is the finishing pass itself.
-        const int last = is_slot() && choice.finish_allowance == 0.0 ? layers - 1 : layers;
+        const int last = is_slot() && allowance == 0.0 ? layers - 1 : layers;
         double above = HUGE_VAL;
         for (int layer = 1; layer <= last; ++layer) {
             const double lift = height * (layers - layer) / layers;
@@ -152,6 +171,7 @@ class GroovePassMaker {
                                        groove, left, lift, above);
                 cut.roughs = true;
                 cut.stock = stock;
+                if (left > stock + 0.5 * chords) cut.chord_tolerance = chords;
                 if (left >= groove.middle()) cut.climbs.reset();
                 result.passes.push_back(std::move(cut));
                 above = lift;
@@ -163,7 +183,8 @@ class GroovePassMaker {
                         fmt::format("{:.4g} mm towards flank {:+d}", room * ring / rings / units::millimetre,
                                     groove.flank()));
         }
-        result.remarks.push_back(roughing_words(choice, rings > 0 ? room / rings : 0.0, layers));
+        result.remarks.push_back(
+            words_of({layers, last, height / layers, rings > 0 ? room / rings : 0.0, allowance}));
         return last > 0 ? height * (layers - last) / layers : HUGE_VAL;
     }
 
@@ -248,14 +269,18 @@ void check_groove(const GrooveMilling& milling) {
         throw InputError(
             "milling: the cutter is as large as the roller and cuts both flanks at once, one climb, one "
             "conventional; a direction is for a smaller cutter");
-    const double most =
-        milling.location.roller_radius - 0.5 * milling.location.diameter - milling.location.stock;
-    if (choice.roughs() && choice.finish_allowance > most + same_place)
+    const double most = most_allowance(milling), island = 2.0 * most - milling.location.diameter;
+    if (choice.full_depth && island > same_place)
+        throw InputError(fmt::format(
+            "milling: found full depth with a cutter that leaves {:.3f} mm standing in the middle of "
+            "the groove; allowed: roughing, or a larger cutter",
+            island / units::millimetre));
+    if (choice.finish_allowance.value_or(0.0) > most + same_place)
         throw InputError(fmt::format(
             "milling: in the middle of the groove the cutter leaves {:g} mm, so roughing cannot leave {:g} "
             "mm for "
             "finishing; allowed: no more than that, or a smaller cutter",
-            std::max(most, 0.0) / units::millimetre, choice.finish_allowance / units::millimetre));
+            most / units::millimetre, *choice.finish_allowance / units::millimetre));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "output/nc/checked_program.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +21,13 @@ enum class MillingDirection { climb, conventional };
 enum class CompensationWords { none, control };
 
 struct MillingChoice {
-    std::optional<double> step_over =
-        {};  ///< > 0, no more than the cutter's diameter: between two roughing passes
-    std::optional<double> step_down =
-        {};                          ///< > 0: between two layers of roughing. Either one asks for roughing
-    double finish_allowance = 3e-4;  ///< >= 0: what roughing leaves, beside the stock, for finishing
+    /// m, > 0, no more than the cutter's diameter: between two roughing passes; none: half the diameter.
+    std::optional<double> step_over = {};
+    std::optional<double> step_down = {};  ///< m, > 0: greatest height of a layer; none: half the diameter
+    /// m, >= 0: what roughing leaves, beside the stock, for finishing; none: 0.3 mm, or what there is room
+    /// for.
+    std::optional<double> finish_allowance = {};
+    bool full_depth = false;  ///< no roughing: the finishing pass cuts into the full blank; with a warning
     std::optional<MillingDirection> direction = {};  ///< none: climb where a pass cuts one flank
     SpindleSense spindle = SpindleSense::clockwise;
     std::optional<int> tool_number = {};                       ///< none: no tool call
@@ -34,7 +37,15 @@ struct MillingChoice {
     double ramp_angle =
         0.0523598775598299;  ///< in (0, 90 deg]: how steep the cutter goes down along a groove
 
-    [[nodiscard]] bool roughs() const { return step_over || step_down; }
+    /// Layers of equal height, no higher than the step-down, over `depth`.
+    [[nodiscard]] int layers(double depth, double cutter_diameter) const;
+    [[nodiscard]] double step_over_of(double cutter_diameter) const {
+        return step_over.value_or(0.5 * cutter_diameter);
+    }
+    /// room: the most that can be left.
+    [[nodiscard]] double allowance(double room) const;
+    /// How far chords of roughing may leave its path, which stands off by as much more.
+    [[nodiscard]] static double coarse_chords(double allowance) { return std::min(0.1 * allowance, 2e-5); }
     [[nodiscard]] bool climbs() const {
         return direction.value_or(MillingDirection::climb) == MillingDirection::climb;
     }
@@ -66,7 +77,14 @@ struct MillingPasses {
     std::vector<std::string> remarks;  ///< for the program's header
 };
 
-/// For the program's header: roughing, one line; empty where there is none.
-[[nodiscard]] std::string roughing_words(const MillingChoice& choice, double step_over, int layers);
+/// For the program's header, one line; m.
+struct Roughing {
+    int layers = 1, roughed = 1;  ///< a finishing pass that cuts a slot is the last layer
+    double height = 0.0, step_over = 0.0, allowance = 0.0;  ///< height: of a layer
+};
+[[nodiscard]] std::string words_of(const Roughing& roughing);
+
+/// Of a cut as wide as the cutter: "cuts a slot 23 mm deep, 1.9 times the cutter's diameter".
+[[nodiscard]] std::string slot_words(double depth, double cutter_diameter);
 
 }  // namespace camopt

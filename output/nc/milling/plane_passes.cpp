@@ -18,8 +18,7 @@ constexpr double same_knot = 1e-6;      // rad: two knots nearer than that are o
 constexpr double kept_within = 1e-6;    // m: what a ring may be nearer to the cam than it is told
 constexpr double beyond_safe = 1e-4;    // m: so that printed digits do not matter
 constexpr double shortest_line = 1e-3;  // m, of the way in; under compensation beside the cutter's radius
-constexpr double coarsest = 2e-5, coarse_share = 0.1;  // m, of the allowance: chords of roughing
-constexpr double far_below = -1e3;                     // m: no matter how thick the cam is
+constexpr double far_below = -1e3;      // m: no matter how thick the cam is
 
 Eigen::Vector2d left(const Eigen::Vector2d& v) {
     return {-v.y(), v.x()};
@@ -81,13 +80,15 @@ class PlanePassMaker {
           clockwise_(milling.choice.climbs() == (milling.choice.spindle == SpindleSense::clockwise)),
           round_(milling, clockwise_),
           radius_(0.5 * milling.cutter.diameter),
-          lead_(milling.choice.lead_radius.value_or(radius_)) {}
+          lead_(milling.choice.lead_radius.value_or(radius_)),
+          allowance_(milling.choice.allowance(HUGE_VAL)) {}
 
     [[nodiscard]] MillingPasses made() {
         MillingPasses result;
-        if (milling_.choice.roughs()) add_roughing(result);
+        if (!milling_.choice.full_depth) add_roughing(result);
         CuttingPass finish = pass("around the cam", milling_.cutter.stock, milling_.cutter.bottom,
                                   milling_.choice.compensation == CompensationWords::control);
+        if (milling_.choice.full_depth) finish.warning = full_depth_warning();
         result.passes.push_back(std::move(finish));
         describe(result.remarks);
         return result;
@@ -130,15 +131,20 @@ class PlanePassMaker {
         return milling_.cam->depth({{center.x(), center.y(), far_below}, -Eigen::Vector3d::UnitZ()}, radius);
     }
 
+    [[nodiscard]] double height() const { return milling_.blank.upper - milling_.cutter.bottom; }
+    [[nodiscard]] std::string full_depth_warning() const {
+        const bool parts = widest() > milling_.cutter.stock + milling_.cutter.diameter;
+        return fmt::format("the only pass {}{}", slot_words(height(), milling_.cutter.diameter),
+                           parts ? ", what it cuts off around the cam comes loose" : "");
+    }
+
     void add_roughing(MillingPasses& result) {
         const MillingChoice& choice = milling_.choice;
-        const double innermost = milling_.cutter.stock + choice.finish_allowance;
-        const double width = std::max(widest() - innermost, 0.0), wanted = choice.step_over.value_or(radius_);
-        const int rings = std::max(1, static_cast<int>(std::ceil(width / wanted - 1e-9)));
-        const double height = milling_.blank.upper - milling_.cutter.bottom;
-        const int layers = choice.step_down
-                               ? std::max(1, static_cast<int>(std::ceil(height / *choice.step_down - 1e-9)))
-                               : 1;
+        const double diameter = milling_.cutter.diameter, innermost = milling_.cutter.stock + allowance_;
+        const double width = std::max(widest() - innermost, 0.0), height = this->height();
+        const int rings =
+            std::max(1, static_cast<int>(std::ceil(width / choice.step_over_of(diameter) - 1e-9)));
+        const int layers = choice.layers(height, diameter);
         for (int layer = 1; layer <= layers; ++layer)
             for (int ring = rings - 1; ring >= 0; --ring) {
                 const double stock = innermost + width * ring / rings;
@@ -147,17 +153,16 @@ class PlanePassMaker {
                                                           layers, rings - ring, rings),
                                               stock, bottom));
             }
-        result.remarks.push_back(roughing_words(choice, width / rings, layers));
+        result.remarks.push_back(words_of({layers, layers, height / layers, width / rings, allowance_}));
     }
 
     [[nodiscard]] CuttingPass rough(const std::string& name, double stock, double bottom) const {
         const double tolerance =
-            std::clamp(coarse_share * milling_.choice.finish_allowance, milling_.chord_tolerance,
-                       std::max(coarsest, milling_.chord_tolerance));
-        const double offset = stock + (milling_.choice.finish_allowance > 0.0 ? tolerance : 0.0);
+            std::max(milling_.choice.coarse_chords(allowance_), milling_.chord_tolerance);
+        const double offset = stock + (allowance_ > 0.0 ? tolerance : 0.0);
         CuttingPass cut = pass(name, offset, bottom, false);
         cut.roughs = true;
-        cut.stock = milling_.cutter.stock + milling_.choice.finish_allowance;
+        cut.stock = milling_.cutter.stock + allowance_;
         cut.chord_tolerance = tolerance;
         cut.keep = [this_path = cut.path, cam = milling_.cam, reach = radius_ + offset](double u) {
             ToolPose pose = this_path(u);
@@ -207,7 +212,7 @@ class PlanePassMaker {
     const PlaneMilling& milling_;
     bool clockwise_;
     Round round_;
-    double radius_, lead_;
+    double radius_, lead_, allowance_;
 };
 
 }  // namespace

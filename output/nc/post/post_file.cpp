@@ -29,6 +29,7 @@ class PostTable {
         if (node == nullptr) return;
         const auto value = node->value_exact<T>();
         if (!value) refuse(*node, key, type_name<T>());
+        if constexpr (std::is_same_v<T, std::string>) require_ascii(*node, key, *value);
         target = *value;
     }
     void read(const char* key, int& target) {
@@ -56,6 +57,7 @@ class PostTable {
         for (const toml::node& line : *node->as_array()) {
             if (!line.is_string()) refuse(line, key, "lines in quotes");
             target.push_back(line.as_string()->get());
+            require_ascii(line, key, target.back());
         }
     }
     template <class Enum>
@@ -95,6 +97,11 @@ class PostTable {
     [[nodiscard]] static std::string type_name() {
         if (std::is_same_v<T, std::string>) return "text in quotes";
         return std::is_same_v<T, bool> ? "true or false" : "a whole number";
+    }
+    /// Words that reach the program as they are.
+    void require_ascii(const toml::node& node, const char* key, const std::string& words) const {
+        const auto printed = [](char letter) { return letter >= ' ' && letter <= '~'; };
+        if (!std::ranges::all_of(words, printed)) refuse(node, key, "one line of ASCII characters");
     }
     [[noreturn]] void refuse(const toml::node& node, const char* key, const std::string& allowed) const {
         std::ostringstream found;

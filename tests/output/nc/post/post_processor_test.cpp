@@ -139,5 +139,23 @@ TEST(PostProcessor, ShapesTheText) {
     EXPECT_NEAR(program.seconds, 1.0, 1e-12);
 }
 
+TEST(PostProcessor, RefusesLinesThatAreNotAscii) {
+    const auto machine = plane_milling_machine();
+    const auto refused = [&](const std::string& text) -> std::string {
+        try {
+            static_cast<void>(post_of_text(text, "post.toml", generic_post(*machine)));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "nothing";
+    };
+    EXPECT_EQ(refused("modal = true\nheader = ['%', '(Größe)']")
+                  .find("post.toml:2: header must be one line of ASCII"),
+              0u);
+    EXPECT_EQ(refused("tool_call = \"T1\\nM6\"").find("post.toml:1: tool_call must be one line"), 0u);
+    EXPECT_THROW(static_cast<void>(read_nc_travel("(Größe)\n", *machine, generic_post(*machine))),
+                 InputError);
+}
+
 }  // namespace post_processor_test
 }  // namespace camopt
