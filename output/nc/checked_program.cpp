@@ -20,6 +20,7 @@ namespace {
 constexpr double kinematics_rounding = 1e-9;  // m: of heights, far above what double precision loses
 constexpr double arc_step = 2.0 * units::degree;
 constexpr double least_clamp = 1e-3;   // m: diameter; below, there is no room for one
+constexpr double held_beside = 0.5;    // m: of a drum, from its ends on
 constexpr double beside_clamp = 1e-4;  // m: in addition to the safe distance, for chords and printed digits
 
 std::string mm(double metres) {
@@ -95,7 +96,8 @@ NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const Cuttin
 /// On three axes it is clamped from above. None: there is no room.
 std::optional<Blank> clamp_of(const NcJob& job, const Machine& machine) {
     const double above = is_plane(machine) ? job.clearance - job.safe_distance : 0.0;
-    Blank clamp{0.0, job.blank.lower, job.blank.upper + above};
+    const double beside = is_plane(machine) ? 0.0 : held_beside;
+    Blank clamp{0.0, job.blank.lower - beside, job.blank.upper + above + beside};
     double least = job.blank.radius;
     for (const NcPass& pass : job.passes) {
         const double radius = pass.compensation == CompensationSide::none ? 0.5 * job.cutter_diameter : 0.0;
@@ -116,7 +118,7 @@ std::string words_of_clamp(const NcJob& job, const Machine& machine, const Blank
             "more than {:g} mm above the blank",
             diameter, (clamp.upper - job.blank.upper) / units::millimetre);
     return fmt::format(
-        "fixture: the cam is held at both ends, on a mandrel of diameter {:g} mm or less through its bore",
+        "fixture: the cam is held at both ends by what lies within diameter {:g} mm about its axis",
         diameter);
 }
 
@@ -251,7 +253,7 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
                         program.most_depth,
                         false,
                         {}};
-    travel.rapids_above = is_plane(machine);
+    travel.rapids_above = machine.axes().size() <= 4;  // the height of the blank is the same however it turns
     travel.clamp = program.clamp;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);

@@ -47,7 +47,7 @@ struct CutterShape {
     void validate() const;  ///< throws InputError
 };
 
-/// From the side of the cutter, outwards; beyond its ends from its rim.
+/// From the side or the lower end of the cutter, outwards; beyond its ends from its rim.
 [[nodiscard]] double cutter_clearance(const ToolPose& pose, const CutterShape& cutter,
                                       const Eigen::Vector3d& point);
 

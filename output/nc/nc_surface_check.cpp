@@ -100,7 +100,8 @@ double cutter_clearance(const ToolPose& pose, const CutterShape& cutter, const E
     const double along = -from_tip.dot(pose.axis);  // up the cutter
     const double side = (from_tip + along * pose.axis).norm() - 0.5 * cutter.diameter;
     const double beyond = std::max(-along, along - cutter.length);
-    return beyond <= 0.0 ? side : std::hypot(std::max(side, 0.0), beyond);
+    if (beyond <= 0.0) return std::max(side, -along);  // what holds the cutter is as thick
+    return std::hypot(std::max(side, 0.0), beyond);
 }
 
 void CutterShape::validate() const {

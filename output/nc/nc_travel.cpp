@@ -49,8 +49,10 @@ class Travel {
         }
         feeding_ = false;
         ++check_.rapids;
-        if (!above_everything(from, move.values)) rapid(from, move.values, task_.blank);
-        if (task_.clamp && task_.rapids_above) rapid_past_clamp(from, move.values);
+        const bool above = above_everything(from, move.values);
+        if (!above) rapid(from, move.values, task_.blank);
+        if (!above && !task_.rapids_above) rapid_above_as_it_stands(from, move.values);
+        if (task_.clamp && machine_.axes().size() == 3) rapid_past_clamp(from, move.values);
     }
     [[nodiscard]] NcTravelCheck finish() && { return std::move(check_); }
 
@@ -100,6 +102,20 @@ class Travel {
         for (Eigen::Index i = 0; i < from.size(); ++i)
             if (i != travel_height_axis && !std::isnan(to(i)) && to(i) != from(i)) return false;
         return true;
+    }
+
+    /// Where the table tilts: down to the blank's height as it stands, beside it too.
+    void rapid_above_as_it_stands(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+        if (!from.allFinite() || !to.allFinite()) return;
+        for (const Eigen::VectorXd& values : {from, to}) {
+            const ToolPose pose = machine_.pose(values);
+            const double over = -pose.axis.dot(pose.tip) - task_.blank.support(-pose.axis);
+            if (over < task_.least_distance - rounding)
+                return refuse(
+                    fmt::format("a rapid {} over the blank as the table stands; it takes {}, beside the "
+                                "blank too: table and clamps are there",
+                                mm(over), mm(task_.least_distance)));
+        }
     }
 
     /// Above it, or beside it.

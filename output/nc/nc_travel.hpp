@@ -31,7 +31,8 @@ struct NcTravelTask {
     FinishedCam* cam = nullptr;
     double least_distance = 0.0;  ///< m, > 0: of rapids from the blank
     double most_depth = 0.0;      ///< m, > 0: of feeds in the finished cam
-    /// Rapids stay above the blank however the table stands, beside it too: table and clamps are there.
+    /// Rapids stay above the blank, beside it too: table and clamps are there. true: however the table
+    /// stands; false: as it stands.
     bool rapids_above = false;
     /// m, >= 0, one a pass: what it must leave of the cam. Passes are feeds between rapids. Empty: nothing.
     std::vector<double> stocks = {};

@@ -43,7 +43,7 @@ class Surface {
  public:
     Surface(const IndexingGroove& groove, const FollowerMotion& motion, const IndexingBodyOptions& options)
         : groove_(groove), across_(2 * options.points) {
-        const double begin = motion.begin();
+        const double begin = motion.begin(), step = units::turn / options.angles;
         std::vector<double> angles(motion.breakpoints.begin(), motion.breakpoints.end() - 1);
         for (int k = 0; k < options.angles; ++k) {
             const double angle = begin + units::turn * k / options.angles;
@@ -58,12 +58,12 @@ class Surface {
         for (int k = 1; k < across_; ++k) parts.push_back(1.0 + 3.0 * k / across_);
         for (int k = 0; k <= options.points; ++k)
             parts.push_back(4.0 + static_cast<double>(k) / options.points);
-        const int first = static_cast<int>(std::floor((groove.path().begin() - begin) / units::turn));
-        const int last = static_cast<int>(std::floor((groove.path().end() - begin) / units::turn));
+        const int first = static_cast<int>(std::floor((groove.path().begin() - step - begin) / units::turn));
+        const int last = static_cast<int>(std::floor((groove.path().end() + step - begin) / units::turn));
         for (int turn = first; turn <= last; ++turn)
             for (const double angle : angles) {
                 const double phi = angle + turn * units::turn;
-                if (phi < groove.path().begin() || phi > groove.path().end()) continue;
+                if (phi < groove.path().begin() - step || phi > groove.path().end() + step) continue;
                 add_line(phi, parts);
             }
         if (count() <= turn_) throw InputError("indexing cam: a roller is in the cam for less than a turn");

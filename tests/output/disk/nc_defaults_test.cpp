@@ -107,7 +107,7 @@ TEST(NcDefaults, DrumsAreRoughedInLayers) {
         EXPECT_NE(text.find("(pass: roughing, layer 1 of "), std::string::npos);
         EXPECT_EQ(text.find(", for finishing"),
                   share == 1.0 ? std::string::npos : text.find(", for finishing 0.3 mm"));
-        EXPECT_NE(text.find("(fixture: the cam is held at both ends, on a mandrel of diameter "),
+        EXPECT_NE(text.find("(fixture: the cam is held at both ends by what lies within diameter "),
                   std::string::npos);
         EXPECT_EQ(text.find("slot"), std::string::npos);
     }

@@ -178,7 +178,7 @@ TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
     options.chord_tolerance = 1e-5;
     for (const double diameter : {20.05e-3, 16e-3, 8e-3}) {
         options.cutter_diameter = diameter;
-        options.milling.full_depth = diameter != 16e-3;
+        options.milling.full_depth = diameter > 16e-3;
         const NcWork work = disk_nc_work(shape, options);
         const CheckedProgram program = checked_program(*machine, post, work);
         EXPECT_EQ(program.fault(), "") << diameter;
@@ -196,6 +196,10 @@ TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
         verify(spoiled, *machine, post, work);
         EXPECT_NE(spoiled.fault(), "") << diameter;
     }
+    options.milling.full_depth = true;
+    options.cutter_diameter = 8e-3;
+    EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }).find("leaves 4.050 mm standing"),
+              std::string::npos);
     options.cutter_diameter = 20.2e-3;
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, options); }), "");
     options.cutter_diameter = 20e-3;
