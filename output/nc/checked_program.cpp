@@ -259,7 +259,8 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
     program.travel = check_travel(moves, machine, travel);
     program.moves = followed_moves(printed, moves, task);
     program.direction =
-        check_direction(moves, machine, *task.finished, work.job.spindle, flank_blocks(printed, task));
+        check_direction(moves, machine, *task.finished, work.job.spindle,
+                        {work.job.blank, 0.5 * task.cutter.diameter}, flank_blocks(printed, task));
     program.spindle_fault = spindle_fault(read_nc_words(text, machine, post), work.job.spindle);
     program.surfaces = surface_findings(short_moves(moves), machine, task);
     program.unfinished.clear();

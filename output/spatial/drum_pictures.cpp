@@ -131,7 +131,7 @@ std::vector<Vector2d> developed_line(const std::vector<Vector3d>& points, double
 std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
                                     const FlankGrid& grid) {
     if (indexes(cam, motion))
-        if (auto body = drawn_indexing_body(cam, motion, {240, 5}))
+        if (auto body = drawn_indexing_body(cam, motion, {180, 4}))
             return {{std::move(*body), flank_colour}, {holding_rollers(cam, motion), roller_colour}};
     std::vector<PaintedMesh> parts = {
         {core_of(size_of(grid), 0.5 * grid.roller_radius), core_colour, MeshPlace::revolved}};

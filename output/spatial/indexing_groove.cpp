@@ -25,7 +25,7 @@ constexpr double scan_step = 0.5 * units::degree;
 constexpr double most_turns = 3.0;                   // of the way through the body, to either side
 constexpr double most_swing = 80.0 * units::degree;  // of the follower where the roller leaves
 constexpr double wall = 1.25, way_beyond = 0.05;     // of the roller's radius: see the header
-constexpr int halvings = 45;
+constexpr int halvings = 45, outside_samples = 90;
 // Where else the roller is looked for, and how far it must reach to count.
 constexpr double window_step = 2.0 * units::degree, least_way = 1e-7, near_roller = 1e-3;
 constexpr int window_steps = 30, most_rounds = 12, sections = 20;
@@ -116,14 +116,14 @@ Vector3d IndexingGroove::contact(double phi, double t) const {
 }
 
 double IndexingGroove::outside(double z) const {
-    if (cam_.follower != SpatialFollower::cylindrical_rotating) return cam_[center_distance];
+    if (cam_.follower != SpatialFollower::cylindrical_rotating) return radius_;
     const double along = z - cam_.axial_offset, arm = cam_[arm_length];
     return cam_[center_distance] - std::sqrt(std::max(arm * arm - along * along, 0.0));
 }
 
 double IndexingGroove::depth(const Vector3d& point) const {
+    if (cam_.follower != SpatialFollower::cylindrical_rotating) return radius_ - point.head<2>().norm();
     const double within = cam_[center_distance] - point.head<2>().norm();
-    if (cam_.follower != SpatialFollower::cylindrical_rotating) return within;
     return std::copysign(std::hypot(within, point.z() - cam_.axial_offset), within) - cam_[arm_length];
 }
 
@@ -138,15 +138,17 @@ std::string IndexingGroove::turned_words() const {
                        cam_.axial_offset / millimetre, ends);
 }
 
-/// `from` 0 or 5, inwards +1 or −1.
+/// `from` 0 or 5, inwards +1 or −1. Where the roller's near end lies within the body the groove goes on
+/// above.
 double IndexingGroove::top(double phi, double from, double inwards) const {
     const auto inside = [&](double way) { return depth(contact(phi, from + inwards * way)) >= 0.0; };
-    if (inside(0.0)) return from;
     if (!inside(1.0))
         throw InputError(fmt::format(
             "indexing cam: the roller leaves the cam's outside, not its ends, at a cam angle of {:.1f} deg",
             phi / units::degree));
-    return from + inwards * bisected(inside, {1.0, 0.0}, halvings).with;
+    double outside = 0.0;
+    while (inside(outside)) outside = 2.0 * outside - 1.0;
+    return from + inwards * bisected(inside, {1.0, outside}, halvings).with;
 }
 
 void IndexingGroove::choose_ends(double middle, double pitch) {
@@ -203,7 +205,13 @@ IndexingGroove::IndexingGroove(const SpatialCam& cam, const FollowerMotion& moti
         throw InputError("indexing cam: the motion must end one pitch from where it begins");
     path_ =
         rollers_as_one(motion, begin_ - most_turns * units::turn, begin_ + (most_turns + 1.0) * units::turn);
-    choose_ends(cam.start + before + 0.5 * pitch, pitch);
+    const double first = cam.start + before;
+    for (int k = 0; k <= outside_samples; ++k) {
+        SpatialCam standing = cam;
+        standing.start = first + pitch * k / outside_samples;
+        radius_ = std::max(radius_, roller_axis(standing, 0.0, 0.0).foot.head<2>().norm());
+    }
+    choose_ends(first + 0.5 * pitch, pitch);
     path_ = rollers_as_one(motion, way_out(-1.0), way_out(1.0));
 }
 

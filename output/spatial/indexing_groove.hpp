@@ -9,8 +9,8 @@
 // other flank. Flanks are where it touches; where that is undercut, and on the floor, into which the edge of
 // the roller's end digs as it turns: how far along n, along e, any place of the roller near φ reaches.
 //
-// The body is turned, as far as the follower that holds the rollers at their near ends lets it:
-//   barrel                 ρ <= l3                              (ρ, z: about the cam's axis)
+// The body is turned, as far as the near ends of rollers go between their places in the dwell:
+//   barrel                 ρ <= max |c|                         (ρ, z: about the cam's axis)
 //   cylindrical_rotating   (dy − ρ)² + (z − dz)² >= f_l²
 // between ends at lower <= z <= upper, a quarter of the roller's radius beyond its grooves in the dwell,
 // nearer where rollers could not leave the cam there: a choice. m, rad.
@@ -48,7 +48,7 @@ class IndexingGroove {
 
     /// A point of the line that is left at φ.
     [[nodiscard]] Eigen::Vector3d contact(double phi, double t) const;
-    /// t where the first and the last flank leave the body's outside.
+    /// t where the first and the last flank leave the body's outside; below 0, above 5: beyond the near end.
     [[nodiscard]] double first(double phi) const { return top(phi, 0.0, 1.0); }
     [[nodiscard]] double last(double phi) const { return top(phi, 5.0, -1.0); }
     /// Radius of the turned outside, and how far a point lies inside of it (along the roller).
@@ -70,7 +70,7 @@ class IndexingGroove {
 
     SpatialCam cam_;
     FollowerMotion path_;
-    double begin_ = 0.0, floor_ = 0.0, lower_ = 0.0, upper_ = 0.0;
+    double begin_ = 0.0, floor_ = 0.0, radius_ = 0.0, lower_ = 0.0, upper_ = 0.0;
     bool enters_above_ = false;
 };
 

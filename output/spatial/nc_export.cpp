@@ -70,6 +70,16 @@ class MilledGroove {
     /// Of an indexing cam.
     [[nodiscard]] std::vector<LeftPoint> floor() const { return left_at({1.5, 2.0, 2.5, 3.0, 3.5}); }
 
+    /// From the groove's floor to where it leaves the body, along the cutter.
+    [[nodiscard]] double greatest_depth() const {
+        double depth = floor_;
+        if (!indexing_) return depth;
+        for (double theta = indexing_->path().begin(); theta < indexing_->path().end(); theta += checked_step)
+            depth = std::max(
+                {depth, floor_ * (1.0 - indexing_->first(theta)), floor_ * (indexing_->last(theta) - 4.0)});
+        return depth;
+    }
+
     [[nodiscard]] Blank extent() const {
         Blank extent{0.0, HUGE_VAL, -HUGE_VAL};
         if (indexing_) {
@@ -184,7 +194,8 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
 
     NcWork work;
     NcJob& job = work.job;
-    job = milling_job(options, blank_of(groove, cam, options.blank), location.diameter, working_length);
+    job = milling_job(options, blank_of(groove, cam, options.blank), location.diameter,
+                      groove.greatest_depth());
     job.remarks = {"origin: the centre of the cam; turn 0: its cam angle 0"};
     job.rotary_speed = options.rotary_speed;
     if (groove.indexing()) {
@@ -203,7 +214,7 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
     job.remarks.insert(job.remarks.end(), milled.remarks.begin(), milled.remarks.end());
     task.knots = way.breakpoints;
     task.blocks = {options.blocks, options.chord_tolerance, working_length};
-    task.cutter = {location.diameter, working_length + location.diameter};
+    task.cutter = {location.diameter, groove.greatest_depth() + location.diameter};
     GroovedBody body{roller, way.begin(), way.end(), location.roller_radius, working_length, job.blank};
     body.poses = std::max(body.poses, static_cast<int>(body.poses * (way.end() - way.begin()) / units::turn));
     body.enough = 0.5 * (options.gouge_tolerance + options.chord_tolerance);

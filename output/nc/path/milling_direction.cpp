@@ -32,12 +32,14 @@ double sense_of(const Machine& machine, FinishedCam& cam, const Eigen::VectorXd&
 }  // namespace
 
 DirectionCheck check_direction(std::span<const NcMove> moves, const Machine& machine, FinishedCam& cam,
-                               SpindleSense spindle, std::span<const FlankBlocks> blocks) {
+                               SpindleSense spindle, const CutterInBlank& cutter,
+                               std::span<const FlankBlocks> blocks) {
     DirectionCheck check;
     std::size_t place = 0;
     for (std::size_t i = 1; i < moves.size() && place < blocks.size(); ++i) {
         while (place < blocks.size() && moves[i].line > blocks[place].last_line) ++place;
         if (place == blocks.size() || moves[i].line < blocks[place].first_line || moves[i].rapid) continue;
+        if (distance_to_blank(cutter.blank, machine.pose(moves[i].values), cutter.radius) > 0.0) continue;
         const double sense = sense_of(machine, cam, moves[i - 1].values, moves[i], spindle);
         if (!(std::abs(sense) > least_sine)) continue;
         const bool climbs = sense < 0.0;

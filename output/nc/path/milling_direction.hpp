@@ -29,9 +29,15 @@ struct DirectionCheck {
     std::string fault;                ///< the first block that goes the other way; empty: none
 };
 
-/// moves: compensated. Blocks too short to have a direction are left out.
+struct CutterInBlank {
+    Blank blank;
+    double radius = 0.0;  ///< of the cutter, m
+};
+
+/// moves: compensated. Blocks too short to have a direction, and those beside the blank, are left out.
 [[nodiscard]] DirectionCheck check_direction(std::span<const NcMove> moves, const Machine& machine,
                                              FinishedCam& cam, SpindleSense spindle,
+                                             const CutterInBlank& cutter,
                                              std::span<const FlankBlocks> blocks);
 
 }  // namespace camopt

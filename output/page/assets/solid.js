@@ -3,7 +3,7 @@
 'use strict';
 (function (camopt) {
   const { element } = camopt;
-  const colours = { drum: 0xb9a27a, core: 0x8f99a5, hub: 0x8f99a5, thread: 0xd9a25e };
+  const colours = { drum: 0xb9a27a, core: 0x8f99a5, cam: 0xd9a25e };
 
   function meshOf(three, part) {
     const geometry = new three.BufferGeometry();
