@@ -253,7 +253,9 @@ void verify(CheckedProgram& program, const Machine& machine, const PostProcessor
                         program.most_depth,
                         false,
                         {}};
-    travel.rapids_above = machine.axes().size() <= 4;  // the height of the blank is the same however it turns
+    // On four axes the blank's height is the same however the table turns.
+    travel.rapids_above = machine.axes().size() <= 4;
+    travel.rapids_above_as_it_stands = !travel.rapids_above;
     travel.clamp = program.clamp;
     for (const CuttingPass& cut : task.passes) travel.stocks.push_back(cut.stock);
     program.travel = check_travel(moves, machine, travel);

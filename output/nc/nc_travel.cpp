@@ -51,7 +51,7 @@ class Travel {
         ++check_.rapids;
         const bool above = above_everything(from, move.values);
         if (!above) rapid(from, move.values, task_.blank);
-        if (!above && !task_.rapids_above) rapid_above_as_it_stands(from, move.values);
+        if (!above && task_.rapids_above_as_it_stands) rapid_above_as_it_stands(from, move.values);
         if (task_.clamp && machine_.axes().size() == 3) rapid_past_clamp(from, move.values);
     }
     [[nodiscard]] NcTravelCheck finish() && { return std::move(check_); }

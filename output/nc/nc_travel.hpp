@@ -31,13 +31,13 @@ struct NcTravelTask {
     FinishedCam* cam = nullptr;
     double least_distance = 0.0;  ///< m, > 0: of rapids from the blank
     double most_depth = 0.0;      ///< m, > 0: of feeds in the finished cam
-    /// Rapids stay above the blank, beside it too: table and clamps are there. true: however the table
-    /// stands; false: as it stands.
+    /// Rapids stay above the blank however the table stands, beside it too: table and clamps are there.
     bool rapids_above = false;
     /// m, >= 0, one a pass: what it must leave of the cam. Passes are feeds between rapids. Empty: nothing.
     std::vector<double> stocks = {};
     std::optional<Blank> clamp =
         {};  ///< no feed may touch it; where rapids stay above, they keep their distance
+    bool rapids_above_as_it_stands = false;  ///< the same of the blank as a table that tilts stands
 
     void validate() const;  ///< throws InputError
 };

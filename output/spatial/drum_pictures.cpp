@@ -126,13 +126,30 @@ std::vector<Vector2d> developed_line(const std::vector<Vector3d>& points, double
     return line;
 }
 
+/// The end that is seen hides all of the cam and its rollers that lies behind it: it is painted last, whole.
+std::vector<PaintedMesh> painted_indexing_cam(TriangleMesh body, TriangleMesh rollers) {
+    const auto [low, high] =
+        std::ranges::minmax(body.vertices, {}, [](const Vector3d& vertex) { return vertex.z(); });
+    TriangleMesh ends{body.vertices, {}};
+    for (const double z : {low.z(), high.z()})
+        std::erase_if(body.triangles, [&](const std::array<int, 3>& corners) {
+            const bool in_end = std::ranges::all_of(
+                corners, [&](int i) { return body.vertices[static_cast<std::size_t>(i)].z() == z; });
+            if (in_end) ends.triangles.push_back(corners);
+            return in_end;
+        });
+    return {{std::move(body), flank_colour, MeshPlace::revolved},
+            {std::move(rollers), roller_colour, MeshPlace::revolved},
+            {std::move(ends), flank_colour, MeshPlace::anywhere}};
+}
+
 }  // namespace
 
 std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
                                     const FlankGrid& grid) {
     if (indexes(cam, motion))
         if (auto body = drawn_indexing_body(cam, motion, {180, 4}))
-            return {{std::move(*body), flank_colour}, {holding_rollers(cam, motion), roller_colour}};
+            return painted_indexing_cam(std::move(*body), holding_rollers(cam, motion));
     std::vector<PaintedMesh> parts = {
         {core_of(size_of(grid), 0.5 * grid.roller_radius), core_colour, MeshPlace::revolved}};
     for (const SurfaceGrid& flank : flank_surfaces(grid))
