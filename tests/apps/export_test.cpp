@@ -22,8 +22,11 @@ const std::string quick = " --set spline.segments=8 --set solver.starts=1";
 TEST(ExportCommand, WritesTheCamAndItsCheckedProgram) {
     const test::TemporaryFolder folder;
     const std::string out = " --out " + folder.path();
-    const ProgramRun run = run_camopt("export " + test::scene("ocrf_indexing") + out + quick +
-                                      " --csv --stl --obj --picture --nc --cutter-mm 10 --z-offset-mm 120");
+    const ProgramRun run =
+        run_camopt("export " + test::scene("ocrf_indexing") + out + quick +
+                   " --csv --stl --obj --picture --nc --full-depth --cutter-mm 10 --z-offset-mm 120");
+    EXPECT_NE(run.output.find("WARNING            the first pass cuts a slot"), std::string::npos)
+        << run.output;
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
     for (const char* const name :

@@ -81,7 +81,7 @@ void expect_above(const ExportedCam& cam, double body) {
 TEST(NcRapids, StayAboveTheBlankOfADiskCam) {
     for (const char* const thickness : {"", " --thickness-mm 40"}) {
         const ExportedCam cam =
-            exported(test::scene("cam_roller") + quick_disk + " --cutter-mm 12" + thickness);
+            exported(test::scene("cam_roller") + quick_disk + " --full-depth --cutter-mm 12" + thickness);
         EXPECT_NEAR(cam.body.highest, 0.0, 1e-6);
         expect_above(cam, cam.body.highest);
     }

@@ -101,7 +101,7 @@ class GroovePassMaker {
     explicit GroovePassMaker(const GrooveMilling& milling) : milling_(milling) {
         for (const int flank : milling.flanks) {
             const bool forward = is_slot() || climbs_forward(milling, flank) == milling.choice.climbs();
-            grooves_.push_back({milling, flank, forward});
+            grooves_.emplace_back(milling, flank, forward);
         }
     }
 
@@ -158,7 +158,8 @@ class GroovePassMaker {
         const double height = greatest_height(), diameter = milling_.location.diameter;
         const int layers = choice.layers(height, diameter);
         const double allowance = choice.allowance(most_allowance(milling_));
-        const double stock = milling_.location.stock + allowance, chords = choice.coarse_chords(allowance);
+        const double stock = milling_.location.stock + allowance,
+                     chords = MillingChoice::coarse_chords(allowance);
         const double room = std::max(middle.middle() - stock - chords, 0.0);
         const int rings = static_cast<int>(std::ceil(room / choice.step_over_of(diameter) - 1e-9));
         // What the last layer of a slot would cut is the finishing pass itself.

@@ -157,8 +157,7 @@ class PlanePassMaker {
     }
 
     [[nodiscard]] CuttingPass rough(const std::string& name, double stock, double bottom) const {
-        const double tolerance =
-            std::max(milling_.choice.coarse_chords(allowance_), milling_.chord_tolerance);
+        const double tolerance = std::max(MillingChoice::coarse_chords(allowance_), milling_.chord_tolerance);
         const double offset = stock + (allowance_ > 0.0 ? tolerance : 0.0);
         CuttingPass cut = pass(name, offset, bottom, false);
         cut.roughs = true;
