@@ -215,7 +215,7 @@ std::string developed_svg(const Drum& drum) {
     const Vector3d first = axis_point(0, static_cast<double>(outer));
     const double from = std::atan2(first.y(), first.x());
     std::vector<Vector3d> axis;
-    for (std::size_t k = 0; k < count; ++k) axis.push_back(axis_point(k, 0.5));
+    for (std::size_t k = 0; k < count; ++k) axis.emplace_back(axis_point(k, 0.5));
     const std::vector<Vector2d> middle = developed_line(axis, radius, from, sense);
     struct Edge {
         std::vector<Vector2d> line;

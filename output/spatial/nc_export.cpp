@@ -75,8 +75,10 @@ class MilledGroove {
         double depth = floor_;
         if (!indexing_) return depth;
         for (double theta = indexing_->path().begin(); theta < indexing_->path().end(); theta += checked_step)
-            depth = std::max(
-                {depth, floor_ * (1.0 - indexing_->first(theta)), floor_ * (indexing_->last(theta) - 4.0)});
+            for (const double near_end : {0.0, 5.0})
+                if (indexing_->depth(indexing_->contact(theta, near_end)) > 0.0)
+                    depth = std::max(depth, floor_ * (near_end == 0.0 ? 1.0 - indexing_->first(theta)
+                                                                      : indexing_->last(theta) - 4.0));
         return depth;
     }
 
@@ -124,10 +126,12 @@ class MilledGroove {
         const int count = static_cast<int>(std::ceil((inside.end() - inside.begin()) / checked_step));
         for (int k = 0; k <= count; ++k) {
             const double theta = inside.begin() + (inside.end() - inside.begin()) * k / count;
-            for (double t : places) {
-                if (t < 1.0) t = std::max(t, indexing_->first(theta));
-                if (t > 4.0) t = std::min(t, indexing_->last(theta));
-                const Eigen::Vector3d point = indexing_->contact(theta, t);
+            for (const double t : places) {
+                Eigen::Vector3d point = indexing_->contact(theta, t);
+                // A near end outside of the body: where the flank begins.
+                if (indexing_->depth(point) < 0.0)
+                    point =
+                        indexing_->contact(theta, t < 1.0 ? indexing_->first(theta) : indexing_->last(theta));
                 if (point.z() > indexing_->lower() && point.z() < indexing_->upper())
                     points.push_back({theta, point});
             }
@@ -144,9 +148,8 @@ class MilledGroove {
 Blank blank_of(const MilledGroove& groove, const SpatialCam& cam, const BlankChoice& choice) {
     Blank extent = groove.extent();
     double deepest = HUGE_VAL;  // radius
-    for (const double height : {0.0, cam.roller_length})
-        for (const LeftPoint& left : groove.flanks(height))
-            deepest = std::min(deepest, left.point.head<2>().norm());
+    for (const LeftPoint& left : groove.flanks(cam.roller_length))
+        deepest = std::min(deepest, left.point.head<2>().norm());
     extent.radius += choice.allowance;
     extent.lower -= choice.allowance;
     extent.upper += choice.allowance;

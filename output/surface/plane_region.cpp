@@ -124,15 +124,13 @@ class EarCutter {
         const Vector2d &a = place(corner(at + count - 1)), &b = place(corner(at)), &c = place(corner(at + 1));
         if (!(turn_of(a, b, c) > 0.0)) return false;
         const Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-        for (const int index : ring_) {
+        return std::ranges::none_of(ring_, [&](int index) {
             const Vector2d& point = place(index);
             if (point.x() < low.x() || point.x() > high.x() || point.y() < low.y() || point.y() > high.y())
-                continue;
-            if (point == a || point == b || point == c) continue;
-            if (turn_of(a, b, point) >= 0.0 && turn_of(b, c, point) >= 0.0 && turn_of(c, a, point) >= 0.0)
                 return false;
-        }
-        return true;
+            if (point == a || point == b || point == c) return false;
+            return turn_of(a, b, point) >= 0.0 && turn_of(b, c, point) >= 0.0 && turn_of(c, a, point) >= 0.0;
+        });
     }
 };
 

@@ -85,7 +85,7 @@ TEST(IndexingBody, RibFillsTheGapBetweenTwoRollers) {
 // No roller of the index enters the body, wherever the cam stands: beyond what a chord may.
 TEST(IndexingBody, RollersDoNotEnterIt) {
     for (const auto& [cam, motion] : cams()) {
-        const TriangleMesh body = indexing_body(cam, motion);
+        const TriangleMesh body = indexing_body(cam, motion, {360, 6});
         const IndexingGroove groove(cam, motion, cam.roller_length + floor_clearance);
         double deepest = 0.0;
         for (double phi = groove.path().begin(); phi < groove.path().end(); phi += 0.02) {
@@ -98,7 +98,7 @@ TEST(IndexingBody, RollersDoNotEnterIt) {
                                                      cam.roller_length + floor_clearance - along));
             }
         }
-        EXPECT_LT(deepest, 5e-5);
+        EXPECT_LT(deepest, 2e-4);  // in the ends, which are cut off along chords
     }
 }
 

@@ -84,7 +84,7 @@ TEST(NcExport, MillsTheGroovesOfAllRollersOfAnIndex) {
         const CheckedProgram whole = checked_program(*machine, post, work);
         EXPECT_EQ(whole.fault(), "");
         // Of the solid that STL files hold, without its ends, which are cut off along chords.
-        const TriangleMesh body = indexing_body(cam, motion);
+        const TriangleMesh body = indexing_body(cam, motion, {360, 6});
         const auto upper =
             std::ranges::max(body.vertices, {}, [](const Eigen::Vector3d& v) { return v.z(); }).z();
         std::vector<Eigen::Vector3d> points;
