@@ -10,7 +10,7 @@ namespace camopt {
 
 /// "blank: its upper end must lie above its lower end, found -5 mm"
 struct Requirement {
-    const char* subject;
+    const char* subject = "";
     const char* unit = "";  ///< " mm"
     double unit_value = 1.0;
 

@@ -183,8 +183,8 @@ double IndexingGroove::way_out(double towards) const {
     const bool above = (towards > 0.0) != enters_above_;
     const double sign = above ? 1.0 : -1.0,
                  end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
-    for (double way = scan_step; way < most_turns * units::turn; way += scan_step) {
-        const double phi = begin_ + towards * way;
+    for (int k = 1; k * scan_step < most_turns * units::turn; ++k) {
+        const double phi = begin_ + towards * k * scan_step;
         // The flank on the inner side passes last.
         const double behind = towards > 0.0 ? first(phi) : last(phi);
         bool is_out = true;

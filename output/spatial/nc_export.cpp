@@ -7,6 +7,7 @@
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_groove.hpp"
 #include "output/spatial/roller_path.hpp"
+#include "profiles/spatial/flank_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ class MilledGroove {
     [[nodiscard]] double greatest_depth() const {
         double depth = floor_;
         if (!indexing_) return depth;
-        for (double theta = indexing_->path().begin(); theta < indexing_->path().end(); theta += checked_step)
+        for (const double theta : angles_inside())
             for (const double near_end : {0.0, 5.0})
                 if (indexing_->depth(indexing_->contact(theta, near_end)) > 0.0)
                     depth = std::max(depth, floor_ * (near_end == 0.0 ? 1.0 - indexing_->first(theta)
@@ -120,12 +121,15 @@ class MilledGroove {
     }
 
  private:
-    [[nodiscard]] std::vector<LeftPoint> left_at(std::vector<double> places) const {
+    /// Of an indexing cam: evenly over the way of a roller through it.
+    [[nodiscard]] std::vector<double> angles_inside() const {
+        return even_angles(indexing_->path(),
+                           1 + static_cast<int>(std::ceil(
+                                   (indexing_->path().end() - indexing_->path().begin()) / checked_step)));
+    }
+    [[nodiscard]] std::vector<LeftPoint> left_at(const std::vector<double>& places) const {
         std::vector<LeftPoint> points;
-        const FollowerMotion& inside = indexing_->path();
-        const int count = static_cast<int>(std::ceil((inside.end() - inside.begin()) / checked_step));
-        for (int k = 0; k <= count; ++k) {
-            const double theta = inside.begin() + (inside.end() - inside.begin()) * k / count;
+        for (const double theta : angles_inside()) {
             for (const double t : places) {
                 Eigen::Vector3d point = indexing_->contact(theta, t);
                 // A near end outside of the body: where the flank begins.

@@ -121,10 +121,12 @@ void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int
     };
     const auto line_of = [&](const std::vector<int>& indices) {
         std::vector<Eigen::Vector2d> line;
+        line.reserve(indices.size());
         for (const int i : indices) line.push_back(seen(i));
         return line;
     };
     std::vector<int> hole;
+    hole.reserve(at(corners));
     for (int k = 0; k < corners; ++k) hole.push_back(first + (sign > 0.0 ? k : corners - 1 - k));
     const auto around = std::ranges::max_element(
         borders, {}, [&](const std::vector<int>& border) { return polygon_area(line_of(border)); });
