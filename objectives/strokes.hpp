@@ -33,7 +33,7 @@ struct StrokeRange {
     std::optional<double> from, to;  ///< displacements at its ends, in lifts; none: free
     double least = -infinity,
            most = infinity;   ///< of its range, in lifts; infinite: open, or the ends are free
-    bool has_points = false;  ///< set points of its own that give a displacement
+    bool has_points = false;  ///< its set points give a displacement
 
     [[nodiscard]] bool is_free() const { return !from || !to; }
 };

@@ -62,10 +62,6 @@ std::vector<SurfaceFinding> surface_findings(const std::vector<NcMove>& moves, c
 bool is_plane(const Machine& machine) {
     return machine.axes().size() == 3;
 }
-bool takes_arcs(const Machine& machine, const PostProcessor& post) {
-    return is_plane(machine) && post_axis(post, machine.axes()[0]).letter == "X" &&
-           post_axis(post, machine.axes()[1]).letter == "Y";
-}
 
 /// One pass of the task as poses, and what its check wants of it.
 NcPass printed_pass(const CuttingPass& cut, const Machine& machine, const CuttingTask& task, bool arcs,

@@ -73,18 +73,15 @@ void check_feed_mode(const Machine& machine, const PostProcessor& post) {
                 post.name, machine.name()));
 }
 
-/// Arcs and cutter compensation are of the plane of X and Y.
 void check_plane_words(const Machine& machine, const PostProcessor& post, const NcJob& job) {
     for (const NcPass& pass : job.passes) {
         if (pass.arcs.empty() && pass.compensation == CompensationSide::none) continue;
+        if (takes_arcs(machine, post)) continue;
         if (machine.axes().size() != 3)
             throw InputError("NC job: arcs and cutter compensation are for machines with three axes");
-        if (post_axis(post, machine.axes()[0]).letter != "X" ||
-            post_axis(post, machine.axes()[1]).letter != "Y")
-            throw InputError(
-                fmt::format("post-processor {}: arcs and cutter compensation need the letters X and Y for "
-                            "axes.x and axes.y",
-                            post.name));
+        throw InputError(fmt::format(
+            "post-processor {}: arcs and cutter compensation need the letters X and Y for axes.x and axes.y",
+            post.name));
     }
 }
 
@@ -131,6 +128,11 @@ std::vector<std::vector<NcStep>> steps_of(const Machine& machine, const NcJob& j
 }
 
 }  // namespace
+
+bool takes_arcs(const Machine& machine, const PostProcessor& post) {
+    return machine.axes().size() == 3 && post_axis(post, machine.axes()[0]).letter == "X" &&
+           post_axis(post, machine.axes()[1]).letter == "Y";
+}
 
 void NcJob::validate() const {
     require_job(std::isfinite(feed) && feed > 0.0, "the feed must be > 0 m/s", feed);

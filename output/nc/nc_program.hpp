@@ -76,6 +76,9 @@ struct NcProgram {
     std::vector<Eigen::VectorXd> values;
 };
 
+/// Arcs and cutter compensation are of the plane of X and Y: three axes, the first two with these letters.
+[[nodiscard]] bool takes_arcs(const Machine& machine, const PostProcessor& post);
+
 /// Throws InputError for a job or a post that is not valid, and for poses the machine cannot take.
 [[nodiscard]] NcProgram nc_program(const Machine& machine, const PostProcessor& post, const NcJob& job);
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -34,6 +35,8 @@ struct Place {
 Place between(const Place& a, const Place& b, double share) {
     return {a.z + share * (b.z - a.z), a.polar + share * (b.polar - a.polar), {}};
 }
+using Tops = std::array<Place, 2>;  // of the first and the last flank of a line
+
 Place place_of(const Vector3d& point) {
     return {point.z(), std::atan2(point.y(), point.x()), point};
 }
@@ -74,7 +77,7 @@ class Surface {
         add_strip(all, lines_);
         // From where the groove came in, between its windings, to where it leaves.
         std::vector<Line> lands;
-        const std::vector<Place>&came = tops_.front(), &leaves = tops_.back();
+        const Tops &came = tops_.front(), &leaves = tops_.back();
         const double turned = std::copysign(units::turn, tops_[1].front().polar - came.front().polar);
         const Place came_later{came.back().z, came.back().polar + turned, {}};
         const Place leaves_before{leaves.front().z, leaves.front().polar - turned, {}};
@@ -108,12 +111,12 @@ class Surface {
             line.push_back(groove_.contact(phi, place));
             least_radius_ = std::min(least_radius_, line.back().head<2>().norm());
         }
-        std::vector<Place> tops{place_of(line.front()), place_of(line.back())};
+        Tops tops{place_of(line.front()), place_of(line.back())};
         // Unwound: the first top from the one before, the last from the first.
         if (!tops_.empty())
             tops[0].polar += units::turn * std::round((tops_.back()[0].polar - tops[0].polar) / units::turn);
         tops[1].polar += units::turn * std::round((tops[0].polar - tops[1].polar) / units::turn);
-        tops_.push_back(std::move(tops));
+        tops_.push_back(tops);
     }
     /// Along the body's outside, along the cam where it leaves a groove.
     [[nodiscard]] Line land(const Place& from, const Place& to) const {
@@ -144,7 +147,7 @@ class Surface {
     int turn_ = 0;    // lines in a turn
     double least_radius_ = HUGE_VAL;
     std::vector<Line> lines_;
-    std::vector<std::vector<Place>> tops_;  // of the first and the last flank
+    std::vector<Tops> tops_;
 };
 
 }  // namespace

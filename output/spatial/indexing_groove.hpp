@@ -43,8 +43,6 @@ class IndexingGroove {
     [[nodiscard]] double lower() const { return lower_; }
     [[nodiscard]] double upper() const { return upper_; }
     [[nodiscard]] double floor() const { return floor_; }
-    /// Do rollers come in at the upper end?
-    [[nodiscard]] bool enters_above() const { return enters_above_; }
 
     /// A point of the line that is left at φ.
     [[nodiscard]] Eigen::Vector3d contact(double phi, double t) const;
@@ -71,7 +69,7 @@ class IndexingGroove {
     SpatialCam cam_;
     FollowerMotion path_;
     double begin_ = 0.0, floor_ = 0.0, radius_ = 0.0, lower_ = 0.0, upper_ = 0.0;
-    bool enters_above_ = false;
+    bool enters_above_ = false;  // rollers come in at the upper end
 };
 
 }  // namespace camopt

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace camopt {
@@ -79,18 +80,13 @@ TriangleMesh cut_off(TriangleMesh mesh, double plane, double sign) {
 
 /// The borders in a plane as closed lines, along the edges that a cap must have.
 std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane) {
-    std::map<std::pair<int, int>, int> passes;
+    std::set<std::pair<int, int>> open;
     const auto in_plane = [&](int i) { return mesh.vertices[at(i)].z() == plane; };
     for (const auto& t : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i)
-            if (const int a = t[i], b = t[(i + 1) % 3]; in_plane(a) && in_plane(b)) {
-                if (const auto back = passes.find({a, b}); back != passes.end())
-                    passes.erase(back);
-                else
-                    ++passes[{b, a}];
-            }
-    std::multimap<int, int> next;
-    for (const auto& [edge, count] : passes) next.emplace(edge);
+            if (const int a = t[i], b = t[(i + 1) % 3]; in_plane(a) && in_plane(b) && open.erase({a, b}) == 0)
+                open.emplace(b, a);
+    std::multimap<int, int> next(open.begin(), open.end());
     std::vector<std::vector<int>> borders;
     std::vector<int> way;
     while (!next.empty()) {
@@ -100,7 +96,7 @@ std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane)
             throw InputError("a surface around an axis is open between the planes that cut it");
         const int corner = edge->second;
         next.erase(edge);
-        // A corner that is passed again ends a line of its own.
+        // A corner that is passed again ends a separate line.
         const auto again = std::ranges::find(way, corner);
         if (again == way.end()) {
             way.push_back(corner);
@@ -112,19 +108,22 @@ std::vector<std::vector<int>> borders_in(const TriangleMesh& mesh, double plane)
     return borders;
 }
 
-/// Closes the mesh in a plane, up to the bore whose corners begin at `first`. sign: +1 the upper plane.
+/// A border as it is seen from outside. sign: +1 the upper plane.
+std::vector<Eigen::Vector2d> seen(const TriangleMesh& mesh, const std::vector<int>& border, double sign) {
+    std::vector<Eigen::Vector2d> line;
+    line.reserve(border.size());
+    for (const int i : border) {
+        const Eigen::Vector3d& vertex = mesh.vertices[at(i)];
+        line.push_back(sign > 0.0 ? Eigen::Vector2d(vertex.x(), vertex.y())
+                                  : Eigen::Vector2d(vertex.y(), vertex.x()));
+    }
+    return line;
+}
+
+/// Closes the mesh in a plane, up to the bore whose corners begin at `first`.
 void close(TriangleMesh& mesh, const std::vector<std::vector<int>>& borders, int first, int corners,
            double sign) {
-    const auto seen = [&](int i) {  // from outside
-        const Eigen::Vector3d& vertex = mesh.vertices[at(i)];
-        return sign > 0.0 ? Eigen::Vector2d(vertex.x(), vertex.y()) : Eigen::Vector2d(vertex.y(), vertex.x());
-    };
-    const auto line_of = [&](const std::vector<int>& indices) {
-        std::vector<Eigen::Vector2d> line;
-        line.reserve(indices.size());
-        for (const int i : indices) line.push_back(seen(i));
-        return line;
-    };
+    const auto line_of = [&](const std::vector<int>& border) { return seen(mesh, border, sign); };
     std::vector<int> hole;
     hole.reserve(at(corners));
     for (int k = 0; k < corners; ++k) hole.push_back(first + (sign > 0.0 ? k : corners - 1 - k));
@@ -149,12 +148,7 @@ TriangleMesh bored_solid(const TriangleMesh& surface, const Bore& bore) {
     mesh = cut_off(cut_off(std::move(mesh), bore.upper, 1.0), bore.lower, -1.0);
     auto above = borders_in(mesh, bore.upper);
     double turned = 0.0;
-    for (const std::vector<int>& border : above)
-        for (std::size_t i = 0; i < border.size(); ++i) {
-            const Eigen::Vector3d &a = mesh.vertices[at(border[i])],
-                                  &b = mesh.vertices[at(border[(i + 1) % border.size()])];
-            turned += a.x() * b.y() - a.y() * b.x();
-        }
+    for (const std::vector<int>& border : above) turned += polygon_area(seen(mesh, border, 1.0));
     if (turned < 0.0) {
         for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
         for (std::vector<int>& border : above) std::ranges::reverse(border);

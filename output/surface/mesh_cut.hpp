@@ -12,8 +12,8 @@ struct Bore {
     int corners = 96;                 ///< of its circle, >= 3
 };
 
-/// `surface`: seen from outside its triangles run counterclockwise or, all of them, clockwise; whatever is
-/// open of it lies beyond the planes, and vertices nearer than 1e-8 m to each other are one. Throws
+/// `surface`: seen from outside its triangles run counterclockwise or, all of them, clockwise; what is open
+/// of it lies beyond the planes, and vertices nearer than 1e-8 m to each other are one. Throws
 /// InputError where a plane's border does not go once around the bore.
 [[nodiscard]] TriangleMesh bored_solid(const TriangleMesh& surface, const Bore& bore);
 

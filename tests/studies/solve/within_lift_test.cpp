@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // motion.within_lift and motion.monotone: a stroke stays between its ends, at no cost; strokes of very
-// unequal angles are proved; a free displacement is not measured by itself.
+// unequal angles are proved; a free displacement is measured by the lift.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
