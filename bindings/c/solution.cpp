@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace camopt::c {
@@ -111,8 +112,8 @@ camopt_error count_of(const camopt_solution* solution, std::size_t* count, List 
 
 template <class Report, class Convert>
 auto converted(const std::vector<Report>& reports, Convert convert) {
-    std::vector<decltype(convert(reports.front()))> all;
-    for (const Report& report : reports) all.push_back(convert(report));
+    std::vector<decltype(convert(reports.front()))> all(reports.size());
+    std::ranges::transform(reports, all.begin(), convert);
     return all;
 }
 
