@@ -18,11 +18,13 @@ namespace {
 constexpr int steps_per_block = 4;       // the coarse search; the distance is smooth within a block
 constexpr int golden_sections = 44;      // to 1e-9 of a step
 constexpr double candidate_part = 0.02;  // of the cutter's radius: how much worse a coarse minimum may look
+constexpr std::size_t group_size = 40;   // poses that one sphere encloses
 
 /// The cutter's way: one parameter, a whole number at each cutting block's end.
 class Sweep {
  public:
-    Sweep(std::span<const NcMove> moves, const Machine& machine) : machine_(machine) {
+    Sweep(std::span<const NcMove> moves, const Machine& machine, const CutterShape& cutter)
+        : machine_(machine) {
         for (std::size_t i = 1; i < moves.size(); ++i)
             if (!moves[i].rapid) segments_.push_back({&moves[i - 1].values, &moves[i]});
         if (segments_.empty()) throw InputError("NC check: the program does not cut");
@@ -30,6 +32,8 @@ class Sweep {
         for (std::size_t k = 0; k < segments_.size(); ++k)
             for (int step = 0; step <= steps_per_block; ++step)
                 coarse_.push_back(pose(k, static_cast<double>(step) / steps_per_block));
+        for (std::size_t begin = 0; begin < coarse_.size(); begin += group_size)
+            groups_.push_back(around(begin, cutter));
     }
 
     [[nodiscard]] ToolPose pose(std::size_t segment, double share) const {
@@ -40,7 +44,33 @@ class Sweep {
     /// steps_per_block + 1 poses a segment.
     [[nodiscard]] const std::vector<ToolPose>& coarse() const { return coarse_; }
 
+    /// Coarse poses begin … end - 1, and a sphere around the cutter in all of them.
+    struct Group {
+        std::size_t begin = 0, end = 0;
+        Eigen::Vector3d center = Eigen::Vector3d::Zero();
+        double radius = 0.0;
+
+        /// No pose of the group is nearer to the point.
+        [[nodiscard]] double least_clearance(const Eigen::Vector3d& point) const {
+            return (point - center).norm() - radius;
+        }
+    };
+    [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
+
  private:
+    [[nodiscard]] Group around(std::size_t begin, const CutterShape& cutter) const {
+        Group group{begin, std::min(begin + group_size, coarse_.size())};
+        const auto middle = [&](std::size_t i) -> Eigen::Vector3d {
+            return coarse_[i].tip - 0.5 * cutter.length * coarse_[i].axis;
+        };
+        for (std::size_t i = begin; i < group.end; ++i)
+            group.center += middle(i) / static_cast<double>(group.end - begin);
+        for (std::size_t i = begin; i < group.end; ++i)
+            group.radius = std::max(group.radius, (middle(i) - group.center).norm());
+        group.radius += 0.5 * (cutter.length + cutter.diameter);
+        return group;
+    }
+
     struct Segment {
         const Eigen::VectorXd* from;
         const NcMove* move;
@@ -48,19 +78,19 @@ class Sweep {
     const Machine& machine_;
     std::vector<Segment> segments_;
     std::vector<ToolPose> coarse_;
+    std::vector<Group> groups_;
 };
 
 class PointClearance {
  public:
     PointClearance(const Sweep& sweep, const CutterShape& cutter, const Eigen::Vector3d& point)
-        : sweep_(sweep), cutter_(cutter), point_(point) {}
+        : sweep_(sweep),
+          cutter_(cutter),
+          point_(point),
+          values_(sweep.coarse().size(), std::numeric_limits<double>::infinity()) {}
 
     [[nodiscard]] double least() {
-        const std::vector<ToolPose>& coarse = sweep_.coarse();
-        values_.resize(coarse.size());
-        for (std::size_t i = 0; i < coarse.size(); ++i)
-            values_[i] = cutter_clearance(coarse[i], cutter_, point_);
-        double best = *std::min_element(values_.begin(), values_.end());
+        double best = best_of_near_poses();
         const double worth_a_look = best + candidate_part * cutter_.diameter;
         for (std::size_t i = 0; i < values_.size(); ++i) {
             const bool falls = i == 0 || values_[i] <= values_[i - 1];
@@ -71,6 +101,24 @@ class PointClearance {
     }
 
  private:
+    /// Over all coarse poses; those too far to be worth a look keep the value infinity.
+    [[nodiscard]] double best_of_near_poses() {
+        const std::vector<Sweep::Group>& groups = sweep_.groups();
+        bounds_.reserve(groups.size());
+        for (const Sweep::Group& group : groups) bounds_.push_back(group.least_clearance(point_));
+        const auto nearest = static_cast<std::size_t>(std::ranges::min_element(bounds_) - bounds_.begin());
+        double best = best_of(groups[nearest]);
+        for (std::size_t k = 0; k < groups.size(); ++k)
+            if (k != nearest && bounds_[k] <= best + candidate_part * cutter_.diameter)
+                best = std::min(best, best_of(groups[k]));
+        return best;
+    }
+    [[nodiscard]] double best_of(const Sweep::Group& group) {
+        double best = std::numeric_limits<double>::infinity();
+        for (std::size_t i = group.begin; i < group.end; ++i)
+            best = std::min(best, values_[i] = cutter_clearance(sweep_.coarse()[i], cutter_, point_));
+        return best;
+    }
     [[nodiscard]] double at(std::size_t segment, double share) const {
         return cutter_clearance(sweep_.pose(segment, share), cutter_, point_);
     }
@@ -90,7 +138,7 @@ class PointClearance {
     const Sweep& sweep_;
     const CutterShape& cutter_;
     const Eigen::Vector3d& point_;
-    std::vector<double> values_;
+    std::vector<double> values_, bounds_;
 };
 
 }  // namespace
@@ -101,7 +149,8 @@ double cutter_clearance(const ToolPose& pose, const CutterShape& cutter, const E
     const double side = (from_tip + along * pose.axis).norm() - 0.5 * cutter.diameter;
     const double beyond = std::max(-along, along - cutter.length);
     if (beyond <= 0.0) return std::max(side, -along);  // what holds the cutter is as thick
-    return std::hypot(std::max(side, 0.0), beyond);
+    const double outside = std::max(side, 0.0);
+    return std::sqrt(outside * outside + beyond * beyond);  // hypot would take most of the check's time
 }
 
 void CutterShape::validate() const {
@@ -115,7 +164,7 @@ NcSurfaceCheck check_surface(std::span<const NcMove> moves, const Machine& machi
                              std::span<const Eigen::Vector3d> points) {
     cutter.validate();
     if (points.empty()) throw InputError("NC check: there are no points to check");
-    const Sweep sweep(moves, machine);
+    const Sweep sweep(moves, machine, cutter);
     NcSurfaceCheck check;
     check.points = points.size();
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
