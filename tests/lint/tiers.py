@@ -42,11 +42,12 @@ def times_of_run(file):
             for case in xml.etree.ElementTree.parse(file).iter("testcase") if case.get("status") in ("run", "fail")}
 
 
-def seconds_alone(build, name):
-    """Of one more run without company; what a fixture prepared is still there."""
+def seconds_alone(build, name, most):
+    """Of one more run without company, ended after `most` seconds; what a fixture prepared is still there."""
     with tempfile.NamedTemporaryFile(suffix=".xml") as file:
         pattern = "^" + re.sub(r"([][.^$*+?()\\|])", r"\\\1", name) + "( |$)"
-        subprocess.run(["ctest", "--test-dir", build, "-R", pattern, "-FA", ".*", "--output-junit", file.name],
+        subprocess.run(["ctest", "--test-dir", build, "-R", pattern, "-FA", ".*", "--timeout", f"{most:g}",
+                        "--output-junit", file.name],
                        capture_output=True, check=False)
         return times_of_run(file.name).get(name, 0.0)
 
@@ -72,7 +73,7 @@ def too_slow(build, labels, times):
             limit = LIMIT.get(tier)
             if limit is None or seconds <= NOISE * limit:
                 continue
-            again = seconds_alone(build, name)
+            again = seconds_alone(build, name, NOISE * limit + 1.0)
             if again > NOISE * limit:
                 yield (f"{name}: {seconds:.2f} s, alone {again:.2f} s; a case of the tier {tier} may take {limit} s. "
                        "Make it quicker, or name a longer tier in tests/tiers.txt")
