@@ -33,6 +33,7 @@ class Documents:
         self.options = options
         self.root = options.root.resolve()
         self.scratch = options.scratch.resolve()
+        self.part = options.part
         self.program = options.program.resolve()
         self.counts = collections.Counter()
         self.remarks = []
@@ -106,6 +107,11 @@ class Documents:
         words = ["pkg-config", "--cflags", "camopt"]
         run = subprocess.run(words, env=self.surroundings, capture_output=True, text=True, check=True)
         return run.stdout.split() + self.options.flags.split()
+
+    def remember(self, block):
+        """A whole program of a page that another part runs: blocks of CMake below build it."""
+        if block.language in ("c", "cpp") and "int main(" in block.text:
+            self.whole_program = block
 
     def cpp(self, block):
         if "int main(" in block.text:
@@ -196,6 +202,7 @@ def read_options():
     parser.add_argument("--flags", default="")
     parser.add_argument("--has", action="append", default=[], help="an optional library of this build: ipopt, opencascade")
     parser.add_argument("--python", default=sys.executable)
+    parser.add_argument("--part", default="1/1", help="K/N: of the pages K, K + N, …")
     return parser.parse_args()
 
 
@@ -207,8 +214,13 @@ def main():
     faults = len(indented)
     for place in indented:
         print(f"{place}: a command in an indented block; fence it as 'sh', or as 'usage'")
+    part, parts = (int(number) for number in documents.part.split("/"))
+    own_pages = blocks.pages_of(documents.root)[part - 1::parts]
     found = blocks.all_blocks(documents.root)
     for block in found:
+        if block.page not in own_pages:
+            documents.remember(block)
+            continue
         begin = time.monotonic()
         fault = documents.fault_of(block)
         slowest = max(slowest, (time.monotonic() - begin, block.place))
@@ -218,7 +230,7 @@ def main():
     print("\n".join(documents.remarks))
     for what, count in sorted(documents.counts.items()):
         print(f"{count:4} {what}")
-    print(f"documents: {len(found)} blocks, {faults} faults; the slowest took {slowest[0]:.1f} s: {slowest[1]}")
+    print(f"documents: {len([block for block in found if block.page in own_pages])} blocks, {faults} faults; the slowest took {slowest[0]:.1f} s: {slowest[1]}")
     sys.exit(1 if faults or not found else 0)
 
 
