@@ -80,6 +80,9 @@ bool is_general(const Scene& scene, SceneModels& models) {
     return (has_cam(scene) || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
 }
 
+// A proof that comes at all comes within these; where doubles end, more of either only take time.
+constexpr int most_rounds_of_next = 8, most_iterations_of_next = 100;
+
 /// A convex scene whose solver was chosen for it has a proof, unless its numbers are hard: then another
 /// backend tries from the same grid. It counts where it proves more.
 void try_next_backend(CamProblem& problem, const JudgeOptions& judge, Solution& solution,
@@ -91,6 +94,8 @@ void try_next_backend(CamProblem& problem, const JudgeOptions& judge, Solution& 
         return;
     ExchangeOptions exchange = exchange_options(solution.scene);
     exchange.backend.native.clear();  // they belong to the first backend
+    exchange.backend.max_iterations = std::min(exchange.backend.max_iterations, most_iterations_of_next);
+    exchange.most_rounds = std::min(exchange.most_rounds, most_rounds_of_next);
     ContinuousResult other = solve_continuous(problem, *make_solver(next), exchange, judge, control);
     solution.notes.push_back(fmt::format("{} ended without a proof ({}); {} was tried then",
                                          solution.solver.name, name_of(result.certificate.reason), next));
