@@ -3,14 +3,14 @@
 
 #include "core/units.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
-#include "output/csv/pareto_csv.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/page/study_parts.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/sweep_text.hpp"
+#include "output/words/study_text.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 

@@ -14,9 +14,7 @@
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
-#include "studies/delivered/own_report.hpp"
-#include "studies/delivered/response_report.hpp"
-#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
