@@ -103,8 +103,8 @@ SweepPlan plan_of(const camopt_sweep_axis* axes, std::size_t count) {
     require(axes, "axes");
     if (count == 0)
         throw Failure(CAMOPT_ERROR_ARGUMENT, "axis_count: found 0; allowed: at least one axis that varies");
-    std::vector<SweepAxis> all;
-    for (std::size_t i = 0; i < count; ++i) all.push_back(axis_of(axes[i]));
+    std::vector<SweepAxis> all(count);
+    for (std::size_t i = 0; i < count; ++i) all[i] = axis_of(axes[i]);
     return sweep_grid(all);
 }
 

@@ -34,10 +34,9 @@ void require_unit_of_lift(const SceneSource& source, const Place& place, const s
                             motion.lift_is_angle ? "s_deg or s_rad" : "s_mm, s_in or s_m"));
 }
 
-std::vector<double> scaled(const std::vector<double>& numbers, double factor) {
-    std::vector<double> all;
-    for (const double number : numbers) all.push_back(number * factor);
-    return all;
+std::vector<double> scaled(std::vector<double> numbers, double factor) {
+    for (double& number : numbers) number *= factor;
+    return numbers;
 }
 
 /// The row of "measured.theta[17]"; none of anything else.

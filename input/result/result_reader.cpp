@@ -184,6 +184,7 @@ JsonSource JsonSource::at(const char* key) const {
 std::vector<JsonSource> JsonSource::items() const {
     if (!value_->is_array()) fail(fmt::format("found {}; allowed: a list", shown()));
     std::vector<JsonSource> all;
+    all.reserve(value_->size());
     for (std::size_t i = 0; i < value_->size(); ++i)
         all.push_back({*this, (*value_)[i], fmt::format("{}[{}]", path_, i)});
     return all;

@@ -85,6 +85,7 @@ TurnPanel curvature_panel(const ProfileShape& shape, const Pieces& pieces,
 /// factor: from SI to the unit shown.
 std::vector<TurnMark> shown_marks(const std::vector<ProfileMark>& marks, double factor) {
     std::vector<TurnMark> shown;
+    shown.reserve(marks.size());
     for (const ProfileMark& mark : marks)
         shown.push_back({mark.theta / degree, factor * mark.value, mark.value > 0.0});
     return shown;

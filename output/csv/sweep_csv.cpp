@@ -303,6 +303,7 @@ std::optional<std::array<double, 2>> any_curve_point(const ParetoFront& front, c
 std::string pareto_csv(const ParetoFront& front) {
     const std::vector<const FrontPoint*> points = tabulated_points(front);
     std::vector<SweepRow> rows;
+    rows.reserve(points.size());
     for (const FrontPoint* point : points) rows.push_back(sweep_row(point->number, {}, point->solution));
     const std::vector<DimensionIndex> dimensions = dimensions_of(rows);
     CsvLine titles;

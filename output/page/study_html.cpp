@@ -164,9 +164,9 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     Settings settings;
     const bool with_scenes = table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
     for (const SweepRow& row : table.rows) {
-        std::vector<std::string> own;
-        for (std::size_t k = 0; k < table.columns.keys.size(); ++k)
-            own.push_back(setting_text(table.columns.keys[k], row.settings[k]));
+        std::vector<std::string> own(table.columns.keys.size());
+        for (std::size_t k = 0; k < own.size(); ++k)
+            own[k] = setting_text(table.columns.keys[k], row.settings[k]);
         page.add_item(fmt::format("row {}: {}", row.number, fmt::join(own, ", ")), row.number,
                       !row.is_feasible() ? "bad"
                       : row.on_front     ? "good"

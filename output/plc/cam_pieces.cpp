@@ -157,8 +157,8 @@ std::vector<CamPiece> fitted_pieces(const MasterCurve& curve, const FitOptions& 
         }
     }
     std::ranges::sort(stretches, {}, &Stretch::from);
-    std::vector<CamPiece> pieces;
-    for (const Stretch& stretch : stretches) pieces.push_back(stretch.piece);
+    std::vector<CamPiece> pieces(stretches.size());
+    std::ranges::transform(stretches, pieces.begin(), &Stretch::piece);
     return pieces;
 }
 

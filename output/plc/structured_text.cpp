@@ -144,6 +144,7 @@ EndState state_at_end(const CamPiece& piece) {
 
 std::vector<EndState> knots_of(const std::vector<CamPiece>& pieces) {
     std::vector<EndState> knots;
+    knots.reserve(pieces.size() + 1);
     for (const CamPiece& piece : pieces) knots.push_back(state_at_begin(piece));
     if (!pieces.empty()) knots.push_back(state_at_end(pieces.back()));
     return knots;

@@ -71,7 +71,7 @@ const std::array<KindFiles, 4>& kinds() {
 /// Null where there are none.
 const KindFiles* kind_of(const Solution& solution) {
     if (!solution.cam) return nullptr;
-    const auto found = std::ranges::find_if(
+    const auto* const found = std::ranges::find_if(
         kinds(), [&](const KindFiles& kind) { return kind.is_it(*solution.cam->cam.formulas); });
     return found == kinds().end() ? nullptr : &*found;
 }

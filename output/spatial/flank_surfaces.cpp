@@ -24,6 +24,7 @@ constexpr double same_point = 1e-9;  // m
 std::vector<Eigen::Vector3d> groove_section(const FlankGrid& grid, std::size_t angle, std::size_t first) {
     std::vector<Eigen::Vector3d> section;
     const std::size_t count = grid.heights.size();
+    section.reserve(2 * count);
     for (std::size_t i = 0; i < count; ++i)
         section.push_back(grid.flanks[first].points[grid.index(i, angle)]);
     for (std::size_t i = count; i-- > 0;)
@@ -137,8 +138,8 @@ std::string flank_csv(const FlankGrid& grid) {
 }
 
 TriangleMesh groove_body(const FlankGrid& grid) {
-    std::vector<std::vector<Eigen::Vector3d>> sections;
-    for (std::size_t j = 0; j < grid.angles.size(); ++j) sections.push_back(groove_section(grid, j, 0));
+    std::vector<std::vector<Eigen::Vector3d>> sections(grid.angles.size());
+    for (std::size_t j = 0; j < sections.size(); ++j) sections[j] = groove_section(grid, j, 0);
     return swept_solid(sections, false);
 }
 

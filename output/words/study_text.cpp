@@ -70,9 +70,9 @@ std::string best_line(const SweepTable& table, const Scene* scene) {
     for (const SweepRow& row : table.rows)
         if (row.objective && (!best || *row.objective < *best->objective)) best = &row;
     if (!best) return {};
-    std::vector<std::string> settings;
-    for (std::size_t i = 0; i < table.columns.keys.size(); ++i)
-        settings.push_back(fmt::format("{} {}", table.columns.keys[i], short_text(best->settings[i])));
+    std::vector<std::string> settings(table.columns.keys.size());
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        settings[i] = fmt::format("{} {}", table.columns.keys[i], short_text(best->settings[i]));
     return fmt::format("  least objective: {} in row {} ({})\n", short_text(*best->objective, row_figures),
                        best->number, fmt::join(settings, ", ")) +
            (scene != nullptr ? physical_text(table, *best, *scene) : "");

@@ -148,6 +148,7 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const Nlp& problem, const VectorX
     std::vector<double> values(static_cast<std::size_t>(shape.hessian.size()));
     problem.hessian(x, 1.0, multipliers, values);
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(values.size());
     for (std::size_t e = 0; e < values.size(); ++e)
         entries.emplace_back(std::max(shape.hessian.rows[e], shape.hessian.columns[e]),
                              std::min(shape.hessian.rows[e], shape.hessian.columns[e]),

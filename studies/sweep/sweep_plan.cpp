@@ -151,8 +151,8 @@ namespace {
 
 std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
     const std::span<const double> values = plan.row(row);
-    std::vector<std::string> settings;
-    for (std::size_t i = 0; i < values.size(); ++i) settings.push_back(setting_text(plan.keys[i], values[i]));
+    std::vector<std::string> settings(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
     return settings;
 }
 

@@ -53,6 +53,7 @@ class Crew {
         std::vector<std::thread> threads;
         const int count = std::min(task_.workers, chunking_.count());
         working_ = count;
+        threads.reserve(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
         wait();
         for (std::thread& thread : threads) thread.join();
@@ -252,8 +253,8 @@ class Columns {
 
 SweepTable swept(const ReadScene& given, const std::vector<Axis>& axes, std::optional<int> chunk, int workers,
                  py::object progress) {
-    std::vector<SweepAxis> all;
-    for (const Axis& axis : axes) all.push_back(axis_of(axis));
+    std::vector<SweepAxis> all(axes.size());
+    std::ranges::transform(axes, all.begin(), axis_of);
     if (workers < 1) throw InputError(fmt::format("workers: found {}; allowed: 1 or more", workers));
     if (chunk && *chunk < 1) throw InputError(fmt::format("chunk: found {}; allowed: 1 or more", *chunk));
     Watch watch(std::move(progress));

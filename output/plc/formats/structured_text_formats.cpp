@@ -80,6 +80,7 @@ std::vector<CamPiece> codesys_pieces(std::string_view text, const PlcUnits&) {
     const StElements read = read_assignments(text);
     std::vector<EndState> knots;
     const int count = static_cast<int>(read.number("Cam.nElements"));
+    knots.reserve(static_cast<std::size_t>(std::max(0, count)));
     for (int i = 0; i < count; ++i)
         knots.push_back(
             {read.number(i, "dX"), read.number(i, "dY"), read.number(i, "dV"), read.number(i, "dA")});

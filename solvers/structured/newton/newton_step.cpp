@@ -236,7 +236,7 @@ KktSystem::KktSystem(const ConvexModel& model, double shift)
       factor_(make_simplicial_factor()) {
     const auto size = static_cast<int>(variables_ + constraints_);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(size + model.hessian.size()));
+    entries.reserve(static_cast<std::size_t>(size) + static_cast<std::size_t>(model.hessian.size()));
     for (int i = 0; i < size; ++i) entries.emplace_back(i, i, 0.0);
     for (int e = 0; e < model.hessian.size(); ++e)
         entries.emplace_back(model.hessian.rows[static_cast<std::size_t>(e)],

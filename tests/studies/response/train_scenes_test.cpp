@@ -10,7 +10,7 @@
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/json/study_json.hpp"
+#include "output/json/solution_json.hpp"
 #include "output/words/tables/dynamics_text.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/compare/comparison.hpp"
