@@ -19,6 +19,11 @@ Eigen::VectorXd vector_of(const double* x, unsigned n) {
     return Eigen::Map<const Eigen::VectorXd>(x, n);
 }
 
+/// What a line search says, or the dual inside MMA and CCSAQ.
+bool found_no_progress(const NloptOutcome& outcome) {
+    return outcome.word == std::string_view("FAILURE");
+}
+
 }  // namespace
 
 NloptAdapter::NloptAdapter(const Nlp& problem, SolveGuard& guard)
@@ -191,15 +196,6 @@ NloptOutcome outcome_of(nlopt_result status) {
             return {numerical_failure, "unknown to camopt"};  // a code of a later NLopt
     }
 }
-
-namespace {
-
-/// What a line search says, or the dual inside MMA and CCSAQ.
-bool found_no_progress(const NloptOutcome& outcome) {
-    return outcome.word == std::string_view("FAILURE");
-}
-
-}  // namespace
 
 bool is_finished(Termination termination) {
     return termination == Termination::converged || termination == Termination::acceptable;

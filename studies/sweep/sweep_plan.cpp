@@ -100,6 +100,13 @@ struct Seen {
     }
 };
 
+std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
+    const std::span<const double> values = plan.row(row);
+    std::vector<std::string> settings(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
+    return settings;
+}
+
 }  // namespace
 
 SweepPlan sweep_grid(std::span<const SweepAxis> axes) {
@@ -146,17 +153,6 @@ std::string setting_text(const std::string& key, double value) {
         return fmt::format("{}={}", key, static_cast<long long>(value));
     return fmt::format("{}={}", key, value);
 }
-
-namespace {
-
-std::vector<std::string> settings_of(const SweepPlan& plan, int row) {
-    const std::span<const double> values = plan.row(row);
-    std::vector<std::string> settings(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) settings[i] = setting_text(plan.keys[i], values[i]);
-    return settings;
-}
-
-}  // namespace
 
 std::string row_text(const SweepPlan& plan, int row) {
     return fmt::format("row {} ({})", row, fmt::join(settings_of(plan, row), ", "));

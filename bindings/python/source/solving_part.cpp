@@ -51,6 +51,15 @@ class Sequence {
     SolveSequence sequence_;
 };
 
+ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
+                  const std::vector<py::object>& terms, const std::vector<py::object>& limits, bool alone) {
+    OwnRules own;
+    for (const py::object& term : terms) own.terms.push_back(own_term(term));
+    for (const py::object& limit : limits) own.limits.push_back(own_limit(limit));
+    own.alone = alone;
+    return {std::move(text), std::move(source), std::move(settings), std::move(own)};
+}
+
 }  // namespace
 
 void add_solving(py::module_& module) {
@@ -82,21 +91,6 @@ void add_solving(py::module_& module) {
 }
 
 // Scenes in Python: texts with settings, read and checked, and the keys they may have.
-namespace py = pybind11;
-
-namespace {
-
-ReadScene read_of(std::string text, std::string source, std::vector<std::string> settings,
-                  const std::vector<py::object>& terms, const std::vector<py::object>& limits, bool alone) {
-    OwnRules own;
-    for (const py::object& term : terms) own.terms.push_back(own_term(term));
-    for (const py::object& limit : limits) own.limits.push_back(own_limit(limit));
-    own.alone = alone;
-    return {std::move(text), std::move(source), std::move(settings), std::move(own)};
-}
-
-}  // namespace
-
 void add_scenes(py::module_& module) {
     py::class_<ReadScene>(module, "ReadScene",
                           "A scene that was read and checked; a constant. See camopt.Scene.")

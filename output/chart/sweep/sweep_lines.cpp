@@ -130,6 +130,14 @@ void draw_least_loss(SvgCanvas& canvas, double left, double y, const LawLoss& la
     canvas.text(left + 895, y, fmt::format("{:.2f} / {:.2f} / {:.2f}", w[0], w[1], w[2]), "value right");
 }
 
+std::vector<double> values_of(const SweepTable& table, int key) {
+    std::vector<double> values;
+    for (const SweepRow& row : table.rows) values.push_back(key_value(row, key));
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
 }  // namespace
 
 void draw_lines(SvgCanvas& canvas, const PanelFrame& place, const SweepTable& table,
@@ -170,18 +178,6 @@ void draw_lines(SvgCanvas& canvas, const PanelFrame& place, const SweepTable& ta
                       row_class(row->on_front ? "row-dot" : "row-dot off", "", *row));
     }
 }
-
-namespace {
-
-std::vector<double> values_of(const SweepTable& table, int key) {
-    std::vector<double> values;
-    for (const SweepRow& row : table.rows) values.push_back(key_value(row, key));
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
-
-}  // namespace
 
 bool is_map(const SweepTable& table) {
     if (table.columns.keys.size() != 2) return false;

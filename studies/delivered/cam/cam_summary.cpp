@@ -272,10 +272,6 @@ void add_radii_of_face(CamSummary& summary, const CamTurn& turn) {
         turn.largest([](const CamPlace& place) { return std::abs(place.point.contact_offset); });
 }
 
-}  // namespace
-
-namespace {
-
 /// A limit of 0 is met to the tolerance of the solve, and figures come from a search of their own: a
 /// regularity this close to 0 is 0, and with it the radius.
 constexpr double cusp_rounding = 1e-8;
