@@ -55,9 +55,11 @@ GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
         angle = found(distance, angle);
         const double deviation = std::abs(angle - input.designed(distance));
         if (deviation <= result.deviation) continue;
-        result.deviation = std::isnan(deviation) ? nowhere : deviation;
+        result.deviation = deviation;
         result.distance = distance;
-        if (std::isnan(deviation)) break;
+        if (!std::isnan(deviation)) continue;
+        result.deviation = nowhere;
+        break;
     }
     result.seconds = watch.seconds();
     return result;
@@ -216,7 +218,7 @@ ForwardCheckReport check_inverse_cam(const Solution& solution, std::optional<int
         const MechanismProfile profile =
             mechanism_profile(solution.cam->cam, motion, machine.scale, count, wall);
         input.points.clear();
-        for (const MechanismPoint& point : profile.points) input.points.push_back(point.contact.head<2>());
+        for (const MechanismPoint& point : profile.points) input.points.emplace_back(point.contact.head<2>());
         input.breaks = profile.breaks;
         const GuideCheckResult found = slot_check(input);
         report.points += found.points;

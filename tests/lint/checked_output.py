@@ -1,8 +1,6 @@
-#SPDX - License - Identifier : MIT
-""
-    "checked_output.py ROOT: what is written is checked. Files go through core/text/text_file.hpp, standard output through
-    apps /
-    terminal.hpp; both report a full disk. No other source opens a file to write or prints. Not in tests/, benchmarks/,
+# SPDX-License-Identifier: MIT
+"""checked_output.py ROOT: what is written is checked. Files go through core/text/text_file.hpp, standard output through
+apps/terminal.hpp; both report a full disk. No other source opens a file to write or prints. Not in tests/, benchmarks/,
 notebooks_cpp/ (their kernel's line) and examples."""
 
 import pathlib
