@@ -88,7 +88,7 @@ FileBytes file_bytes(const std::filesystem::path& path, std::uintmax_t most) {
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
     if (!file) return {{}, reason()};
     FileBytes result;
-    std::array<char, 1U << 16U> part;
+    std::array<char, 1U << 16U> part{};
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
         if (result.bytes.size() + count > most)
             return {{}, fmt::format("it has more than {} MB", most >> 20U)};

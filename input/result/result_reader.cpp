@@ -59,7 +59,7 @@ std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     // What was not finite stands as null.
     const auto number = [&](const char* key) {
         const JsonSource value = json.at(key);
-        return value.is_null() ? infinity : value.number();
+        return !value.is_null() ? value.number() : infinity;
     };
     check.deviation = number(json.has("deviation_deg") ? "deviation_deg" : "deviation_mm");
     check.relative = number("relative");
@@ -70,7 +70,7 @@ std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     const JsonSource play = json.at("play");
     const auto extreme = [&](const char* turned, const char* straight) {
         const JsonSource value = play.at(play.has(turned) ? turned : straight);
-        return value.is_null() ? infinity : value.number();
+        return !value.is_null() ? value.number() : infinity;
     };
     check.play.emplace();
     check.play->least = extreme("least_deg", "least_mm");
@@ -122,27 +122,27 @@ constexpr std::size_t longest_shown = 60;
 
 }  // namespace
 
-ResultRecord read_result(std::string_view text, std::string_view source_name) {
-    const JsonSource json(text, source_name);
-    if (const JsonSource written = json.at("camopt"); written.words() != version())
+ResultRecord read_result(std::string_view json, std::string_view source_name) {
+    const JsonSource source(json, source_name);
+    if (const JsonSource written = source.at("camopt"); written.words() != version())
         written.fail(fmt::format("found a result of camopt {}; allowed: of {}: solve its scene again",
                                  written.words(), version()));
     ResultRecord record;
-    record.scene_file = json.at("scene").words();
-    record.command = json.at("command").words();
-    record.verdict = json.at("verdict").text();
-    read_motion(json.at("motion"), record);
-    const JsonSource limit = json.at("bound").at("any_curve_limit");
+    record.scene_file = source.at("scene").words();
+    record.command = source.at("command").words();
+    record.verdict = source.at("verdict").text();
+    read_motion(source.at("motion"), record);
+    const JsonSource limit = source.at("bound").at("any_curve_limit");
     if (!limit.is_null()) record.any_curve_limit = limit.number();
-    record.cam = read_cam(json.at("cam"));
-    const JsonSource design = json.at("design");
+    record.cam = read_cam(source.at("cam"));
+    const JsonSource design = source.at("design");
     record.design = {design.at("kind").text(), design.at("names").texts(), design.at("values").numbers()};
-    record.solver = read_solver(json.at("solver"));
-    record.solver.proof_source = json.at("bound").at("source").words();
-    record.evaluations = read_evaluations(json.at("evaluations"));
-    record.seconds_total = json.at("seconds").at("total").number();
-    record.seconds_solve = json.at("seconds").at("solve").number();
-    record.notes = json.at("notes").texts();
+    record.solver = read_solver(source.at("solver"));
+    record.solver.proof_source = source.at("bound").at("source").words();
+    record.evaluations = read_evaluations(source.at("evaluations"));
+    record.seconds_total = source.at("seconds").at("total").number();
+    record.seconds_solve = source.at("seconds").at("solve").number();
+    record.notes = source.at("notes").texts();
     return record;
 }
 

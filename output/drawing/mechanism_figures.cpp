@@ -70,7 +70,7 @@ const char* const guide_style =
 
 std::vector<Vector2d> line_of(const MechanismProfile& profile, Eigen::Vector3d MechanismPoint::*place) {
     std::vector<Vector2d> line;
-    for (const MechanismPoint& point : profile.points) line.push_back((point.*place).head<2>());
+    for (const MechanismPoint& point : profile.points) line.emplace_back((point.*place).head<2>());
     return line;
 }
 

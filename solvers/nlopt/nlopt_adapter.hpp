@@ -35,7 +35,7 @@ class NloptAdapter {
         double sign, bound;
     };
 
-    static double cost(unsigned n, const double* x, double* gradient, void* self);
+    static double cost(unsigned n, const double* x_in, double* gradient, void* self);
     static void equalities(unsigned m, double* values, unsigned n, const double* x, double* gradient,
                            void* self);
     static void inequalities(unsigned m, double* values, unsigned n, const double* x, double* gradient,

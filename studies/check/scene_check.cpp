@@ -191,7 +191,7 @@ class Checker {
         const double size = std::max({1.0, std::abs(exact), std::abs(difference.value)});
         const double error = std::isfinite(distance) ? distance / size : infinity;
         if (std::pair(beyond, error) <= std::pair(kind.beyond, kind.error) && !std::isnan(beyond)) return;
-        kind.beyond = std::isnan(beyond) ? infinity : beyond;
+        kind.beyond = !std::isnan(beyond) ? beyond : infinity;
         kind.error = error;
         kind.where = row < 0 ? problem_.variable_name(column)
                              : fmt::format("{} / {}", problem_.row_name(row), problem_.variable_name(column));
@@ -247,34 +247,35 @@ std::vector<DerivativeError> derivative_errors(const Nlp& problem, const Eigen::
     return Checker(problem).run(x);
 }
 
-SceneCheck check_scene(const Scene& given) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
+SceneCheck check_scene(const Scene& scene) {
+    const Scene complete = with_written_limits(scene);
+    validate(complete);
     SceneCheck check;
-    check.choice = choose_backend(scene);
+    check.choice = choose_backend(complete);
     (void)make_solver(check.choice.solver);
-    check_native_options(check.choice.solver, scene.solver.options);
-    CamProblem problem(scene_model(scene, check.choice.design, reference_peaks(scene)));
+    check_native_options(check.choice.solver, complete.solver.options);
+    CamProblem problem(scene_model(complete, check.choice.design, reference_peaks(complete)));
     for (const ConditionConflict& conflict : problem.model().design.redundant())
         check.redundant.push_back(conflict.condition);
     for (const ConditionConflict& conflict : problem.model().design.contradictions())
         check.contradictions.push_back(conflict.condition);
     std::optional<FreeKnotProblem> free;  // what the search over breakpoints sees
-    if (scene.spline.free_knots) free.emplace(scene, reference_peaks(scene));
+    if (complete.spline.free_knots) free.emplace(complete, reference_peaks(complete));
     const ContinuousProblem& solved = free ? static_cast<const ContinuousProblem&>(*free) : problem;
     const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
     check.free_displacements =
-        static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
+        static_cast<int>(free_displacements(complete, problem.model().design).joints.size());
     check.searched_angles =
-        static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
+        static_cast<int>(std::ranges::count_if(complete.motion.segments, [](const ProgramSegment& segment) {
             return segment.angle_range.has_value();
         }));
     check.convex = shape.convex && check.searched_angles == 0;
-    if (scene.measured) (void)measured_report(scene, reference_peaks(scene));  // throws: too few rows
+    if (complete.measured)
+        (void)measured_report(complete, reference_peaks(complete));  // throws: too few rows
     check.free_breakpoints = free.has_value();
-    if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
+    if (free || needs_starts(problem.model())) check.starts = complete.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());
     check.derivatives = derivative_errors(solved.grid(), check_point(solved));
     check.derivatives_agree =

@@ -194,13 +194,13 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
     return law_row(bench_of(scene, solution), *found, solution.certificate.objective);
 }
 
-Comparison compare(const Scene& given, const SolveControl& control) {
-    Scene scene = with_written_limits(given);
+Comparison compare(const Scene& scene, const SolveControl& control) {
+    Scene complete = with_written_limits(scene);
     Comparison comparison;
-    comparison.optimum = solve_without_explaining(scene, control);
+    comparison.optimum = solve_without_explaining(complete, control);
     const Solution& solution = comparison.optimum;
-    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
-    const Bench bench = bench_of(scene, solution);
+    if (searches_angles(complete)) complete = solution.scene;  // the laws get the optimum's angles
+    const Bench bench = bench_of(complete, solution);
     comparison.cam = bench.disk;
     std::optional<double> optimum;
     if (solution.motion) {

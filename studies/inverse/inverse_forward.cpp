@@ -55,11 +55,9 @@ GuideCheckResult checked(const GuideCheckInput& input, const Found& found) {
         angle = found(distance, angle);
         const double deviation = std::abs(angle - input.designed(distance));
         if (deviation <= result.deviation) continue;
-        result.deviation = deviation;
+        result.deviation = !std::isnan(deviation) ? deviation : nowhere;
         result.distance = distance;
-        if (!std::isnan(deviation)) continue;
-        result.deviation = nowhere;
-        break;
+        if (std::isnan(deviation)) break;
     }
     result.seconds = watch.seconds();
     return result;

@@ -85,7 +85,7 @@ class FrontTree {
 
     /// What is absent is never worse: it bounds nothing.
     static double bound(double criterion) {
-        return std::isnan(criterion) ? -std::numeric_limits<double>::infinity() : criterion;
+        return !std::isnan(criterion) ? criterion : -std::numeric_limits<double>::infinity();
     }
 
     std::size_t build(std::size_t begin, std::size_t end, std::size_t criterion) {
