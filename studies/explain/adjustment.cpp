@@ -89,11 +89,11 @@ void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIn
                                         }));
         if (which == DimensionIndex::base_radius) all.back().usefulness = Usefulness::base_radius;
     };
-    const double low = as_written(dimension.low / unit), high = as_written(dimension.high / unit);
+    const double from = as_written(dimension.low / unit), to = as_written(dimension.high / unit);
     if (!dimension.is_variable())
-        return add(key, low, Range::between(grows_only ? low : least, largest), true);
-    add(key + ".max", high, Range::between(high, largest), true);
-    if (!grows_only) add(key + ".min", low, Range::between(least, low), false);
+        return add(key, from, Range::between(grows_only ? from : least, largest), true);
+    add(key + ".max", to, Range::between(to, largest), true);
+    if (!grows_only) add(key + ".min", from, Range::between(least, from), false);
 }
 
 /// Of a coordinate or an angle that happens to be 0.
