@@ -84,10 +84,12 @@ PlotAxis axis_over(const ValueRange& range, double begin, double end) {
 std::vector<PlotTick> labelled_ticks(const PlotAxis& axis, int wanted) {
     std::vector<PlotTick> ticks;
     if (axis.logarithmic) {
-        for (double power = std::pow(10.0, std::floor(std::log10(axis.lower))); power <= axis.upper;
-             power *= 10.0)
+        double power = std::pow(10.0, std::floor(std::log10(axis.lower)));
+        while (power <= axis.upper) {
             for (const double digit : {1.0, 2.0, 5.0})
                 if (axis.holds(digit * power)) ticks.push_back({digit * power, short_text(digit * power, 5)});
+            power *= 10.0;
+        }
         return ticks;
     }
     return labelled_ticks(axis.lower, axis.upper, wanted);
