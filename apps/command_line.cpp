@@ -2,12 +2,9 @@
 #include "apps/command_line.hpp"
 
 #include "apps/command_words.hpp"
-#include "apps/commands.hpp"
 #include "apps/completion/completion.hpp"
 #include "apps/manual/manual.hpp"
 #include "apps/scene_loading.hpp"
-#include "apps/sweep/pareto_run.hpp"
-#include "apps/sweep/surface_run.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "core/licenses.hpp"
@@ -17,18 +14,14 @@
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
-#include <span>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace camopt::apps {
 

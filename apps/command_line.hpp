@@ -2,7 +2,7 @@
 // From the words of the command line to one command. The only place that knows the option parser.
 #pragma once
 
-#include "apps/exit_code.hpp"
+#include "apps/commands.hpp"
 
 namespace camopt::apps {
 

@@ -3,13 +3,30 @@
 // stdout, and throw InputError for what the user got wrong.
 #pragma once
 
-#include "apps/exit_code.hpp"
+#include "solvers/certificate/certificate.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt::apps {
+
+// The exit codes of camopt, the same for every command. 130 is what a shell says of Ctrl-C.
+enum ExitCode : int { success = 0, failure = 1, wrong_input = 2, proved_infeasible = 3, interrupted = 130 };
+
+[[nodiscard]] inline ExitCode exit_code_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::optimal:
+        case Verdict::local:
+        case Verdict::feasible:
+            return success;
+        case Verdict::infeasible:
+            return proved_infeasible;
+        case Verdict::failed:
+            break;
+    }
+    return failure;
+}
 
 struct SolveRequest {
     std::string scene;                  ///< file
@@ -158,5 +175,20 @@ struct ReproduceRequest {
     bool json = false;
 };
 [[nodiscard]] ExitCode reproduce_command(const ReproduceRequest& request);
+
+// camopt sweep SCENE --pareto first,second: a front by limits.
+
+/// Writes pareto.csv, pareto.svg and pareto.html into request.out and prints the front. After Ctrl-C the
+/// points that are finished are written.
+[[nodiscard]] ExitCode pareto_run(const SweepRequest& request);
+
+// camopt sweep SCENE --surface ERROR: every weight of V, A and J to a proved error, and its look-up.
+
+/// Writes surface.csv, surface.svg, surface.html, surface.obj and surface.json into request.out and prints
+/// what was reached. After Ctrl-C what is finished is written, and --resume goes on from it.
+[[nodiscard]] ExitCode surface_run(const SweepRequest& request);
+
+/// request.scene is such a folder: prints between which two values the objective lies at request.surface.at.
+[[nodiscard]] ExitCode surface_look_up(const SweepRequest& request);
 
 }  // namespace camopt::apps

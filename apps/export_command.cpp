@@ -3,8 +3,6 @@
 // points, surfaces, drawings, solids, a picture, the NC program with its check. Of its motion, with or
 // without a cam: a uniform table, electronic cams.
 #include "apps/commands.hpp"
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
@@ -17,11 +15,9 @@
 #include "output/report/cam_files.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/result_folder_reader.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/pdf/sheet_pdf.hpp"
-#include "output/sheet/sheet_dxf.hpp"
-#include "output/sheet/sheet_svg.hpp"
+#include "output/sheet/sheet_files.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "output/surface/mesh_files.hpp"
@@ -32,7 +28,7 @@
 #include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 // camopt solve: optimise a scene, print the result, write its folder.
 #include "apps/commands.hpp"
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
 #include "output/json/result_json.hpp"
-#include "output/page/result_extras.hpp"
+#include "output/page/page_data.hpp"
+#include "output/page/page_html.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/report/report.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/scene_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/text_table.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
+#include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -73,6 +78,78 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
                                {request.points, request.dxf, result_extras(solution, origin)});
 }
 
+// camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.
+constexpr int line_width = 110;
+
+const char* meaning_of(Curvature curvature) {
+    switch (curvature) {
+        case Curvature::linear:
+            return "linear";
+        case Curvature::convex:
+            return "convex";
+        case Curvature::general:
+            break;
+    }
+    return "general: an optimum may be a local one";
+}
+
+std::string limits_text(const std::vector<LimitShape>& limits) {
+    std::string text;
+    for (const LimitShape& limit : limits)
+        text += fmt::format("  limit: {} is {}\n", limit.key, meaning_of(limit.curvature));
+    return text;
+}
+
+/// How it will be solved, and what can come of it.
+std::string plan_text(const Scene& scene, const SceneCheck& check) {
+    const BackendChoice& choice = check.choice;
+    const std::string by = fmt::format("by {} ({}), design vector: {}, at most {} s", choice.solver,
+                                       choice.reason.empty() ? "named in the scene" : "chosen",
+                                       name_of(choice.design), short_text(scene.solver.max_seconds));
+    if (!check.contradictions.empty())
+        return by + "; its conditions contradict each other: the verdict is infeasible, proved";
+    if (check.free_breakpoints)
+        return fmt::format(
+            "{}, first on the given breakpoints, then by {} start{} that move them; the verdict can be "
+            "optimal "
+            "where the limit of any curve is reached, else local or feasible; that nothing is feasible is "
+            "not proved",
+            by, check.starts, check.starts == 1 ? "" : "s");
+    if (check.searched_angles > 0)
+        return fmt::format(
+            "{}, for every share of the turn between {} segments that is tried; the verdict is optimal or "
+            "infeasible where nothing but limits in time knows the angles, else {}",
+            by, check.searched_angles, check.searched_angles == 2 ? "local or feasible" : "feasible");
+    if (check.free_displacements > 0 && check.convex)
+        return fmt::format(
+            "{}, the {} free displacement{} among the variables; where a stroke of them leaves its range, "
+            "one "
+            "solve for each direction it may take; the verdict to be expected is optimal or infeasible",
+            by, check.free_displacements, check.free_displacements == 1 ? "" : "s");
+    if (check.starts > 1 || !check.convex)
+        return fmt::format(
+            "{}, a convex relaxation first, then the best of {} start{}; the verdict is optimal or "
+            "infeasible "
+            "where the relaxation or a bound over boxes settles it, else local or feasible with its bound",
+            by, check.starts, check.starts == 1 ? "" : "s");
+    if (choice.reason.empty() && choice.solver != "structured")
+        return fmt::format(
+            "{}; the verdict can be optimal or infeasible, either with its proof; where {} comes less far, "
+            "feasible",
+            by, choice.solver);
+    return by + "; the verdict to be expected is optimal or infeasible, either with its proof";
+}
+
+std::string derivative_line(const DerivativeError& error) {
+    const std::string where = error.where.empty() ? "" : " (worst at " + error.where + ")";
+    if (error.wrong == 0)
+        return fmt::format("  {:<9} agrees with differences to {}{}\n", error.kind,
+                           short_text(error.error, 2), where);
+    return fmt::format(
+        "  {:<9} is wrong in {} of {} entries: off by {}, {} times what differences may err{}\n", error.kind,
+        error.wrong, error.entries, short_text(error.error, 2), short_text(error.beyond, 2), where);
+}
+
 }  // namespace
 
 ExitCode solve_command(const SolveRequest& request) {
@@ -87,6 +164,42 @@ ExitCode solve_command(const SolveRequest& request) {
     const std::string text = request.json ? result_json(solution, origin) : summary_text(solution, written);
     print(text);
     return exit_code_of(solution.certificate.verdict);
+}
+
+// camopt report: report.md and report.html of a result folder, written again; nothing is solved.
+ExitCode report_command(const ReportRequest& request) {
+    const auto load = [](const std::string& text, const std::string& name) {
+        return load_scene(SceneText{name, text}, {});
+    };
+    const ResultFolder result = read_result_folder(request.folder, load);
+    FolderUpdate folder(request.folder);
+    folder.write("report.html", report_html(result.solution, result.origin));
+    folder.write("report.md", report_markdown(result.solution, result.origin));
+    std::string text;
+    for (const auto& path : folder.finish()) text += fmt::format("  wrote {}\n", path.string());
+    print(text);
+    return success;
+}
+
+ExitCode check_command(const CheckRequest& request) {
+    Scene scene = load_scene(request.scene, request.settings);
+    show_in(scene, request.units);
+    const SceneCheck check = check_scene(scene);
+    std::string text = fmt::format("{}: the scene is valid\n", request.scene);
+    for (const std::string& line : scene_lines(scene)) text += wrapped_text(line, "  ", line_width);
+    text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
+                        check.rows, check.convex ? "convex: an optimum is global" : "not convex");
+    text += wrapped_text("Solved: " + plan_text(scene, check), "  ", line_width);
+    if (has_cam(scene)) text += limits_text(check.limits);
+    for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
+    for (const std::string& condition : check.redundant)
+        text += fmt::format("  note: {} follows from others\n", condition);
+    for (const std::string& condition : check.contradictions)
+        text += fmt::format("  infeasible: {} contradicts other conditions\n", condition);
+    if (!check.derivatives_agree) text += "  the derivatives are wrong\n";
+    print(text);
+    if (!check.derivatives_agree) return failure;
+    return check.contradictions.empty() ? success : proved_infeasible;
 }
 
 }  // namespace camopt::apps

@@ -3,6 +3,11 @@
 // (core/text/printable.hpp).
 #pragma once
 
+#include "solvers/solver.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace camopt::apps {
@@ -13,5 +18,48 @@ void print(std::string_view text);
 
 /// To standard error.
 void print_error(std::string_view text);
+
+// One line of progress on the terminal, overwritten in place.
+
+/// A callback that writes to stderr; empty where stderr is not a terminal.
+[[nodiscard]] std::function<void(std::string_view)> terminal_progress();
+
+/// Wipes the line, so that what follows starts clean.
+void end_progress();
+
+// Ctrl-C during a solve: the first asks the solver to stop and deliver the best point it has, the second ends
+// the program at once.
+
+/// Watches SIGINT as long as it lives; then the previous behaviour returns.
+class InterruptWatch {
+ public:
+    enum class Signals { interrupt, termination_too };  ///< too: SIGTERM, as job schedulers send it
+
+    explicit InterruptWatch(Signals signals = Signals::interrupt);
+    ~InterruptWatch();
+    InterruptWatch(const InterruptWatch&) = delete;
+    InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+    [[nodiscard]] static bool interrupted();
+};
+
+// A long computation with its progress on the terminal, which Ctrl-C stops.
+
+/// What compute(control, finished) returns; none where it was interrupted, for "the table" is incomplete
+/// then, and that is said. What `finished` hears of is shown behind `words`.
+template <class Compute>
+auto interruptible_run(const std::string& what, const std::string& words, const Compute& compute) {
+    const InterruptWatch watch;
+    const auto progress = terminal_progress();
+    const std::function<void(const std::string&)> finished = [&](const std::string& part) {
+        if (progress) progress(words + part);
+    };
+    std::optional result = compute(SolveControl{InterruptWatch::interrupted, {}}, finished);
+    end_progress();
+    if (!InterruptWatch::interrupted()) return result;
+    print_error("camopt: interrupted; " + what + " is incomplete and was not written\n");
+    result.reset();
+    return result;
+}
 
 }  // namespace camopt::apps

@@ -2,7 +2,6 @@
 #include "dynamics/train_at_speed.hpp"
 
 #include "core/units.hpp"
-#include "dynamics/bounded_maxima.hpp"
 #include "scene/scene_error.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,17 +1,176 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/train_formulas.hpp"
 
+#include "core/errors.hpp"
 #include "dynamics/linear_train.hpp"
-#include "dynamics/motion_pieces.hpp"
 #include "dynamics/train_at_speed.hpp"
+#include "scene/dynamics_spec.hpp"
 
 #include <Eigen/SVD>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace camopt {
+
 namespace {
+
+// Any motion as pieces on which y' is a polynomial.
+//
+// Between two breakpoints a quintic through y', y'', y''' of both ends is tried first: it is the slope of any
+// spline up to degree 6 itself. Where it is not (harmonic laws, polynomials of higher degree) Chebyshev
+// interpolants on halves, and halves of these, follow y' to rounding.
+
+using Eigen::VectorXd;
+
+constexpr int chebyshev_terms = 15;
+// Of the largest slope of the piece: what a fit may leave, rounding of the motion's own formulas.
+constexpr double rounding_of_slope = 4e-15;
+// The last terms of a Chebyshev series that has converged, of the largest slope of the motion: what its own
+// formulas round off.
+constexpr double converged_terms = 2e-15;
+constexpr int size_samples = 16;
+constexpr int deepest_halving = 40;
+
+struct Span {
+    double begin = 0.0, end = 0.0;
+    [[nodiscard]] double width() const { return end - begin; }
+    [[nodiscard]] double at(double t) const { return begin + t * (end - begin); }
+};
+
+/// Σ_k c_k t^k through value, slope and second derivative by t at both ends.
+VectorXd quintic(const std::array<double, 3>& left, const std::array<double, 3>& right) {
+    VectorXd c(6);
+    c.head(3) << left[0], left[1], 0.5 * left[2];
+    const double rest = right[0] - c[0] - c[1] - c[2];
+    const double slope = right[1] - c[1] - 2.0 * c[2];
+    const double bend = right[2] - 2.0 * c[2];
+    c[3] = 10.0 * rest - 4.0 * slope + 0.5 * bend;
+    c[4] = -15.0 * rest + 7.0 * slope - bend;
+    c[5] = 6.0 * rest - 3.0 * slope + 0.5 * bend;
+    return c;
+}
+
+double value_at(const VectorXd& polynomial, double t) {
+    double value = 0.0;
+    for (Eigen::Index k = polynomial.size(); k-- > 0;) value = value * t + polynomial[k];
+    return value;
+}
+
+class SlopeFit {
+ public:
+    SlopeFit(const Motion& motion, std::vector<SlopePiece>& pieces) : motion_(motion), pieces_(pieces) {
+        const Span whole{motion.begin(), motion.end()};
+        for (int k = 0; k <= size_samples; ++k) {
+            const double slope =
+                std::abs(motion.at(whole.at(static_cast<double>(k) / size_samples)).derivative[1]);
+            if (std::isfinite(slope)) largest_ = std::max(largest_, slope);
+        }
+    }
+
+    void add(const Span& span, int halvings) {
+        if (add_quintic(span) || add_chebyshev(span)) return;
+        if (halvings == deepest_halving)
+            throw InputError(
+                fmt::format("dynamics: found a motion whose velocity no polynomial follows near x = {:.9g}; "
+                            "allowed: finite velocities and accelerations",
+                            span.begin));
+        const double middle = span.at(0.5);
+        add({span.begin, middle}, halvings + 1);
+        add({middle, span.end}, halvings + 1);
+    }
+
+ private:
+    void keep(const Span& span, VectorXd slope) {
+        const double displacement = motion_.at(span.begin, Side::right).derivative[0];
+        pieces_.push_back({span.begin, span.width(), displacement, std::move(slope)});
+    }
+
+    bool add_quintic(const Span& span) {
+        const MotionPoint left = motion_.at(span.begin, Side::right);
+        const MotionPoint right = motion_.at(span.end, Side::left);
+        const double h = span.width();
+        const auto scaled = [h](const MotionPoint& point) {
+            return std::array{point.derivative[1], h * point.derivative[2], h * h * point.derivative[3]};
+        };
+        VectorXd slope = quintic(scaled(left), scaled(right));
+        if (!slope.allFinite()) return false;
+        const double size = slope.cwiseAbs().maxCoeff();
+        // A spline's slope has one degree fewer: what is left of the quintic is rounding.
+        for (const double t : {0.2, 0.5, 0.85}) {
+            const MotionPoint point = motion_.at(span.at(t));
+            const double off = std::abs(value_at(slope, t) - point.derivative[1]);
+            double bend = 0.0;
+            for (Eigen::Index k = 5; k >= 1; --k) bend = bend * t + static_cast<double>(k) * slope[k];
+            const double off_bend = std::abs(bend - h * point.derivative[2]);
+            if (!(std::max(off, off_bend) <= rounding_of_slope * size)) return false;
+        }
+        Eigen::Index terms = slope.size();
+        while (terms > 1 && std::abs(slope[terms - 1]) <= rounding_of_slope * size) --terms;
+        keep(span, slope.head(terms));
+        return true;
+    }
+
+    bool add_chebyshev(const Span& span) {
+        constexpr int n = chebyshev_terms;
+        VectorXd values(n);
+        for (int i = 0; i < n; ++i) {
+            const double node = std::cos(std::numbers::pi * (i + 0.5) / n);
+            values[i] = motion_.at(span.at(0.5 * (node + 1.0))).derivative[1];
+        }
+        if (!values.allFinite()) return false;
+        VectorXd terms(n);
+        for (int k = 0; k < n; ++k) {
+            double sum = 0.0;
+            for (int i = 0; i < n; ++i) sum += values[i] * std::cos(std::numbers::pi * k * (i + 0.5) / n);
+            terms[k] = sum * (k == 0 ? 1.0 : 2.0) / n;
+        }
+        const double size = std::max(largest_, terms.cwiseAbs().maxCoeff());
+        if (terms.tail(3).cwiseAbs().maxCoeff() > converged_terms * size) return false;
+        int kept = n;
+        while (kept > 1 && std::abs(terms[kept - 1]) <= converged_terms * size) --kept;
+        keep(span, by_powers(terms.head(kept)));
+        return true;
+    }
+
+    /// Σ c_k T_k(2t − 1) by powers of t.
+    static VectorXd by_powers(const VectorXd& terms) {
+        VectorXd before = VectorXd::Zero(terms.size()), current = before, sum = before;
+        before[0] = 1.0;
+        sum[0] = terms[0];
+        if (terms.size() == 1) return sum;
+        current[0] = -1.0;
+        current[1] = 2.0;
+        sum += terms[1] * current;
+        for (Eigen::Index k = 2; k < terms.size(); ++k) {
+            VectorXd next = -before - 2.0 * current;
+            next.tail(next.size() - 1) += 4.0 * current.head(current.size() - 1);
+            sum += terms[k] * next;
+            before = current;
+            current = next;
+        }
+        return sum;
+    }
+
+    const Motion& motion_;
+    std::vector<SlopePiece>& pieces_;
+    double largest_ = 0.0;  ///< slope of the motion, by samples
+};
+
+/// Throws InputError where y' is not finite, or no polynomial follows it (an infinite y'' at an end).
+std::vector<SlopePiece> slope_pieces(const Motion& motion) {
+    std::vector<SlopePiece> pieces;
+    SlopeFit fit(motion, pieces);
+    const std::vector<double> points = motion.breakpoints();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        if (points[i + 1] > points[i]) fit.add({points[i], points[i + 1]}, 0);
+    return pieces;
+}
 
 class LinearTrainFormulas final : public TrainFormulas {
  public:

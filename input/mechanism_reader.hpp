@@ -6,6 +6,8 @@
 #include "scene/cam_kind.hpp"
 #include "scene/scene.hpp"
 
+#include <optional>
+
 namespace camopt::input {
 
 /// Throws InputError where the output swings and the lift is a length, or the reverse.
@@ -15,5 +17,13 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
 /// None where there is no cam, or a disk cam. Without formulas: profiles/factory brings them.
 [[nodiscard]] std::optional<MechanismSpec> read_mechanism(const SceneSource& source,
                                                           const MotionSpec& motion);
+
+// Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
+// ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError where a speed is missing or the
+// unit does not fit the lift. Internal to input/.
+[[nodiscard]] LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion);
+
+// The [dynamics] table. Internal to input/.
+[[nodiscard]] std::optional<DynamicsSpec> read_dynamics(const SceneSource& source, const MotionSpec& motion);
 
 }  // namespace camopt::input

@@ -2,30 +2,62 @@
 #include "input/scene_reader.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/file_bytes.hpp"
 #include "core/text/printable.hpp"
+#include "core/text/text_file.hpp"
 #include "input/cam_reader.hpp"
-#include "input/document/document_reader.hpp"
-#include "input/document/document_text.hpp"
+#include "input/document/document.hpp"
 #include "input/document/overrides.hpp"
-#include "input/drawing_reader.hpp"
-#include "input/dynamics_reader.hpp"
+#include "input/document/scene_source.hpp"
 #include "input/keys/key_check.hpp"
+#include "input/keys/scene_keys.hpp"
 #include "input/measured/measured_reader.hpp"
 #include "input/mechanism_reader.hpp"
 #include "input/motion_reader.hpp"
-#include "input/peak_limits.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "scene/cost_table.hpp"
+#include "scene/drawing_spec.hpp"
 #include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <system_error>
 #include <utility>
 
 namespace camopt::input {
+
 namespace {
+
+// The [drawing] table. Internal to input/.
+
+std::optional<Keyway> read_keyway(const SceneSource& source) {
+    constexpr std::string_view table = "drawing.keyway";
+    if (!source.table(table)) return std::nullopt;
+    Keyway keyway;
+    source.read_number(table, "width", keyway.width);
+    source.read_number(table, "depth", keyway.depth);
+    source.read_number(table, "at", keyway.at);
+    return keyway;
+}
+
+std::optional<DrawingSpec> read_drawing(const SceneSource& source) {
+    if (!source.table("drawing")) return std::nullopt;
+    DrawingSpec drawing;
+    drawing.bore = source.number("drawing", "bore");
+    drawing.keyway = read_keyway(source);
+    drawing.thickness = source.number("drawing", "thickness");
+    drawing.groove_depth = source.number("drawing", "groove_depth");
+    source.read_number("drawing", "datum", drawing.datum);
+    const auto words = [&](std::string_view name, std::string& target) {
+        if (const auto given = source.find("drawing.title_block", name)) target = given->value().text;
+    };
+    words("part", drawing.title_block.part);
+    words("material", drawing.title_block.material);
+    words("tolerance", drawing.title_block.tolerance);
+    words("drawn_by", drawing.title_block.drawn_by);
+    return drawing;
+}
 
 // A scene with a breakpoint in every micrometre of a metre is smaller.
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{1} << 28U;
@@ -173,6 +205,15 @@ class SceneReader {
     }
 };
 
+/// Adds nothing for a number without a key, or one twice.
+void add_key(FollowerKind& kind, const CamNumber& number) {
+    const KeyRow* const row = number.owned ? find_row(number.table, number.key) : nullptr;
+    if (!row) return;
+    const std::string key = row->key(row->spellings.front());
+    const std::string written = row->table == "cam" ? key : fmt::format("{}.{}", row->table, key);
+    if (std::ranges::find(kind.keys, written) == kind.keys.end()) kind.keys.push_back(written);
+}
+
 }  // namespace
 
 Scene read_document(const SceneSource& source, const KnownNames& known) {
@@ -239,6 +280,19 @@ Scene read_scene_file(const std::filesystem::path& path, const KnownNames& known
     KnownNames with_folder = known;
     with_folder.folder = path.parent_path();
     return read_scene(scene_file_text(path), path.string(), with_folder, overrides);
+}
+
+std::vector<FollowerKind> follower_kinds() {
+    std::vector<FollowerKind> all;
+    for (const CamKind& cam : cam_kinds())
+        for (const CamVariant& variant : cam.variants) {
+            FollowerKind kind{cam.type, {}, variant.word, variant.swings, variant.touches_with, {}};
+            if (!cam.choosing_key.empty())
+                kind.chosen_by = fmt::format("{}.{}", cam.choosing_table, cam.choosing_key);
+            for (const CamNumber& number : variant.numbers) add_key(kind, number);
+            all.push_back(std::move(kind));
+        }
+    return all;
 }
 
 }  // namespace camopt::input

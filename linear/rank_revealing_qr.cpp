@@ -154,8 +154,4 @@ RowDependence analyse_rows(const Sparse& matrix, const Eigen::VectorXd& right_si
     return result;
 }
 
-const char* rank_revealing_qr_backend() {
-    return internal::triangular_factor_backend();
-}
-
 }  // namespace camopt

@@ -36,7 +36,4 @@ struct RowDependence {
 [[nodiscard]] RowDependence analyse_rows(const Eigen::SparseMatrix<double>& matrix,
                                          const Eigen::VectorXd& right_side, double tolerance = 1e-10);
 
-/// "SuiteSparseQR" or "Eigen::SparseQR".
-[[nodiscard]] const char* rank_revealing_qr_backend();
-
 }  // namespace camopt

@@ -33,8 +33,4 @@ TriangularFactor triangular_factor(const Eigen::SparseMatrix<double>& matrix, do
     return factor_with<Eigen::COLAMDOrdering<int>>(matrix, tolerance);
 }
 
-const char* triangular_factor_backend() {
-    return "Eigen::SparseQR";
-}
-
 }  // namespace camopt::internal

@@ -27,6 +27,4 @@ struct TriangularFactor {
 [[nodiscard]] TriangularFactor triangular_factor(const Eigen::SparseMatrix<double>& matrix, double tolerance,
                                                  ColumnOrder order);
 
-[[nodiscard]] const char* triangular_factor_backend();
-
 }  // namespace camopt::internal

@@ -89,8 +89,4 @@ TriangularFactor triangular_factor(const Eigen::SparseMatrix<double>& matrix, do
     return copied(*upper, permutation);
 }
 
-const char* triangular_factor_backend() {
-    return "SuiteSparseQR";
-}
-
 }  // namespace camopt::internal

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "linear/suitesparse_factors.hpp"
 
-#include "linear/shifted_factor.hpp"
-
 #include <Eigen/CholmodSupport>
 #include <Eigen/KLUSupport>
-
-#include <vector>
 
 namespace camopt {
 namespace {

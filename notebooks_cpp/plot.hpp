@@ -8,8 +8,8 @@
 // Values that are not finite break a line. Nothing throws.
 #pragma once
 
+#include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/chart/value_range.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -2,13 +2,14 @@
 // camopt list: the laws, followers, solvers, keys of a scene, columns of a table and controllers that this
 // camopt knows.
 #include "apps/commands.hpp"
-#include "apps/list/list_exports.hpp"
-#include "apps/list/list_keys.hpp"
 #include "apps/terminal.hpp"
 #include "core/peak_figures.hpp"
-#include "input/follower_kinds.hpp"
+#include "input/keys/scene_keys.hpp"
+#include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "output/csv/uniform_csv.hpp"
 #include "output/json/json_text.hpp"
+#include "output/plc/plc_format.hpp"
 #include "output/words/number_text.hpp"
 #include "solvers/registry.hpp"
 
@@ -18,12 +19,151 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace camopt::apps {
 
 namespace {
+
+// camopt list keys: every key of a scene file, from the table that the reader checks against.
+
+using input::Availability;
+using input::KeyRow;
+using input::Spelling;
+
+std::vector<std::string> spellings_of(const KeyRow& row) {
+    std::vector<std::string> keys;
+    for (const Spelling& spelling : row.spellings) keys.push_back(row.key(spelling));
+    return keys;
+}
+
+std::string conditions_text(const KeyRow& row) {
+    std::string text;
+    if (!row.cam_types.empty()) text += fmt::format(" Cam type {} only.", row.cam_types_text('"'));
+    if (!row.instead_of.empty()) text += fmt::format(" Instead of {}.", row.instead_of);
+    if (row.availability == Availability::needs_cam) text += " Needs [cam].";
+    if (row.availability == Availability::needs_forces) text += " Needs [forces].";
+    if (row.availability == Availability::needs_dynamics) text += " Needs [dynamics].";
+    return text;
+}
+
+std::string key_text(const KeyRow& row) {
+    return fmt::format("  {}\n      {}; default: {}. {}{}\n", fmt::join(spellings_of(row), ", "),
+                       row.allowed(row.spellings.front()), row.default_text, row.meaning,
+                       conditions_text(row));
+}
+
+Json or_null(std::string_view text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json needs_json(Availability availability) {
+    if (availability == Availability::needs_cam) return "cam";
+    if (availability == Availability::needs_forces) return "forces";
+    if (availability == Availability::needs_dynamics) return "dynamics";
+    return nullptr;
+}
+
+Json key_json(const KeyRow& row) {
+    Json keys = Json::array();
+    for (const Spelling& spelling : row.spellings)
+        keys.push_back({{"key", row.key(spelling)}, {"unit", or_null(spelling.unit)}});
+    return {{"table", row.table},
+            {"name", row.name},
+            {"keys", keys},
+            {"type", input::type_words(row.type)},
+            {"allowed", row.allowed(row.spellings.front())},
+            {"choices", row.choices},
+            {"default", row.default_text},
+            {"meaning", row.meaning},
+            {"needs", needs_json(row.availability)},
+            {"cam_types", row.cam_types.empty() ? Json(nullptr) : Json(row.cam_types)},
+            {"instead_of", or_null(row.instead_of)}};
+}
+
+std::string keys_text() {
+    std::string text;
+    const KeyRow* previous = nullptr;
+    for (const KeyRow& row : input::scene_keys()) {
+        if (!previous || previous->table != row.table)
+            text += row.table.empty() ? std::string("Top level\n") : fmt::format("\n[{}]\n", row.table);
+        text += key_text(row);
+        previous = &row;
+    }
+    return text +
+           "\nEach quantity is written once, in one of its units. --set TABLE.KEY=VALUE replaces one key of "
+           "a "
+           "scene.\n";
+}
+
+/// An array, one entry a row of the table in its order: table, name, keys as they may be written with their
+/// units, type, allowed, choices, default, meaning, needs ("cam", "forces" or null), cam_types (null: all),
+/// instead_of (a key or null).
+Json keys_json() {
+    Json list = Json::array();
+    for (const KeyRow& row : input::scene_keys()) list.push_back(key_json(row));
+    return list;
+}
+
+// camopt list columns, camopt list controllers: what `export --csv` and `export --plc` know, from their
+// tables.
+
+std::vector<std::string> files_of(const PlcFormat& format) {
+    std::vector<std::string> files = {format.file};
+    if (!format.text_file.empty()) files.push_back(format.text_file);
+    return files;
+}
+
+std::string columns_text() {
+    std::string text;
+    for (const TableColumn& column : table_columns()) {
+        const std::string needs = words_of(column.need);
+        text += fmt::format("{:<20} {}{}{}\n", column.key, column.meaning, needs.empty() ? "" : "; ", needs);
+    }
+    return text + "For camopt export WHAT --out DIR --csv --columns KEY,KEY,…\n";
+}
+
+/// Each: key, meaning, needs (null: nothing).
+Json columns_json() {
+    Json list = Json::array();
+    for (const TableColumn& column : table_columns()) {
+        const std::string needs = words_of(column.need);
+        list.push_back({{"key", column.key},
+                        {"meaning", column.meaning},
+                        {"needs", needs.empty() ? Json(nullptr) : Json(needs)}});
+    }
+    return list;
+}
+
+std::string controllers_text() {
+    std::string text;
+    for (const PlcFormat& format : plc_formats()) {
+        text += fmt::format("{:<10} {}\n{:<10}   {}: {}, {}\n", format.key, format.controller, "",
+                            fmt::join(files_of(format), ", "), format.rule, format.numbers);
+        if (format.limit)
+            text += fmt::format("{:<10}   {} holds {} {}\n", "", format.limit_words, *format.limit,
+                                format.element);
+    }
+    return text +
+           "For camopt export WHAT --out DIR --plc KEY,KEY,…; docs/plc.md says how each is imported.\n";
+}
+
+/// Each: key, files, controller, rule, numbers, degree, element, limit (null: none).
+Json controllers_json() {
+    Json list = Json::array();
+    for (const PlcFormat& format : plc_formats())
+        list.push_back({{"key", format.key},
+                        {"files", files_of(format)},
+                        {"controller", format.controller},
+                        {"rule", format.rule},
+                        {"numbers", format.numbers},
+                        {"degree", format.degree},
+                        {"element", format.element},
+                        {"limit", format.limit ? Json(*format.limit) : Json(nullptr)}});
+    return list;
+}
 
 std::string laws_text() {
     std::string text = fmt::format("{:<30} {:>9} {:>9} {:>9} {:>9}  {}\n", "key", "V", "A", "J", "Q", "law");

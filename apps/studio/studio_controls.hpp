@@ -3,6 +3,8 @@
 // scene files checks against. A key added there is a control here.
 #pragma once
 
+#include "core/numbers/range.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -21,5 +23,16 @@ namespace camopt::apps {
 /// Tables and arrays are none. Of keys the scene does not have, those that need a cam or forces it has not,
 /// or another type of cam, are left out, and those in whose place another is given.
 [[nodiscard]] nlohmann::ordered_json studio_controls(const std::string& text);
+
+// How far a slider goes and how fine: within what a key allows, around where its value stands.
+struct SliderRange {
+    double from = 0.0, to = 1.0, step = 0.01;
+};
+
+/// The whole range where it has two ends. Else from its one end, or from zero (a negative value: from as far
+/// on the other side), to twice the value, rounded up to 1, 2 or 5 times a power of ten; of 0 to 1. The step,
+/// 1, 2 or 5 times a power of ten, is a two-hundredth of the way or less; 1 of integers. An end that is not
+/// allowed itself is left out by one step.
+[[nodiscard]] SliderRange slider_range(const Range& allowed, double value, bool integer);
 
 }  // namespace camopt::apps

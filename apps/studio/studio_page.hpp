@@ -3,10 +3,30 @@
 #pragma once
 
 #include "apps/studio/studio_server.hpp"
+#include "scene/scene.hpp"
+#include "solvers/solver.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace camopt::apps {
+
+// The scene a page asks about: the text of a scene file and what its controls set since.
+struct StudioScene {
+    Scene scene;       ///< ready to be solved
+    std::string text;  ///< the same as one scene file
+};
+
+/// `settings`: an object, KEY: value. A number, true, false or a text is set as `--set KEY=VALUE` does; an
+/// object { "min": …, "max": … } is a range; null takes the key out. Throws InputError for whatever the
+/// reader of scene files refuses, in its words, and for values of other kinds; `name` stands in the place of
+/// the file. The text is all there is: nothing in it makes camopt open a file.
+[[nodiscard]] StudioScene studio_scene(const std::string& text, const nlohmann::ordered_json& settings,
+                                       const std::string& name);
 
 /// What a fresh page begins with.
 struct StudioStart {
@@ -17,8 +37,18 @@ struct StudioStart {
 /// A rise between two dwells, for who comes without a scene.
 [[nodiscard]] StudioStart first_scene();
 
-/// answer: to the first solve (studio_answer.hpp). With a content policy that lets this document's own
+/// answer: to the first solve (studio_session.cpp). With a content policy that lets this document's own
 /// scripts run and no others, and connect to nothing but this server.
 [[nodiscard]] StudioAnswer studio_page(const StudioStart& start, const std::string& answer);
+
+// Files of a scene, made in memory: a request names one of a list, never a path.
+
+/// "scene", "motion", "cam", "dxf", "result", "report": what a request may ask for.
+[[nodiscard]] std::vector<std::string_view> download_names();
+
+/// The file, solved for where it needs a solve. Throws InputError for a name that is none, and for a file
+/// this scene has not (the cam of a scene without one, anything of a scene without a motion).
+[[nodiscard]] StudioAnswer studio_download(std::string_view what, const StudioScene& given,
+                                           const SolveControl& control);
 
 }  // namespace camopt::apps

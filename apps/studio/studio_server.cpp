@@ -2,7 +2,6 @@
 #include "apps/studio/studio_server.hpp"
 
 #include "apps/studio/request_room.hpp"
-#include "apps/studio/request_rules.hpp"
 #include "apps/studio/request_stream.hpp"
 #include "core/errors.hpp"
 

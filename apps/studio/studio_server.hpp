@@ -5,7 +5,7 @@
 //   POST /TOKEN/solve     a scene solved, JSON to JSON
 //   POST /TOKEN/export    a file of it
 //
-// Everything else is refused (request_rules.hpp) before its body is read, with no word of what is there. Each
+// Everything else is refused (request_room.hpp) before its body is read, with no word of what is there. Each
 // connection carries one request, within a number of seconds and bytes. Files are never touched.
 // studio_absent.cpp stands in where the build has no HTTP library.
 #pragma once

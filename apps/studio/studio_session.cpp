@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_session.hpp"
 
-#include "apps/studio/studio_answer.hpp"
-#include "apps/studio/studio_downloads.hpp"
-#include "apps/studio/studio_scene.hpp"
+#include "apps/studio/studio_controls.hpp"
+#include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
+#include "output/page/page_data.hpp"
+#include "studies/delivered/solution.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/solve/solve_sequence.hpp"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -22,6 +24,66 @@
 namespace camopt::apps {
 
 namespace {
+
+// What the page is told of a solve, as one JSON text.
+//
+// A change is answered in up to three stages, so that the picture waits for nothing it does not need:
+// the curve (not proved, and its words say so), the proof with words and tables, the rest (the reference law
+// in the scene's place; of a scene without a motion, which change would help).
+//
+//   stage     "curve", "proof", "rest"
+//   more      the rest is worth asking for
+//   data      as page_data (output/page/page_data.hpp)
+//   laws      as page_laws, of the laws asked for
+//   scene     the scene as solved, TOML
+//   controls  as studio_controls
+//   verdict, objective, seconds   of the solve, its own figures
+enum class AnswerStage : unsigned char { curve, proof, rest };
+
+struct AnswerWishes {
+    std::vector<std::string> laws = {};
+    AnswerStage stage = AnswerStage::rest;
+};
+
+const char* name_of_stage(AnswerStage stage) {
+    switch (stage) {
+        case AnswerStage::curve:
+            return "curve";
+        case AnswerStage::proof:
+            return "proof";
+        case AnswerStage::rest:
+            break;
+    }
+    return "rest";
+}
+
+/// A law to compare with, or a scene without a motion that may be explained.
+bool has_rest(const Solution& solution) {
+    return !solution.motion || solution.certificate.verdict == Verdict::infeasible ||
+           !solution.scene.objective.reference.numeric;
+}
+
+/// Throws InputError for a law that is not in the catalogue.
+std::string studio_answer(const Solution& solution, const std::string& text, const AnswerWishes& wishes) {
+    using Json = nlohmann::ordered_json;
+    const double objective = solution.certificate.objective;
+    const Json own = {{"verdict", name_of(solution.certificate.verdict)},
+                      {"objective", std::isfinite(objective) ? Json(objective) : Json(nullptr)},
+                      {"seconds", solution.seconds_total},
+                      {"stage", name_of_stage(wishes.stage)},
+                      {"more", wishes.stage == AnswerStage::proof && has_rest(solution)},
+                      {"scene", text},
+                      {"controls", studio_controls(text)}};
+    // Texts of JSON side by side: the curves need not be read to be sent on.
+    std::string answer = own.dump(-1, ' ', false, Json::error_handler_t::replace);
+    answer.back() = ',';
+    answer += "\"laws\":" + page_laws(solution, wishes.laws) + ",\"data\":";
+    answer += page_data(
+        solution, {.scene_file = "scene.toml", .command = "camopt solve scene.toml", .scene_text = text},
+        {.reference = wishes.stage == AnswerStage::rest ? PageReference::compared : PageReference::later,
+         .proof = wishes.stage != AnswerStage::curve});
+    return answer + "}";
+}
 
 using RequestJson = nlohmann::ordered_json;
 

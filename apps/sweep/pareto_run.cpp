@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sweep/pareto_run.hpp"
-
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
+#include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
-#include "apps/sweep/sweep_request.hpp"
+#include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
-#include "output/chart/studies/pareto_svg.hpp"
-#include "output/csv/pareto_csv.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sweep/surface_run.hpp"
-
-#include "apps/interrupt.hpp"
-#include "apps/progress.hpp"
+#include "apps/commands.hpp"
 #include "apps/scene_loading.hpp"
-#include "apps/sweep/sweep_request.hpp"
+#include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
@@ -13,7 +10,7 @@
 #include "core/version.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/json/surface_json.hpp"
+#include "output/json/sweep_json.hpp"
 #include "output/page/study_html.hpp"
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"

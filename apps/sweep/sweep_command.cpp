@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
 #include "apps/commands.hpp"
-#include "apps/interrupt.hpp"
 #include "apps/sweep/ranks/sweep_ranks.hpp"
-#include "apps/sweep/sweep_finish.hpp"
 #include "apps/sweep/sweep_job.hpp"
-#include "apps/sweep/sweep_solve.hpp"
+#include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "output/report/sweep_folder.hpp"
 
+#include <fmt/format.h>
+
+#include <map>
 #include <thread>
 
 namespace camopt::apps {
@@ -18,6 +20,46 @@ int worker_count(const SweepRequest& request) {
     if (request.workers) return *request.workers;
     const unsigned cores = std::thread::hardware_concurrency();
     return cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+// camopt sweep merge: the shards of one sweep joined.
+std::string rows_text(const SweepFolder& folder, int chunk) {
+    const RowRange range = folder.identity().chunking.range(chunk);
+    return fmt::format("rows {} to {}", range.begin, range.end - 1);
+}
+
+std::vector<SweepFolder> open_parts(const std::vector<std::string>& paths) {
+    std::vector<SweepFolder> parts;
+    for (const std::string& path : paths) {
+        parts.push_back(SweepFolder::open(path));
+        const std::string other = difference(parts.back().identity(), parts.front().identity());
+        if (!other.empty())
+            throw InputError(fmt::format("{} is no part of the sweep in {}: {}; allowed: shards of one sweep",
+                                         path, paths.front(), other));
+    }
+    return parts;
+}
+
+/// Which part holds each chunk.
+std::map<int, const SweepFolder*> owners(const std::vector<SweepFolder>& parts) {
+    std::map<int, const SweepFolder*> owner;
+    for (const SweepFolder& part : parts)
+        for (const int chunk : part.finished_chunks())
+            if (const auto [place, is_new] = owner.emplace(chunk, &part); !is_new)
+                throw InputError(fmt::format("{} stand in {} and in {} too; allowed: each row once",
+                                             rows_text(part, chunk), place->second->path().string(),
+                                             part.path().string()));
+    const SweepFolder& first = parts.front();
+    for (int chunk = 0; chunk < first.identity().chunking.count(); ++chunk) {
+        if (owner.contains(chunk)) continue;
+        for (const SweepFolder& part : parts)
+            if (part.shard().holds(chunk))
+                throw InputError(fmt::format("{} are missing: {} is not finished; go on there with --resume",
+                                             rows_text(first, chunk), part.path().string()));
+        throw InputError(fmt::format("{} are missing: no given folder holds their shard; allowed: all shards",
+                                     rows_text(first, chunk)));
+    }
+    return owner;
 }
 
 }  // namespace
@@ -33,6 +75,16 @@ ExitCode sweep_command(const SweepRequest& request) {
                                                      [&] { work.leave_to_parent(); });
     if (outcome == PoolOutcome::stopped) return tell_interruption(work.folder());
     return finish_sweep(work.folder(), &job.scenes().scene(0), request.units);
+}
+
+ExitCode sweep_merge_command(const SweepMergeRequest& request) {
+    if (request.out.empty()) throw InputError("--out is missing: camopt sweep merge DIR1 DIR2 … --out DIR");
+    const std::vector<SweepFolder> parts = open_parts(request.parts);
+    const std::map<int, const SweepFolder*> owner = owners(parts);
+    for (const auto& [chunk, part] : owner) (void)part->read_chunk(chunk);  // before anything is written
+    const SweepFolder whole = SweepFolder::create(request.out, {parts.front().identity(), {}});
+    for (const auto& [chunk, part] : owner) whole.write_chunk_text(chunk, part->chunk_text(chunk));
+    return finish_sweep(whole);
 }
 
 }  // namespace camopt::apps

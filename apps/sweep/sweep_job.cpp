@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/sweep_job.hpp"
 
-#include "apps/sweep/sweep_request.hpp"
+#include "apps/sweep/sweep_progress.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"
+#include "core/text/number_parsing.hpp"
+#include "core/text/text_file.hpp"
 #include "core/version.hpp"
-#include "studies/sweep/sweep_check.hpp"
+#include "output/chart/sweep/sweep_svg.hpp"
+#include "output/page/study_html.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/words/study_text.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <optional>
+#include <sys/file.h>
+#include <unistd.h>
+#include <utility>
 
 namespace camopt::apps {
 
@@ -35,6 +48,72 @@ StoredSweep checked_sweep(const SweepRequest& request, SweepJob& job) {
     const Chunking chunking{rows, request.chunk.value_or(chunk_size_for(rows))};
     return {job.identity(check_rows(job.scenes()), chunking), sweep_shard(request)};
 }
+
+void write_lost_chunk(const SweepFolder& folder, const SweepPlan& plan, int chunk,
+                      const std::string& reason) {
+    const RowRange range = folder.identity().chunking.range(chunk);
+    std::vector<SweepRow> rows;
+    for (int row = range.begin; row < range.end; ++row)
+        rows.push_back(failed_row(row, plan.row(row), reason));
+    folder.write_chunk(chunk, rows);
+}
+
+constexpr std::string_view simplex = "simplex:";
+
+std::optional<int> integer(std::string_view text) {
+    const std::optional<long long> value = integer_in(text);
+    if (!value || !std::in_range<int>(*value)) return std::nullopt;
+    return static_cast<int>(*value);
+}
+
+SweepAxis weights_axis(const std::string& weights) {
+    if (!weights.starts_with(simplex)) return weights_of_csv(read_text_file(weights), weights);
+    const std::optional<int> divisions = integer(std::string_view(weights).substr(simplex.size()));
+    if (!divisions)
+        throw InputError(
+            fmt::format("--weights {}: found no number of divisions; allowed: simplex:N, for "
+                        "example simplex:20, or a CSV file",
+                        weights));
+    return simplex_weights(*divisions);
+}
+
+// The pictures of a finished sweep: sweep.svg and sweep.html beside sweep.csv.
+
+/// A sweep of the weights of V, A, J gets the losses of the classical laws too, which takes some solves;
+/// where they are interrupted the pictures are drawn without the rest. `units` as of finish_sweep.
+void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units = {});
+
+std::vector<PeakTriple> peaks_of_rows(const SweepTable& table) {
+    std::vector<PeakTriple> peaks;
+    for (const SweepRow& row : table.rows) {
+        const auto &velocity = row.figure(SweepFigure::velocity),
+                   &acceleration = row.figure(SweepFigure::acceleration),
+                   &jerk = row.figure(SweepFigure::jerk);
+        if (row.is_feasible() && velocity && acceleration && jerk)
+            peaks.push_back({*velocity, *acceleration, *jerk});
+    }
+    return peaks;
+}
+
+void write_sweep_pictures(const SweepFolder& folder, const SweepTable& table, std::string_view units) {
+    const SweepIdentity& identity = folder.identity();
+    Scene scene = load_scene({identity.scene_file, identity.scene_text}, identity.settings);
+    show_in(scene, units);
+    std::optional<LawLosses> losses;
+    if (is_weight_sweep(table)) {
+        const InterruptWatch watch;
+        losses = law_losses(scene, {InterruptWatch::interrupted, terminal_progress()}, peaks_of_rows(table));
+        end_progress();
+    }
+    const SweepPicture picture{table, scene, losses ? &*losses : nullptr};
+    FolderUpdate update(folder.path());
+    update.write("sweep.svg", sweep_svg(picture));
+    update.write("sweep.html", sweep_html(picture, identity));
+    update.finish();
+}
+
+/// Their page holds every row: 80 MB of it, more than a browser likes.
+constexpr std::size_t most_drawn_rows = 100'000;
 
 }  // namespace
 
@@ -68,6 +147,108 @@ ExitCode tell_interruption(const SweepFolder& folder) {
                     "with --resume goes on\n",
                     finished, folder.chunks().size(), folder.path().string()));
     return interrupted;
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+    file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    leave_to_parent();
+    throw InputError("another camopt is at work in " + folder.string() +
+                     "; wait for it, or take another folder");
+}
+
+void FolderLock::leave_to_parent() {
+    if (file_ >= 0) ::close(file_);
+    file_ = -1;
+}
+
+PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes) {
+    PoolTask task;
+    task.work = [&](int chunk, const std::function<void(int)>& tell) {
+        folder.write_chunk(chunk, solve_chunk(scenes, folder.identity().chunking.range(chunk), {},
+                                              [&](const SweepRow& row) { tell(row.number); }));
+    };
+    task.lost = [&](int chunk, const std::string& reason) {
+        write_lost_chunk(folder, scenes.plan(), chunk, reason);
+    };
+    return task;
+}
+
+PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
+                                 const std::function<void()>& begin_worker) {
+    SweepProgress progress(folder.identity().chunking, folder.chunks(), folder.missing_chunks());
+    const auto line = terminal_progress();
+    PoolTask task = chunk_task(folder, scenes);
+    task.units = folder.missing_chunks();
+    task.workers = workers;
+    task.begin_worker = begin_worker;
+    task.told = [&](int row) { progress.add(row); };
+    if (line) task.tick = [&] { line(progress.text()); };
+    task.stop_requested = InterruptWatch::interrupted;
+    const PoolOutcome outcome = run_workers(task);
+    end_progress();
+    return outcome;
+}
+
+SweepPlan sweep_plan(const SweepRequest& request) {
+    std::vector<SweepAxis> axes;
+    for (const std::string& text : request.vary) axes.push_back(varied_key(text));
+    if (!request.weights.empty()) axes.push_back(weights_axis(request.weights));
+    return sweep_grid(axes);
+}
+
+std::vector<std::string> sweep_axes(const SweepRequest& request) {
+    std::vector<std::string> words;
+    for (const std::string& text : request.vary) words.push_back("--vary " + text);
+    if (!request.weights.empty()) words.push_back("--weights " + request.weights);
+    return words;
+}
+
+std::vector<std::string> sweep_settings(const SweepRequest& request) {
+    return with_solver(request.settings, request.solver);
+}
+
+SweepShard sweep_shard(const SweepRequest& request) {
+    if (request.shard.empty()) return {};
+    const std::string_view text = request.shard;
+    const std::size_t slash = text.find('/');
+    if (slash != std::string_view::npos) {
+        const std::optional<int> index = integer(text.substr(0, slash));
+        const std::optional<int> count = integer(text.substr(slash + 1));
+        if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
+    }
+    throw InputError(
+        fmt::format("--shard {}: found no part of a whole; allowed: i/N with i from 1 to N, for example 2/3",
+                    request.shard));
+}
+
+ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene, std::string_view units) {
+    const SweepShard& shard = folder.shard();
+    // The Pareto front of a part would be wrong, so a part gets no sweep.csv.
+    SweepTable table = shard.is_whole() ? folder.write_table() : folder.table();
+    // The table is written, its columns are in mm: from here on for people.
+    table.columns.length_unit = length_unit_of(units, table.columns.length_unit);
+    std::string text = shard.is_whole() ? fmt::format("Sweep of {}\n", folder.identity().scene_file)
+                                        : fmt::format("Sweep of {}, shard {} of {}\n",
+                                                      folder.identity().scene_file, shard.index, shard.count);
+    if (scene != nullptr) {
+        Scene shown = *scene;
+        show_in(shown, units);
+        text += sweep_text(table, &shown);
+    } else {
+        text += sweep_text(table);
+    }
+    if (shard.is_whole() && table.rows.size() <= most_drawn_rows)
+        write_sweep_pictures(folder, table, units);
+    else if (shard.is_whole())
+        text += fmt::format("  no sweep.svg and sweep.html: they are drawn of at most {} rows\n",
+                            most_drawn_rows);
+    text += shard.is_whole() ? fmt::format("  wrote {}\n", folder.table_path().string())
+                             : fmt::format("  kept in {}; join the shards with camopt sweep merge\n",
+                                           folder.path().string());
+    print(text);
+    return std::ranges::find(table.rows, Verdict::failed, &SweepRow::verdict) == table.rows.end() ? success
+                                                                                                  : failure;
 }
 
 }  // namespace camopt::apps

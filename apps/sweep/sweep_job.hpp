@@ -3,15 +3,37 @@
 #pragma once
 
 #include "apps/commands.hpp"
-#include "apps/folder_lock.hpp"
 #include "apps/scene_loading.hpp"
+#include "apps/sweep/worker_pool.hpp"
+#include "output/json/sweep_json.hpp"
 #include "output/report/sweep_folder.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt::apps {
+
+// One program at a time in a folder.
+
+/// Held as long as it lives; the system lets go of it however the program ends.
+class FolderLock {
+ public:
+    /// Throws InputError where another program holds it. A file system that knows no locks is no hindrance.
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock() { leave_to_parent(); }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// In a forked child: the lock stays with the parent alone.
+    void leave_to_parent();
+
+ private:
+    int file_ = -1;
+};
 
 /// Scene, settings and rows of the words of a command line. The constructor throws InputError.
 class SweepJob {
@@ -49,5 +71,38 @@ class WorkFolder {
 
 /// "interrupted; 12 of 58 chunks are finished and kept in …"
 [[nodiscard]] ExitCode tell_interruption(const SweepFolder& folder);
+
+// The chunks of a sweep solved by worker processes, into its folder.
+
+/// A task whose units are chunks, with what a worker does with one and what is left of one that two workers
+/// died of: its rows are failed, with the cause of death as the reason. Both write to the folder.
+[[nodiscard]] PoolTask chunk_task(const SweepFolder& folder, SweepScenes& scenes);
+
+/// Solves the chunks that are missing in the folder; each is written there by its worker as soon as it is
+/// finished. Progress goes to the terminal, if there is one.
+[[nodiscard]] PoolOutcome solve_missing_chunks(const SweepFolder& folder, SweepScenes& scenes, int workers,
+                                               const std::function<void()>& begin_worker);
+
+// From the words of camopt sweep to what is asked for. All throw InputError.
+
+/// --vary in their order, then --weights: the last moves fastest, and weights are the cheapest to move.
+[[nodiscard]] SweepPlan sweep_plan(const SweepRequest& request);
+
+/// The same as words, for people: "--vary spline.segments=8,16", "--weights simplex:20".
+[[nodiscard]] std::vector<std::string> sweep_axes(const SweepRequest& request);
+
+/// --set and --solver, the same for every row.
+[[nodiscard]] std::vector<std::string> sweep_settings(const SweepRequest& request);
+
+/// "2/3": the second of three. Empty: the whole.
+[[nodiscard]] SweepShard sweep_shard(const SweepRequest& request);
+
+// The end of a sweep whose chunks all stand in its folder.
+
+/// Writes sweep.csv (of a whole sweep, not of a shard), prints the summary. failure where a row failed: an
+/// infeasible row is a result, a failed one is none. `scene`: of the first row; `units`: "mm", "in" or empty,
+/// of lengths in words and pictures.
+[[nodiscard]] ExitCode finish_sweep(const SweepFolder& folder, const Scene* scene = nullptr,
+                                    std::string_view units = {});
 
 }  // namespace camopt::apps

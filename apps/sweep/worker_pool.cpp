@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "apps/sweep/worker_pool.hpp"
 
-#include "apps/sweep/worker_process.hpp"
 #include "core/errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <deque>
+#include <exception>
 #include <map>
 #include <poll.h>
 #include <stdexcept>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
 
 namespace camopt::apps {
 
@@ -143,10 +156,170 @@ class Pool {
     long asked_ = 0;  ///< and not yet answered
 };
 
+constexpr std::size_t longest_message = 4096;
+
+/// On the line a message is kind, number, text, in one packet.
+struct Head {
+    int kind = 0;
+    int number = 0;
+};
+
+bool send_packet(int line, const void* data, std::size_t size) {
+    ssize_t sent = -1;
+    do {
+        sent = ::send(line, data, size, MSG_NOSIGNAL);  // a dead listener is an answer, not a signal
+    } while (sent < 0 && errno == EINTR);
+    return sent == static_cast<ssize_t>(size);
+}
+
+/// The number of bytes; 0 where nobody is there any more.
+std::size_t receive_packet(int line, void* data, std::size_t size) {
+    ssize_t received = -1;
+    do {
+        received = ::recv(line, data, size, 0);
+    } while (received < 0 && errno == EINTR);
+    return received > 0 ? static_cast<std::size_t>(received) : 0;
+}
+
+/// The whole life of a worker. _exit, not exit: what the parent has in its buffers is the parent's to write.
+[[noreturn]] void live(const WorkerDuty& duty, int line) {
+    using Kind = WorkerMessage::Kind;
+    try {
+        if (duty.life) {
+            duty.life(line);
+            ::_exit(0);
+        }
+        if (duty.begin) duty.begin();
+        while (const std::optional<int> unit = receive_number(line)) {
+            duty.work(*unit, [line](int number) { send_message(line, {Kind::told, number, {}}); });
+            send_message(line, {Kind::done, *unit, {}});
+        }
+    } catch (const InputError& error) {
+        send_message(line, {Kind::wrong_input, 0, error.what()});
+    } catch (const std::exception& error) {
+        send_message(line, {Kind::error, 0, error.what()});
+    }
+    ::_exit(0);
+}
+
+void become_worker(pid_t parent) {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
+    // Between fork and this call the parent may have died: then nobody would tell.
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(0);
+}
+
+[[noreturn]] void fail(const char* what) {
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
 }  // namespace
 
 PoolOutcome run_workers(const PoolTask& task) {
     return Pool(task).run();
+}
+
+std::optional<int> receive_number(int line) {
+    int number = 0;
+    if (receive_packet(line, &number, sizeof number) != sizeof number) return std::nullopt;
+    return number;
+}
+
+void send_message(int line, const WorkerMessage& message) {
+    const Head head{static_cast<int>(message.kind), message.number};
+    std::array<char, longest_message> packet{};
+    const std::size_t length = std::min(message.text.size(), packet.size() - sizeof head);
+    std::memcpy(packet.data(), &head, sizeof head);
+    std::copy_n(message.text.begin(), length, packet.begin() + sizeof head);
+    if (!send_packet(line, packet.data(), sizeof head + length)) ::_exit(0);  // the parent has gone
+}
+
+WorkerProcess::WorkerProcess(const WorkerDuty& duty, const std::vector<int>& not_mine) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        fail("cannot make a line to a worker");
+    std::fflush(nullptr);
+    const pid_t parent = ::getpid();
+    process_ = ::fork();
+    if (process_ < 0) {
+        const int reason = errno;
+        ::close(ends[0]);
+        ::close(ends[1]);
+        errno = reason;
+        fail("cannot start a worker");
+    }
+    if (process_ == 0) {
+        become_worker(parent);
+        ::close(ends[0]);
+        for (const int other : not_mine) ::close(other);
+        live(duty, ends[1]);
+    }
+    ::close(ends[1]);
+    line_ = ends[0];
+}
+
+WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      line_(std::exchange(other.line_, -1)),
+      unit_(std::exchange(other.unit_, std::nullopt)),
+      has_served_(other.has_served_),
+      unread_(other.unread_) {}
+
+WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
+    if (this == &other) return *this;
+    end();
+    process_ = std::exchange(other.process_, -1);
+    line_ = std::exchange(other.line_, -1);
+    unit_ = std::exchange(other.unit_, std::nullopt);
+    has_served_ = other.has_served_;
+    unread_ = other.unread_;
+    return *this;
+}
+
+WorkerProcess::~WorkerProcess() {
+    end();
+}
+
+void WorkerProcess::end() noexcept {
+    if (process_ > 0) {
+        if (unit_) ::kill(process_, SIGKILL);
+        ::close(line_);  // an idle worker leaves by itself
+        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+    process_ = line_ = -1;
+}
+
+void WorkerProcess::give(int unit) {
+    unit_ = unit;
+    unread_ = !send_packet(line_, &unit, sizeof unit);
+}
+
+void WorkerProcess::set_idle() {
+    unit_.reset();
+    has_served_ = true;
+}
+
+std::optional<WorkerMessage> WorkerProcess::listen() {
+    std::array<char, longest_message> packet{};
+    errno = 0;
+    const std::size_t size = receive_packet(line_, packet.data(), packet.size());
+    if (size == 0 && errno == ECONNRESET) unread_ = true;  // so says an end that closed with a packet in it
+    Head head;
+    if (size < sizeof head) return std::nullopt;
+    std::memcpy(&head, packet.data(), sizeof head);
+    return WorkerMessage{static_cast<WorkerMessage::Kind>(head.kind), head.number,
+                         std::string(packet.data() + sizeof head, size - sizeof head)};
+}
+
+std::string WorkerProcess::cause_of_death() {
+    ::kill(process_, SIGKILL);  // it hung up: if it is not dead, it is of no use; if it is, nothing changes
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    ::close(line_);
+    process_ = line_ = -1;
+    return WIFSIGNALED(status) ? fmt::format("worker died: signal {}", WTERMSIG(status))
+                               : fmt::format("worker died: exit code {}", WEXITSTATUS(status));
 }
 
 }  // namespace camopt::apps

@@ -8,9 +8,9 @@
 #include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/inverse/solved_guide.hpp"
+#include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <cmath>
 

@@ -2,15 +2,43 @@
 #include "bindings/c/control.hpp"
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
+#include "core/errors.hpp"
+#include "core/licenses.hpp"
 #include "core/units.hpp"
-#include "studies/sweep/sweep_check.hpp"
+#include "core/version.hpp"
+#include "studies/checked/checked_cam.hpp"
+#include "studies/solve/solve.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt::c {
 namespace {
+
+std::vector<std::string> station_names(const Solution& solution) {
+    std::vector<std::string> names;
+    if (solution.cam) {
+        const CamMechanism& formulas = *solution.cam->cam.formulas;
+        for (int i = 0; i < formulas.stations(); ++i) names.push_back(formulas.station_name(i));
+    }
+    return names;
+}
+
+std::unique_ptr<camopt_solution> solved(const camopt_scene& given, const camopt_solve_options& options) {
+    const Scene scene = complete_scene(given);
+    CallbackControl callbacks(options);
+    auto result = std::make_unique<camopt_solution>();
+    result->solution = solve(scene, callbacks.control());
+    callbacks.finish();
+    if (options.forward_check != 0 && !callbacks.stopped()) add_forward_check(result->solution);
+    result->stations = station_names(result->solution);
+    result->origin = {given.document.name(), "", given.document.text()};
+    return result;
+}
 
 /// A row with the lists that its C form points into.
 class ShownRow {
@@ -75,8 +103,8 @@ SweepPlan plan_of(const camopt_sweep_axis* axes, std::size_t count) {
     require(axes, "axes");
     if (count == 0)
         throw Failure(CAMOPT_ERROR_ARGUMENT, "axis_count: found 0; allowed: at least one axis that varies");
-    std::vector<SweepAxis> all;
-    for (std::size_t i = 0; i < count; ++i) all.push_back(axis_of(axes[i]));
+    std::vector<SweepAxis> all(count);
+    for (std::size_t i = 0; i < count; ++i) all[i] = axis_of(axes[i]);
     return sweep_grid(all);
 }
 
@@ -129,5 +157,32 @@ camopt_error camopt_sweep(const camopt_scene* scene, const camopt_sweep_axis* ax
         CallbackControl callbacks(read_options(options, "options"));
         solve_rows(*scene, plan_of(axes, axis_count), callbacks, {row, row_user});
     });
+}
+
+int camopt_abi_version() {
+    return CAMOPT_ABI_VERSION;
+}
+
+const char* camopt_version() {
+    return camopt::version().data();
+}
+
+const char* camopt_licenses() {
+    static const std::string text = camopt::license_text();
+    return text.c_str();
+}
+
+camopt_error camopt_solve(const camopt_scene* scene, const camopt_solve_options* options,
+                          camopt_solution** solution) {
+    return guarded([&] {
+        require(solution, "solution");
+        *solution = nullptr;
+        require(scene, "scene");
+        *solution = solved(*scene, read_options(options, "options")).release();
+    });
+}
+
+void camopt_solution_free(camopt_solution* solution) {
+    delete solution;
 }
 }

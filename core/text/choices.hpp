@@ -2,7 +2,10 @@
 // Choices that a scene names and the numerics below it know.
 #pragma once
 
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace camopt {
@@ -18,5 +21,16 @@ using OptionValue = std::variant<bool, long long, double, std::string>;
 
 [[nodiscard]] const char* name_of(MotionType value);
 [[nodiscard]] const char* name_of(DesignKind value);
+
+// From a name back to the choice that name_of gives it.
+
+/// The first of the choices with this name; none where no choice has it.
+template <class Choice>
+[[nodiscard]] std::optional<Choice> choice_named(std::string_view name,
+                                                 std::initializer_list<Choice> choices) {
+    for (const Choice choice : choices)
+        if (name == name_of(choice)) return choice;
+    return {};
+}
 
 }  // namespace camopt

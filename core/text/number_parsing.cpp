@@ -11,32 +11,22 @@
 namespace camopt {
 namespace {
 
-/// std::from_chars knows no locale. `text` loses what was read. The one sign it does not take is '+'.
-template <typename Number>
-std::optional<Number> take(std::string_view& text) {
-    const std::size_t begin = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data() + begin, text.data() + text.size(), value);
-    if (error != std::errc()) return std::nullopt;
-    if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return value;
-}
-
+/// std::from_chars knows no locale. The one sign it does not take is '+'.
 template <typename Number>
 std::optional<Number> whole(std::string_view text) {
-    const std::optional<Number> value = take<Number>(text);
-    return text.empty() ? value : std::nullopt;
+    const std::size_t begin = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
+    const char* const last = text.data() + text.size();
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data() + begin, last, value);
+    if (error != std::errc() || end != last || !std::isfinite(static_cast<double>(value)))
+        return std::nullopt;
+    return value;
 }
 
 }  // namespace
 
 std::optional<double> number_in(std::string_view text) {
     return whole<double>(text);
-}
-
-std::optional<double> number_at_start(std::string_view text) {
-    return take<double>(text);
 }
 
 std::optional<long long> integer_in(std::string_view text) {

@@ -12,9 +12,6 @@ namespace camopt {
 /// The number that the text is; none where it is none, or not as a whole.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
 
-/// The number that the text begins with, whatever follows; none where it begins with none.
-[[nodiscard]] std::optional<double> number_at_start(std::string_view text);
-
 /// The whole number that the text is, as a whole.
 [[nodiscard]] std::optional<long long> integer_in(std::string_view text);
 

@@ -2,14 +2,16 @@
 #include "core/text/text_file.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/file_bytes.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <memory>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -58,6 +60,10 @@ void write_in_one_step(const std::filesystem::path& path, std::string_view text,
     }
 }
 
+std::string reason() {
+    return std::generic_category().message(errno);
+}
+
 }  // namespace
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {
@@ -72,6 +78,24 @@ std::string read_text_file(const std::filesystem::path& path) {
     FileBytes file = file_bytes(path);
     if (!file.fault.empty()) refuse("read", path, file.fault);
     return std::move(file.bytes);
+}
+
+FileBytes file_bytes(const std::filesystem::path& path, std::uintmax_t most) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return {{}, "it is a folder"};
+    errno = 0;
+    const auto close = [](std::FILE* file) { std::fclose(file); };
+    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+    if (!file) return {{}, reason()};
+    FileBytes result;
+    std::array<char, 1U << 16U> part{};
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
+        if (result.bytes.size() + count > most)
+            return {{}, fmt::format("it has more than {} MB", most >> 20U)};
+        result.bytes.append(part.data(), count);
+    }
+    if (std::ferror(file.get()) != 0) return {{}, reason()};
+    return result;
 }
 
 }  // namespace camopt

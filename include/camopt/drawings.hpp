@@ -5,5 +5,4 @@
 
 #include "core/language.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/drawing/dxf/profile_dxf.hpp"
 #include "output/report/cam_files.hpp"

@@ -7,4 +7,3 @@
 #include "profiles/inverse/guide_points.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/inverse/inverse_guide.hpp"
-#include "studies/inverse/solved_guide.hpp"

@@ -12,4 +12,3 @@
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "motions/laws/one_dwell_laws.hpp"
-#include "motions/laws/polynomial_law.hpp"

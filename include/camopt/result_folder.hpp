@@ -7,4 +7,3 @@
 #include "core/language.hpp"
 #include "output/report/report.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/result_folder_reader.hpp"

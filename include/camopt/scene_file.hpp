@@ -7,7 +7,6 @@
 
 #include "core/language.hpp"
 #include "input/document/scene_document.hpp"
-#include "input/follower_kinds.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/loading/load_scene.hpp"
 #include "input/scene_reader.hpp"

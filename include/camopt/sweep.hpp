@@ -7,7 +7,6 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "studies/sweep/scene_sweep.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_row.hpp"

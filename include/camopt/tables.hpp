@@ -5,4 +5,3 @@
 
 #include "core/language.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/csv/profile_csv.hpp"

@@ -4,5 +4,5 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "output/words/comparison_text.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/study_text.hpp"

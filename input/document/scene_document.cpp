@@ -2,9 +2,8 @@
 #include "input/document/scene_document.hpp"
 
 #include "core/text/printable.hpp"
-#include "input/document/document_reader.hpp"
-#include "input/document/document_text.hpp"
 #include "input/document/overrides.hpp"
+#include "input/document/scene_source.hpp"
 #include "input/keys/key_check.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that have to do with a cam.
+// The rows of the key table that have to do with a cam, of [dynamics] and of [drawing].
 #include "input/keys/key_spellings.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
 namespace camopt::input {
+
 namespace {
 
 using enum KeyType;
@@ -11,6 +12,7 @@ using namespace spellings;
 
 const Range poisson_ratio = {.low = 0.0, .high = 0.5, .high_included = false};
 const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false, .high_included = false};
+const Range damping_ratios = Range::between(0.0, 2.0);
 constexpr auto needs_cam = Availability::needs_cam;
 
 /// What cam.follower may say, over all kinds.
@@ -119,6 +121,61 @@ std::vector<KeyRow> dimension_weight_rows() {
     };
 }
 
+std::vector<KeyRow> dynamics_rows() {
+    return {
+        {"dynamics", "mass", number, mass, positive, {}, "needed", "Moved at the output; of a lift that is a length."},
+        {"dynamics", "inertia", number, inertia, positive, {}, "needed",
+         "The same where the lift is an angle.", Availability::now, "mass"},
+        {"dynamics", "natural_frequency", number, frequency, positive, {}, "or a stiffness",
+         "Of the output on its spring, with the cam (or the stage before it) held and the return spring on; undamped."},
+        {"dynamics", "stiffness", number, train_spring, positive, {}, "or a natural frequency",
+         "Of the spring between the output and what stands before it.", Availability::now, "natural_frequency"},
+        {"dynamics", "damping_ratio", number, plain, damping_ratios, {}, "0",
+         "Damping of the output in parts of critical."},
+        {"dynamics", "damping", number, damper, not_negative, {}, "0", "The same as a damper.",
+         Availability::now, "damping_ratio"},
+        {"dynamics", "return_spring", number, train_spring, not_negative, {}, "0",
+         "Rate of the spring that presses the output back to the cam."},
+        {"dynamics", "preload", number, force_or_moment, not_negative, {}, "0",
+         "What the return spring presses with at displacement 0. Without spring and preload the cam guides the follower both ways."},
+        {"dynamics", "speed_range", numbers, speed, positive, {}, "motion.speed",
+         "Two speeds: terms and limits of the train hold from the first to the second."},
+        {"dynamics", "stage", tables, plain, any, {}, "none",
+         "Masses between cam and output, at most three, from the cam on."},
+        {"dynamics.stage", "mass", number, mass, positive, {}, "needed", "Of this mass."},
+        {"dynamics.stage", "inertia", number, inertia, positive, {}, "needed",
+         "The same where the lift is an angle.", Availability::now, "mass"},
+        {"dynamics.stage", "stiffness", number, train_spring, positive, {}, "required",
+         "Of the spring to what stands before it."},
+        {"dynamics.stage", "damping_ratio", number, plain, damping_ratios, {}, "0",
+         "c / (2 sqrt(k m)) of this mass on this spring."},
+    };
+}
+
+std::vector<KeyRow> drawing_rows() {
+    return {
+        {"drawing", "bore", number, length, positive, {}, "no hole",
+         "Diameter of the bore; with its keyway inside the cam's least radius."},
+        {"drawing", "keyway", table, plain, any, {}, "none", "A parallel keyway in the bore."},
+        {"drawing", "thickness", number, length, positive, {}, "20 mm",
+         "Thickness of the cam; `--thickness-mm` replaces it."},
+        {"drawing", "groove_depth", number, length, positive, {}, "half the thickness",
+         "How deep the groove of a `grooved` cam is, below the thickness."},
+        {"drawing", "datum", number, angle, any, {}, "0",
+         "Where the cam is marked: the ray that points along +y when the cam has turned by this cam angle. The "
+         "drawing's table of radii counts from it, as the cam angle grows."},
+        {"drawing", "title_block", table, plain, any, {}, "empty", "What the title block says beside the scene's title."},
+        {"drawing.keyway", "width", number, length, positive, {}, "required", "Width of the keyway, below the bore's diameter."},
+        {"drawing.keyway", "depth", number, length, positive, {}, "required",
+         "How far its floor lies outside the bore's circle: the hub's depth t2 of a parallel key."},
+        {"drawing.keyway", "at", number, angle, any, {}, "0",
+         "Where its middle is: a cam angle, like `datum`."},
+        {"drawing.title_block", "part", text, plain, any, {}, "the title", "Name of the part."},
+        {"drawing.title_block", "material", text, plain, any, {}, "empty", "Material and treatment."},
+        {"drawing.title_block", "tolerance", text, plain, any, {}, "empty", "General tolerances."},
+        {"drawing.title_block", "drawn_by", text, plain, any, {}, "empty", "Who drew it."},
+    };
+}
 // clang-format on
 
 }  // namespace camopt::input

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <vector>
 
 namespace camopt::input {
 namespace {

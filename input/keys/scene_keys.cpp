@@ -12,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <string>
 
 namespace camopt::input {
 namespace {

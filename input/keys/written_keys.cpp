@@ -2,7 +2,6 @@
 #include "input/keys/written_keys.hpp"
 
 #include "input/document/document.hpp"
-#include "input/document/document_text.hpp"
 #include "input/document/scene_source.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "input/result/result_reader.hpp"
 
+#include "core/errors.hpp"
 #include "core/nlp.hpp"
+#include "core/text/printable.hpp"
 #include "core/version.hpp"
-#include "input/result/json_source.hpp"
 
 #include <fmt/format.h>
+
+#include <limits>
 
 namespace camopt::input {
 
@@ -56,7 +59,7 @@ std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     // What was not finite stands as null.
     const auto number = [&](const char* key) {
         const JsonSource value = json.at(key);
-        return value.is_null() ? infinity : value.number();
+        return !value.is_null() ? value.number() : infinity;
     };
     check.deviation = number(json.has("deviation_deg") ? "deviation_deg" : "deviation_mm");
     check.relative = number("relative");
@@ -67,7 +70,7 @@ std::optional<ForwardCheckRecord> read_forward_check(const JsonSource& json) {
     const JsonSource play = json.at("play");
     const auto extreme = [&](const char* turned, const char* straight) {
         const JsonSource value = play.at(play.has(turned) ? turned : straight);
-        return value.is_null() ? infinity : value.number();
+        return !value.is_null() ? value.number() : infinity;
     };
     check.play.emplace();
     check.play->least = extreme("least_deg", "least_mm");
@@ -115,30 +118,134 @@ void read_motion(const JsonSource& json, ResultRecord& record) {
         record.parts.push_back(read_part(part, record.curves.size()));
 }
 
+constexpr std::size_t longest_shown = 60;
+
 }  // namespace
 
-ResultRecord read_result(std::string_view text, std::string_view source_name) {
-    const JsonSource json(text, source_name);
-    if (const JsonSource written = json.at("camopt"); written.words() != version())
+ResultRecord read_result(std::string_view json, std::string_view source_name) {
+    const JsonSource source(json, source_name);
+    if (const JsonSource written = source.at("camopt"); written.words() != version())
         written.fail(fmt::format("found a result of camopt {}; allowed: of {}: solve its scene again",
                                  written.words(), version()));
     ResultRecord record;
-    record.scene_file = json.at("scene").words();
-    record.command = json.at("command").words();
-    record.verdict = json.at("verdict").text();
-    read_motion(json.at("motion"), record);
-    const JsonSource limit = json.at("bound").at("any_curve_limit");
+    record.scene_file = source.at("scene").words();
+    record.command = source.at("command").words();
+    record.verdict = source.at("verdict").text();
+    read_motion(source.at("motion"), record);
+    const JsonSource limit = source.at("bound").at("any_curve_limit");
     if (!limit.is_null()) record.any_curve_limit = limit.number();
-    record.cam = read_cam(json.at("cam"));
-    const JsonSource design = json.at("design");
+    record.cam = read_cam(source.at("cam"));
+    const JsonSource design = source.at("design");
     record.design = {design.at("kind").text(), design.at("names").texts(), design.at("values").numbers()};
-    record.solver = read_solver(json.at("solver"));
-    record.solver.proof_source = json.at("bound").at("source").words();
-    record.evaluations = read_evaluations(json.at("evaluations"));
-    record.seconds_total = json.at("seconds").at("total").number();
-    record.seconds_solve = json.at("seconds").at("solve").number();
-    record.notes = json.at("notes").texts();
+    record.solver = read_solver(source.at("solver"));
+    record.solver.proof_source = source.at("bound").at("source").words();
+    record.evaluations = read_evaluations(source.at("evaluations"));
+    record.seconds_total = source.at("seconds").at("total").number();
+    record.seconds_solve = source.at("seconds").at("solve").number();
+    record.notes = source.at("notes").texts();
     return record;
+}
+
+JsonSource::JsonSource(std::string_view text, std::string_view source_name) : file_(source_name) {
+    try {
+        document_ = std::make_shared<const Json>(Json::parse(text));
+    } catch (const Json::exception& error) {
+        throw InputError(fmt::format("{}: found no JSON: {}", printable(file_), printable(error.what())));
+    }
+    value_ = document_.get();
+}
+
+std::string JsonSource::shown() const {
+    return json_words(*value_);
+}
+
+void JsonSource::fail(std::string_view what) const {
+    throw InputError(
+        fmt::format("{}: {}{}{}", printable(file_), printable(path_), path_.empty() ? "" : ": ", what));
+}
+
+std::string JsonSource::path_to(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+bool JsonSource::has(const char* key) const {
+    return value_->is_object() && value_->contains(key);
+}
+
+JsonSource JsonSource::at(const char* key) const {
+    if (!value_->is_object()) fail(fmt::format("found {}; allowed: an object", shown()));
+    const auto found = value_->find(key);
+    if (found == value_->end())
+        throw InputError(fmt::format("{}: {}: found no such key; allowed: a result as camopt writes it",
+                                     printable(file_), printable(path_to(key))));
+    return {*this, *found, path_to(key)};
+}
+
+std::vector<JsonSource> JsonSource::items() const {
+    if (!value_->is_array()) fail(fmt::format("found {}; allowed: a list", shown()));
+    std::vector<JsonSource> all;
+    all.reserve(value_->size());
+    for (std::size_t i = 0; i < value_->size(); ++i)
+        all.push_back({*this, (*value_)[i], fmt::format("{}[{}]", path_, i)});
+    return all;
+}
+
+double JsonSource::number() const {
+    if (!value_->is_number()) fail(fmt::format("found {}; allowed: a number", shown()));
+    return value_->get<double>();
+}
+
+std::vector<double> JsonSource::numbers() const {
+    std::vector<double> all;
+    for (const JsonSource& item : items()) all.push_back(item.number());
+    return all;
+}
+
+long JsonSource::count() const {
+    const bool whole =
+        value_->is_number_unsigned() &&
+        value_->get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<long>::max());
+    if (!whole) fail(fmt::format("found {}; allowed: a whole number, 0 or more", shown()));
+    return value_->get<long>();
+}
+
+int JsonSource::integer() const {
+    const long value = count();
+    if (value > std::numeric_limits<int>::max())
+        fail(fmt::format("found {}; allowed: up to {}", value, std::numeric_limits<int>::max()));
+    return static_cast<int>(value);
+}
+
+bool JsonSource::flag() const {
+    if (!value_->is_boolean()) fail(fmt::format("found {}; allowed: true or false", shown()));
+    return value_->get<bool>();
+}
+
+std::string JsonSource::text() const {
+    if (!value_->is_string()) fail(fmt::format("found {}; allowed: a text", shown()));
+    return value_->get<std::string>();
+}
+
+std::vector<std::string> JsonSource::texts() const {
+    std::vector<std::string> all;
+    for (const JsonSource& item : items()) all.push_back(item.text());
+    return all;
+}
+
+std::vector<std::pair<std::string, JsonSource>> JsonSource::members() const {
+    if (!value_->is_object()) fail(fmt::format("found {}; allowed: an object", shown()));
+    std::vector<std::pair<std::string, JsonSource>> all;
+    for (const auto& [key, value] : value_->items())
+        all.emplace_back(key, JsonSource(*this, value, path_to(key)));
+    return all;
+}
+
+std::string json_words(const nlohmann::ordered_json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return fmt::format("a list of {}", value.size());
+    const std::string text =
+        printable(value.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace));
+    return text.size() <= longest_shown ? text : text.substr(0, longest_shown) + "...";
 }
 
 }  // namespace camopt::input

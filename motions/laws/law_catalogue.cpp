@@ -2,12 +2,12 @@
 #include "motions/laws/law_catalogue.hpp"
 
 #include "core/errors.hpp"
+#include "core/numbers/quadrature.hpp"
 #include "core/open_registry.hpp"
+#include "core/text/plain_name.hpp"
 #include "motions/laws/asymmetric_law.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/one_dwell_laws.hpp"
-#include "motions/laws/own_law_check.hpp"
-#include "motions/laws/polynomial_law.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +22,73 @@
 namespace camopt {
 
 namespace {
+
+// Whether a law that a program brought is one.
+
+// Of the size of a derivative: what sums of a few hundred products leave.
+constexpr double law_rounding = 1e-9;
+// Stretches between two breakpoints, in each of which the integral is taken.
+constexpr int law_stretches = 16;
+constexpr std::array<const char*, 4> derivative_words = {"y", "y'", "y''", "y'''"};
+
+[[noreturn]] void refuse_law(const Law& law, const std::string& found, const std::string& allowed) {
+    throw InputError(fmt::format("add_law: \"{}\": found {}; allowed: {}", law.key(), found, allowed));
+}
+
+void check_key(const Law& law) {
+    if (!is_plain_name(law.key())) refuse_law(law, "this key", "lower case letters, digits and _");
+}
+
+void check_end(const Law& law, double x, std::size_t order, double wanted) {
+    const double found = law.derivatives(x)[order];
+    if (std::abs(found - wanted) <= law_rounding) return;
+    refuse_law(law, fmt::format("{} = {} at x = {}", derivative_words[order], found, x),
+               fmt::to_string(wanted));
+}
+
+struct LawStretch {
+    double begin, end;
+};
+
+/// y^(order) over a stretch against the integral of the derivative after it.
+void check_stretch(const Law& law, std::size_t order, const LawStretch& stretch) {
+    const double half = 0.5 * (stretch.end - stretch.begin), middle = stretch.begin + half;
+    double size = 1.0, integral = 0.0;
+    for (const QuadraturePoint& point : gauss_legendre) {
+        const double next = law.derivatives(middle + half * point.place)[order + 1];
+        size = std::max(size, std::abs(next));
+        integral += half * point.weight * next;
+    }
+    const double grown =
+        law.derivatives(stretch.end, Side::left)[order] - law.derivatives(stretch.begin, Side::right)[order];
+    if (std::abs(grown - integral) <= law_rounding * size) return;
+    refuse_law(
+        law,
+        fmt::format("{} that grows by {:.12g} from x = {:.6g} to {:.6g}, where the integral of {} is {:.12g}",
+                    derivative_words[order], grown, stretch.begin, stretch.end, derivative_words[order + 1],
+                    integral),
+        "derivatives that belong together, with a breakpoint wherever a formula changes");
+}
+
+/// Throws InputError saying what does not hold: a plain key, the ends of a rise from standstill to
+/// standstill, derivatives that belong together.
+void check_own_law(const Law& law) {
+    check_key(law);
+    check_end(law, 0.0, 0, 0.0);
+    check_end(law, 1.0, 0, 1.0);
+    check_end(law, 0.0, 1, 0.0);
+    check_end(law, 1.0, 1, 0.0);
+    const std::vector<double> breakpoints = law.breakpoints();
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+        const double width = (breakpoints[i + 1] - breakpoints[i]) / law_stretches;
+        for (int k = 0; k < law_stretches; ++k) {
+            const LawStretch stretch{breakpoints[i] + k * width, k == law_stretches - 1
+                                                                     ? breakpoints[i + 1]
+                                                                     : breakpoints[i] + (k + 1) * width};
+            for (std::size_t order = 0; order < 3; ++order) check_stretch(law, order, stretch);
+        }
+    }
+}
 
 using std::numbers::pi;
 
@@ -155,28 +222,18 @@ std::unique_ptr<Law> double_harmonic() {
     return harmonic(std::move(info), {{0.0, 1.0, 0.0, {{pi, 0.0, 1.0}, {2.0 * pi, 0.0, -1.0}}}});
 }
 
-std::unique_ptr<Law> modified_sine() {
-    return make_modified_sine(0.125);
-}
-
-std::unique_ptr<Law> modified_trapezoid() {
-    return make_modified_trapezoid(0.125);
-}
-
-std::unique_ptr<Law> one_dwell_modified_sine() {
-    return make_one_dwell_modified_sine(0.125);
-}
-
-std::unique_ptr<Law> one_dwell_modified_trapezoid() {
-    return make_one_dwell_modified_trapezoid(0.125);
-}
-
 /// y = x. Its ends do not rest: it stands in programs only, between splines that take its velocity.
 std::unique_ptr<Law> constant_velocity() {
     LawInfo info =
         make_info("constant_velocity", "Constant velocity (programs only: its ends move)", kHandbook, 0);
     info.rests = false;
     return polynomial(std::move(info), {0, 1});
+}
+
+/// The customary Ta.
+template <auto Maker>
+std::unique_ptr<Law> of_an_eighth() {
+    return Maker(0.125);
 }
 
 template <auto Maker>
@@ -190,8 +247,8 @@ constexpr std::array kMakers{&parabolic,
                              &polynomial_345,
                              &polynomial_4567,
                              &polynomial_56789,
-                             &modified_sine,
-                             &modified_trapezoid,
+                             &of_an_eighth<&make_modified_sine>,
+                             &of_an_eighth<&make_modified_trapezoid>,
                              &mcv_50,
                              &mcv_33,
                              &mcv_20,
@@ -203,10 +260,10 @@ constexpr std::array kMakers{&parabolic,
                              &asymmetric<&parabolic>,
                              &asymmetric<&cycloidal>,
                              &asymmetric<&polynomial_345>,
-                             &asymmetric<&modified_sine>,
-                             &asymmetric<&modified_trapezoid>,
-                             &one_dwell_modified_sine,
-                             &one_dwell_modified_trapezoid,
+                             &asymmetric<&of_an_eighth<&make_modified_sine>>,
+                             &asymmetric<&of_an_eighth<&make_modified_trapezoid>>,
+                             &of_an_eighth<&make_one_dwell_modified_sine>,
+                             &of_an_eighth<&make_one_dwell_modified_trapezoid>,
                              &make_one_dwell_cycloidal,
                              &make_one_dwell_polynomial_345,
                              &make_one_dwell_polynomial_3456,

@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "motions/laws/polynomial_law.hpp"
 
 #include <fmt/format.h>
 

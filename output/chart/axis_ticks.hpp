@@ -24,4 +24,15 @@ struct PlotTick {
 /// The number with just the decimals that tell it from its neighbours.
 [[nodiscard]] std::string tick_text(double value, double step);
 
+/// The least and the largest of the finite numbers seen; [0, 0] before the first one.
+struct ValueRange {
+    double lower = 0.0, upper = 0.0;
+    bool started = false;
+
+    void add(double value);
+    [[nodiscard]] bool empty() const { return !(upper >= lower) || !started; }
+    /// A little wider, and never of no width.
+    [[nodiscard]] ValueRange padded(double part) const;
+};
+
 }  // namespace camopt

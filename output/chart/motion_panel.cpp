@@ -2,8 +2,8 @@
 #include "output/chart/motion_panel.hpp"
 
 #include "output/chart/axis_ticks.hpp"
-#include "output/chart/curve_path.hpp"
 #include "output/chart/placed_texts.hpp"
+#include "output/chart/plot_frame.hpp"
 
 #include <fmt/format.h>
 

@@ -5,9 +5,11 @@
 // axis needs positive bounds.
 #pragma once
 
+#include "core/motion.hpp"
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/svg_canvas.hpp"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +35,23 @@ void draw_plot_frame(SvgCanvas& canvas, const PlotFrame& frame);
 
 /// Powers of ten in [lower, upper], every `stride`-th with a label: "10⁻⁹".
 [[nodiscard]] std::vector<PlotTick> decade_ticks(double lower, double upper, int stride);
+
+// A derivative of a motion as SVG path data.
+//
+// Between breakpoints the value and its slope (the next derivative, exact) give cubic Bézier pieces: for a
+// cubic spline they are the curve itself. The jerk is drawn through dense points, its steps as steps. Where a
+// derivative is infinite the path is broken.
+
+/// From (x, y⁽ʳ⁾) to px.
+struct PlotMap {
+    std::function<double(double x)> horizontal;
+    std::function<double(double value)> vertical;
+};
+
+/// order: 0 … 3. Motions of very many pieces are thinned out to what a screen can show.
+[[nodiscard]] std::string curve_path(const Motion& motion, int order, const PlotMap& map);
+
+/// Of 0 and the finite values of the derivative on the points the path goes through.
+[[nodiscard]] ValueRange value_range(const Motion& motion, int order);
 
 }  // namespace camopt

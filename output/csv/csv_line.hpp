@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace camopt {
 
@@ -26,5 +27,14 @@ class CsvLine {
     std::string text_;
     bool first_ = true;
 };
+
+// A CSV text as records of cells (RFC 4180, either line ending).
+struct CsvRecord {
+    int line = 1;  ///< where it begins, from 1
+    std::vector<std::string> cells;
+};
+
+/// Throws InputError "NAME:LINE: …" for a quote that does not end, or that ends within a cell.
+[[nodiscard]] std::vector<CsvRecord> csv_records(std::string_view text, std::string_view name);
 
 }  // namespace camopt

@@ -3,11 +3,11 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/drawing/dxf/profile_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/cam_sheet.hpp"
 #include "output/sheet/sheet_painter.hpp"
 #include "output/surface/bspline_surface.hpp"
-#include "output/surface/plane_region.hpp"
+#include "output/surface/mesh_cut.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The follower of a cam in the cam frame: where the motion begins, whole; at other cam angles, as a ghost.
 #pragma once
 
-#include "output/drawing/profile_canvas.hpp"
+#include "output/drawing/picture_page.hpp"
 #include "output/drawing/profile_shape.hpp"
 
 #include <optional>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/drawing/picture_page.hpp"
 
+#include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +22,23 @@ using Eigen::Vector2d;
 constexpr double picture_margin = 0.05;                  // of the picture's size, on each side
 constexpr double entry_height = 21, least_entry = 15.5;  // px
 constexpr double heading_room = 8, sample_length = 30, sample_words = 40, number_right = 215;
+
+using units::degree;
+
+void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
+    const FormSpec& form = shape.cam.form;
+    column.sample(shape.closed ? "cam" : "sector", form.is_conjugate() ? "first disk" : "cam");
+    if (form.is_conjugate()) column.sample(shape.closed ? "second" : "second-sector", "second disk");
+    if (form.is_grooved()) column.sample(shape.closed ? "groove" : "sector", "groove: inner, outer flank");
+    if (has_roller(shape.cam.follower)) column.sample("pitch", "pitch curve (roller centre)");
+    column.sample("circle", "base circle");
+    if (has_roller(shape.cam.follower)) column.sample("prime", "prime circle");
+    column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.start / degree)));
+    column.sample("ghost", "follower every 60°");
+    column.sample("mark", "contact every 30°");
+    if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: nothing given");
+    if (undercut) column.sample("undercut", "undercut");
+}
 
 }  // namespace
 
@@ -117,6 +136,77 @@ int figure_entries(const Solution& solution) {
 std::string_view picture_style() {
     return ".heading{font-size:13px;font-weight:600}.number{text-anchor:end}.warning{fill:#d00000;font-"
            "weight:600}";
+}
+
+void ProfileCanvas::line(const Vector2d& from, const Vector2d& to, std::string_view css_class) const {
+    const Vector2d a = place(from), b = place(to);
+    canvas.line(a.x(), a.y(), b.x(), b.y(), css_class);
+}
+
+void ProfileCanvas::circle(const Vector2d& center, double radius, std::string_view css_class) const {
+    const Vector2d middle = place(center);
+    canvas.circle(middle.x(), middle.y(), scale * radius, css_class);
+}
+
+void ProfileCanvas::polyline(std::span<const Vector2d> points, bool closed,
+                             std::string_view css_class) const {
+    std::string data;
+    for (const Vector2d& point : points) {
+        const Vector2d at = place(point);
+        data += (data.empty() ? "M" : "L") + svg_number(at.x()) + " " + svg_number(at.y());
+    }
+    canvas.path(closed ? data + "Z" : data, css_class);
+}
+
+void ProfileCanvas::text(const Vector2d& middle, std::string_view words, std::string_view css_class) const {
+    const Vector2d at = place(middle);
+    canvas.text(at.x(), at.y() + 4.0, words, css_class);
+}
+
+void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool undercut) {
+    LegendColumn column(canvas, shape.length);
+    add_lines(column, shape, undercut);
+    column.heading(words_of(name_of(shape.cam.follower)));
+    if (shape.cam.form.drives_both_ways())
+        column.words(fmt::format("form: {}", name_of(shape.cam.form.type)));
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto dimension = static_cast<DimensionIndex>(i);
+        if (has_dimension(shape.cam.follower, dimension))
+            column.value(words_of(name_of(dimension)), shape.cam[dimension]);
+    }
+    if (has_roller(shape.cam.follower))
+        column.value("prime radius",
+                     shape.cam[DimensionIndex::base_radius] + shape.cam[DimensionIndex::roller_radius]);
+    for (const MechanismDimension& dimension : form_dimensions(shape.cam.follower, shape.cam.form)) {
+        if (dimension.is_angle)
+            column.value(words_of(dimension.name),
+                         std::string_view(short_text(dimension.value.low / degree) + " deg"));
+        else
+            column.value(words_of(dimension.name), dimension.value.low);
+    }
+    if (has_flat_face(shape.cam.follower) && !is_oscillating(shape.cam.follower)) {
+        if (shape.face_half_width)
+            column.value("face half width", *shape.face_half_width);
+        else
+            column.words("face: no width given, drawn as needed");
+    }
+    column.words(fmt::format("turns {}", name_of(shape.cam.rotation)));
+    if (!shape.closed && shape.open_because.empty())
+        column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
+                                 short_text(shape.end() / degree)));
+    if (!shape.closed && !shape.open_because.empty()) {
+        column.words(fmt::format("OPEN: θ = {}° … {}°", short_text(shape.begin() / degree),
+                                 short_text(shape.end() / degree)),
+                     "warning");
+        const std::string& why = shape.open_because;
+        const std::size_t colon = why.find(": ");
+        column.words(why.substr(0, colon));
+        if (colon != std::string::npos) column.words("(" + why.substr(colon + 2) + ")");
+    }
+    if (!undercut) return;
+    column.words("UNDERCUT where it is red:", "warning");
+    column.words("the follower cannot move as", "warning");
+    column.words("designed there.", "warning");
 }
 
 }  // namespace camopt

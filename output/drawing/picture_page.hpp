@@ -3,14 +3,40 @@
 // column beside it for what the lines mean, dimensions and figures. px; m inside the frame.
 #pragma once
 
-#include "output/drawing/profile_canvas.hpp"
+#include "output/chart/svg_canvas.hpp"
+#include "output/drawing/profile_shape.hpp"
 #include "output/words/shown_units.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <Eigen/Core>
+
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace camopt {
+
+// Drawing in the cam frame: metres in, px out, the same scale both ways.
+struct ProfileCanvas {
+    SvgCanvas& canvas;
+    Eigen::Vector2d origin;  ///< px of the cam's centre
+    double scale = 1.0;      ///< px per m
+
+    [[nodiscard]] Eigen::Vector2d place(const Eigen::Vector2d& point) const {
+        return {origin.x() + scale * point.x(), origin.y() - scale * point.y()};
+    }
+    /// Metres of so many px, for marks whose size does not depend on the cam.
+    [[nodiscard]] double px(double count) const { return count / scale; }
+
+    void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view css_class) const;
+    void circle(const Eigen::Vector2d& center, double radius, std::string_view css_class) const;
+    void polyline(std::span<const Eigen::Vector2d> points, bool closed, std::string_view css_class) const;
+    /// The words' middle at the point.
+    void text(const Eigen::Vector2d& middle, std::string_view words, std::string_view css_class) const;
+};
+
+// The column beside the drawing of a cam: what the lines mean, the dimensions, and what is wrong.
+void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool undercut);
 
 inline constexpr double picture_width = 1000, picture_height = 760;
 inline constexpr double picture_left = 74, picture_top = 60, picture_frame_width = 660,

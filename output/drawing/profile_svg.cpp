@@ -4,8 +4,6 @@
 #include "core/units.hpp"
 #include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/drawing/profile_canvas.hpp"
-#include "output/drawing/profile_legend.hpp"
 #include "output/words/number_text.hpp"
 #include "profiles/disk/disk_sides.hpp"
 

@@ -2,17 +2,12 @@
 #include "output/json/result_json.hpp"
 
 #include "core/version.hpp"
-#include "output/json/cam_json.hpp"
 #include "output/json/json_text.hpp"
-#include "output/json/motion_json.hpp"
-#include "output/json/segment_json.hpp"
-#include "output/json/train_json.hpp"
-#include "output/json/verdict_json.hpp"
-#include "output/words/display_scale.hpp"
+#include "output/json/solution_json.hpp"
 #include "output/words/shown_units.hpp"
 #include "scene/cost_table.hpp"
-#include "studies/delivered/limit_activity.hpp"
-#include "studies/delivered/set_point_reports.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 #include <optional>
 #include <string_view>

@@ -3,13 +3,10 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
-#include "output/nc/path/nc_path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 

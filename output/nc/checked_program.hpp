@@ -8,7 +8,7 @@
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
 #include "output/nc/nc_travel.hpp"
-#include "output/nc/path/milling_direction.hpp"
+#include "output/nc/path/cutter_compensation.hpp"
 #include "output/nc/post/post_processor.hpp"
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 //   depth(pose) >= max over points p of cutter ∩ cam of the distance from p to where a cutter may be
 // so 0 or less means that the cutter, a cylinder without an upper end (blank.hpp), does not enter. It may be
 // followed between samples: a cutter each of whose points has moved by δ or less, δ <= its radius, stands at
-// most depth + δ deep. m, rad, frame of tool_pose.hpp.
+// most depth + δ deep. m, rad, frame of ToolPose.
 //
 //   plane     the contour between two heights: a polygon through `points` of it, its own error added.
 //             depth = min(how far the tip is under the upper face, radius − distance of the axis from the
@@ -16,8 +16,6 @@
 
 #include "output/nc/blank.hpp"
 #include "output/nc/cutter_location.hpp"
-#include "output/nc/plane_cutter_path.hpp"
-#include "output/nc/tool_pose.hpp"
 
 #include <memory>
 #include <vector>

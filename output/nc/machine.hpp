@@ -8,7 +8,7 @@
 // (post_processor.hpp). m and rad. The checks of rapids (nc_travel.hpp) rest on both sentences.
 #pragma once
 
-#include "output/nc/tool_pose.hpp"
+#include "output/nc/cutter_location.hpp"
 
 #include <Eigen/Core>
 

@@ -2,12 +2,15 @@
 #include "output/nc/nc_check.hpp"
 
 #include "core/errors.hpp"
+#include "core/numbers/scalar_search.hpp"
+#include "output/nc/path/cutter_compensation.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camopt {
 
@@ -53,6 +56,133 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+// The sweep of the cutter against the points of the wanted surface.
+constexpr int steps_per_block = 4;       // the coarse search; the distance is smooth within a block
+constexpr int golden_sections = 44;      // to 1e-9 of a step
+constexpr double candidate_part = 0.02;  // of the cutter's radius: how much worse a coarse minimum may look
+constexpr std::size_t group_size = 40;   // poses that one sphere encloses
+
+/// The cutter's way: one parameter, a whole number at each cutting block's end.
+class Sweep {
+ public:
+    Sweep(std::span<const NcMove> moves, const Machine& machine, const CutterShape& cutter)
+        : machine_(machine) {
+        for (std::size_t i = 1; i < moves.size(); ++i)
+            if (!moves[i].rapid) segments_.push_back({&moves[i - 1].values, &moves[i]});
+        if (segments_.empty()) throw InputError("NC check: the program does not cut");
+        coarse_.reserve(segments_.size() * steps_per_block + 1);
+        for (std::size_t k = 0; k < segments_.size(); ++k)
+            for (int step = 0; step <= steps_per_block; ++step)
+                coarse_.push_back(pose(k, static_cast<double>(step) / steps_per_block));
+        for (std::size_t begin = 0; begin < coarse_.size(); begin += group_size)
+            groups_.push_back(around(begin, cutter));
+    }
+
+    [[nodiscard]] ToolPose pose(std::size_t segment, double share) const {
+        const Segment& s = segments_[segment];
+        return machine_.pose(values_along(*s.from, *s.move, share));
+    }
+    [[nodiscard]] std::size_t segments() const { return segments_.size(); }
+    /// steps_per_block + 1 poses a segment.
+    [[nodiscard]] const std::vector<ToolPose>& coarse() const { return coarse_; }
+
+    /// Coarse poses begin … end - 1, and a sphere around the cutter in all of them.
+    struct Group {
+        std::size_t begin = 0, end = 0;
+        Eigen::Vector3d center = Eigen::Vector3d::Zero();
+        double radius = 0.0;
+
+        /// No pose of the group is nearer to the point.
+        [[nodiscard]] double least_clearance(const Eigen::Vector3d& point) const {
+            return (point - center).norm() - radius;
+        }
+    };
+    [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
+
+ private:
+    [[nodiscard]] Group around(std::size_t begin, const CutterShape& cutter) const {
+        Group group{begin, std::min(begin + group_size, coarse_.size())};
+        const auto middle = [&](std::size_t i) -> Eigen::Vector3d {
+            return coarse_[i].tip - 0.5 * cutter.length * coarse_[i].axis;
+        };
+        for (std::size_t i = begin; i < group.end; ++i)
+            group.center += middle(i) / static_cast<double>(group.end - begin);
+        for (std::size_t i = begin; i < group.end; ++i)
+            group.radius = std::max(group.radius, (middle(i) - group.center).norm());
+        group.radius += 0.5 * (cutter.length + cutter.diameter);
+        return group;
+    }
+
+    struct Segment {
+        const Eigen::VectorXd* from;
+        const NcMove* move;
+    };
+    const Machine& machine_;
+    std::vector<Segment> segments_;
+    std::vector<ToolPose> coarse_;
+    std::vector<Group> groups_;
+};
+
+class PointClearance {
+ public:
+    PointClearance(const Sweep& sweep, const CutterShape& cutter, const Eigen::Vector3d& point)
+        : sweep_(sweep),
+          cutter_(cutter),
+          point_(point),
+          values_(sweep.coarse().size(), std::numeric_limits<double>::infinity()) {}
+
+    [[nodiscard]] double least() {
+        double best = best_of_near_poses();
+        const double worth_a_look = best + candidate_part * cutter_.diameter;
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            const bool falls = i == 0 || values_[i] <= values_[i - 1];
+            const bool rises = i + 1 == values_.size() || values_[i] <= values_[i + 1];
+            if (falls && rises && values_[i] <= worth_a_look) best = std::min(best, refined(i));
+        }
+        return best;
+    }
+
+ private:
+    /// Over all coarse poses; those too far to be worth a look keep the value infinity.
+    [[nodiscard]] double best_of_near_poses() {
+        const std::vector<Sweep::Group>& groups = sweep_.groups();
+        bounds_.reserve(groups.size());
+        for (const Sweep::Group& group : groups) bounds_.push_back(group.least_clearance(point_));
+        const auto nearest = static_cast<std::size_t>(std::ranges::min_element(bounds_) - bounds_.begin());
+        double best = best_of(groups[nearest]);
+        for (std::size_t k = 0; k < groups.size(); ++k)
+            if (k != nearest && bounds_[k] <= best + candidate_part * cutter_.diameter)
+                best = std::min(best, best_of(groups[k]));
+        return best;
+    }
+    [[nodiscard]] double best_of(const Sweep::Group& group) {
+        double best = std::numeric_limits<double>::infinity();
+        for (std::size_t i = group.begin; i < group.end; ++i)
+            best = std::min(best, values_[i] = cutter_clearance(sweep_.coarse()[i], cutter_, point_));
+        return best;
+    }
+    [[nodiscard]] double at(std::size_t segment, double share) const {
+        return cutter_clearance(sweep_.pose(segment, share), cutter_, point_);
+    }
+    /// Around coarse pose i; either side may belong to another block.
+    [[nodiscard]] double refined(std::size_t i) const {
+        constexpr std::size_t per_segment = steps_per_block + 1;
+        const std::size_t segment = i / per_segment, step = i % per_segment;
+        const double low = step == 0 ? 0.0 : static_cast<double>(step - 1) / steps_per_block;
+        const double high = std::min(1.0, static_cast<double>(step + 1) / steps_per_block);
+        return golden(segment, low, high);
+    }
+    [[nodiscard]] double golden(std::size_t segment, double low, double high) const {
+        return -golden_maximum([&](double place) { return -at(segment, place); }, low, high, golden_sections)
+                    .value();
+    }
+
+    const Sweep& sweep_;
+    const CutterShape& cutter_;
+    const Eigen::Vector3d& point_;
+    std::vector<double> values_, bounds_;
+};
+
 }  // namespace
 
 NcPoseCheck check_poses(std::span<const NcMove> moves, const Machine& machine, const PostProcessor& post,
@@ -88,6 +218,50 @@ NcPoseCheck check_poses(std::span<const NcMove> moves, const Machine& machine, c
     if (static_cast<std::size_t>(check.blocks) != wanted.size())
         throw InputError(fmt::format("NC check: the program has {} cutting blocks, the path has {} poses",
                                      check.blocks, wanted.size()));
+    return check;
+}
+
+double cutter_clearance(const ToolPose& pose, const CutterShape& cutter, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d from_tip = point - pose.tip;
+    const double along = -from_tip.dot(pose.axis);  // up the cutter
+    const double side = (from_tip + along * pose.axis).norm() - 0.5 * cutter.diameter;
+    const double beyond = std::max(-along, along - cutter.length);
+    if (beyond <= 0.0) return std::max(side, -along);  // what holds the cutter is as thick
+    const double outside = std::max(side, 0.0);
+    return std::sqrt(outside * outside + beyond * beyond);  // hypot would take most of the check's time
+}
+
+void CutterShape::validate() const {
+    if (!(std::isfinite(diameter) && diameter > 0.0))
+        throw InputError(fmt::format("cutter: the diameter must be > 0 m, found {:g}", diameter));
+    if (!(std::isfinite(length) && length > 0.0))
+        throw InputError(fmt::format("cutter: the length must be > 0 m, found {:g}", length));
+}
+
+NcSurfaceCheck check_surface(std::span<const NcMove> moves, const Machine& machine, const CutterShape& cutter,
+                             std::span<const Eigen::Vector3d> points) {
+    cutter.validate();
+    if (points.empty()) throw InputError("NC check: there are no points to check");
+    const Sweep sweep(moves, machine, cutter);
+    NcSurfaceCheck check;
+    check.points = points.size();
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!points[i].allFinite())
+            throw InputError(fmt::format("NC check: point {} of the surface is not finite", i));
+        const double least = PointClearance(sweep, cutter, points[i]).least();
+        if (least < lowest) {
+            lowest = least;
+            check.gouge_point = i;
+        }
+        if (least > highest) {
+            highest = least;
+            check.stock_point = i;
+        }
+    }
+    check.least_stock = lowest;
+    check.gouge = std::max(-lowest, 0.0);
+    check.stock = std::max(highest, 0.0);
     return check;
 }
 

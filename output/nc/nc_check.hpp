@@ -12,8 +12,8 @@
 // m, rad, s.
 #pragma once
 
+#include "output/nc/cutter_location.hpp"
 #include "output/nc/nc_reader.hpp"
-#include "output/nc/tool_pose.hpp"
 
 #include <Eigen/Core>
 

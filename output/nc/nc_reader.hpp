@@ -41,8 +41,6 @@ struct NcWords {
     double spindle_rpm = 0.0;       ///< the last S
     bool clockwise = false;         ///< M3
     bool counterclockwise = false;  ///< M4
-
-    [[nodiscard]] bool spindle_runs() const { return spindle_rpm > 0.0 && (clockwise || counterclockwise); }
 };
 
 /// Throws like read_nc_text.

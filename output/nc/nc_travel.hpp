@@ -5,8 +5,8 @@
 //            a speed of its own, so not the straight way is looked at but every value of every axis between
 //            the two ends. As long as an axis has no value yet, only what holds for any value counts.
 //   feeds    never enter the finished cam by more than `most_depth`; all axes in proportion, arcs round
-//            (path/nc_path.hpp). A pass that roughs must leave its stock: there the cutter is taken as larger
-//            by it.
+//            (path/cutter_compensation.hpp). A pass that roughs must leave its stock: there the cutter is
+//            taken as larger by it.
 // No point of the way is a sample: while the axes move by Δ, a point of the blank moves past the cutter by
 //   L = |Δ of X, Y, Z| + reach of the blank · Σ |Δ of rotary axes|
 // or less (machine.hpp: rotary axes pass the origin), so what is found in the middle of a piece holds over

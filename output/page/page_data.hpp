@@ -42,9 +42,12 @@
 #pragma once
 
 #include "output/json/certificate/run_origin.hpp"
+#include "output/report/result_folder.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace camopt {
 
@@ -65,5 +68,24 @@ struct PageDataOptions {
 
 /// The page of the solution needs a library for three dimensions.
 [[nodiscard]] bool page_needs_solids(const Solution& solution);
+
+// What a result folder holds beside the files of every result: the page for a browser, the pictures of a
+// drum.
+
+/// For WriteOptions::also: report.html, and of a three-dimensional cam drum.svg and developed.svg.
+[[nodiscard]] std::vector<FolderFile> result_extras(const Solution& solution, const RunOrigin& origin = {});
+
+// Laws of the catalogue in the place of a solution's motion, for the curves of its page.
+//
+//   key, title
+//   misfit     null, or why the law does not fit the scene: then there are no curves
+//   curves     displacement, velocity, acceleration, jerk: values[] by the angles and in the units of
+//   page_data
+//              (null: infinite, or in the dwell behind the motion)
+//   peaks      velocity, acceleration, jerk, normalised as the scene's; null where infinite
+
+/// A JSON array, one entry a key, in their order; [] for a solution without a motion. Throws InputError for a
+/// law that is not in the catalogue.
+[[nodiscard]] std::string page_laws(const Solution& solution, std::span<const std::string> keys);
 
 }  // namespace camopt

@@ -4,12 +4,12 @@
 #include "core/units.hpp"
 #include "output/drawing/profile_shape.hpp"
 #include "output/page/page_parts.hpp"
-#include "output/spatial/cam_scene.hpp"
+#include "output/spatial/flank_surfaces.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <Eigen/Geometry>
 

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <utility>
-#include <vector>
 
 namespace camopt {
 

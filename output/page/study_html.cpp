@@ -3,14 +3,14 @@
 
 #include "core/units.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
-#include "output/csv/pareto_csv.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/page/study_parts.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/sweep_text.hpp"
+#include "output/words/study_text.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -164,9 +164,9 @@ std::string sweep_html(const SweepPicture& picture, const SweepIdentity& identit
     Settings settings;
     const bool with_scenes = table.rows.size() <= static_cast<std::size_t>(most_scenes_of_page);
     for (const SweepRow& row : table.rows) {
-        std::vector<std::string> own;
-        for (std::size_t k = 0; k < table.columns.keys.size(); ++k)
-            own.push_back(setting_text(table.columns.keys[k], row.settings[k]));
+        std::vector<std::string> own(table.columns.keys.size());
+        for (std::size_t k = 0; k < own.size(); ++k)
+            own[k] = setting_text(table.columns.keys[k], row.settings[k]);
         page.add_item(fmt::format("row {}: {}", row.number, fmt::join(own, ", ")), row.number,
                       !row.is_feasible() ? "bad"
                       : row.on_front     ? "good"

@@ -16,7 +16,7 @@
 //              and the text in its place; names[]: of the files
 #pragma once
 
-#include "output/chart/studies/pareto_svg.hpp"
+#include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
 #include "output/json/certificate/run_origin.hpp"
 #include "output/json/sweep_json.hpp"

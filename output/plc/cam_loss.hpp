@@ -3,7 +3,7 @@
 //
 // On a stretch where the motion is a polynomial the difference is one, and its greatest magnitude is found
 // from the sign changes of its derivative: exact but for rounding. On a stretch of a law it is searched for
-// between 64 places, each top by golden sections. Units as in master_curve.hpp.
+// between 64 places, each top by golden sections. Units as in MasterCurve.
 #pragma once
 
 #include "output/plc/cam_pieces.hpp"

@@ -44,15 +44,15 @@ struct PlcFormat {
     std::string numbers;     ///< "LREAL (float64)"
     int degree = 5;          ///< of what the controller makes between two joints
     PlcCount counted = PlcCount::points;
-    std::string element;       ///< what is counted: "points", "segments", "polynomials"
-    std::optional<int> limit;  ///< of them
-    std::string limit_words;   ///< who holds no more: "a cam read from a file"
-    std::string limit_note;    ///< "library parameter ..."; mostly empty
+    std::string element;            ///< what is counted: "points", "segments", "polynomials"
+    std::optional<int> limit = {};  ///< of them
+    std::string limit_words = {};   ///< who holds no more: "a cam read from a file"
+    std::string limit_note = {};    ///< "library parameter ..."; mostly empty
     int shared = 0;  ///< highest derivative of which a point has one for both sides: no jump of it is held
     bool straight_lines = false;  ///< acceleration and jerk have no meaning
     bool relative = false;        ///< slave positions count from the first
     bool whole_periods = false;   ///< the travel of a turn is a whole number of slave units
-    std::string text_file;        ///< a second file with the same numbers; mostly empty
+    std::string text_file = {};   ///< a second file with the same numbers; mostly empty
 
     PlcTable (*prepare)(const MasterCurve& curve, const PlcOptions& options,
                         const PlcFormat& format) = nullptr;

@@ -5,6 +5,8 @@
 //   Cam.nElements := 33;     a field of no element
 #pragma once
 
+#include "output/plc/cam_pieces.hpp"
+
 #include <map>
 #include <string>
 #include <string_view>
@@ -41,5 +43,24 @@ struct StElements {
 
 /// The lines of a text without their ends.
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
+
+// Tables of points: from pieces to the states at their joints, and back. What several formats share.
+
+/// The states at all joints: at the begin of each piece, and at the end of the last.
+[[nodiscard]] std::vector<EndState> knots_of(const std::vector<CamPiece>& pieces);
+
+/// The state at the end of a piece.
+[[nodiscard]] EndState state_at_end(const CamPiece& piece);
+[[nodiscard]] EndState state_at_begin(const CamPiece& piece);
+
+/// Throws InputError for fewer than two.
+[[nodiscard]] std::vector<CamPiece> quintics_between(const std::vector<EndState>& knots);
+[[nodiscard]] std::vector<CamPiece> lines_between(const std::vector<EndState>& knots);
+
+/// The numbers of a line. Throws InputError for another count of them.
+[[nodiscard]] std::vector<double> numbers_between(std::string_view line, char separator, std::size_t count);
+
+/// The piece halved at that part of its length: the same polynomial twice.
+[[nodiscard]] std::vector<CamPiece> split_at(const CamPiece& piece, double part);
 
 }  // namespace camopt

@@ -5,7 +5,7 @@
 //   disk     profile.csv, profile.svg, profile_diagrams.svg, profile.dxf; with forces forces.svg
 //   remote   profile.csv, mechanism.svg, pressure_angle.svg, curvature.svg, profile.dxf
 //   inverse  guide.csv, guide.svg, pressure_angle.svg, profile.dxf
-// The columns of profile.csv stand in csv/profile_csv.hpp, the layers of profile.dxf in
+// The columns of profile.csv stand in csv/motion_csv.hpp, the layers of profile.dxf in
 // drawing/dxf/cam_dxf.hpp.
 //
 // guide.csv, in the frame of the body (origin: its pivot; x axis: through the roller where the body stands at
@@ -53,5 +53,17 @@ struct CamFileOptions {
 
 /// The names of all kinds.
 [[nodiscard]] std::vector<std::string> cam_file_names();
+
+// Private to output/report: the texts of a plane cam's files by kind, in the order of the rows of
+// cam_files.cpp.
+
+/// Points, the cam to scale, its diagrams.
+[[nodiscard]] std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options);
+
+/// Points, cam and linkage to scale, pressure angle, curvature.
+[[nodiscard]] std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOptions& options);
+
+/// Points of both walls, the guide to scale, pressure angle.
+[[nodiscard]] std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options);
 
 }  // namespace camopt

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The result folder: result.json, certificate.json, report.md and, where the scene was a text, scene.toml;
 // with a motion motion.csv and motion.svg; with a cam profile.csv, profile.svg, profile_diagrams.svg and,
-// where asked for, profile.dxf. report/result_folder_reader.hpp reads it back.
+// where asked for, profile.dxf. read_result_folder reads it back.
 #pragma once
 
 #include "output/json/certificate/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,5 +35,23 @@ std::vector<std::filesystem::path> write_result_folder(const std::filesystem::pa
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.
 void prepare_folder(const std::filesystem::path& folder);
+
+// A result folder read back: the very motion, cam and verdict that were delivered, without solving.
+//
+// scene.toml gives the scene, result.json the motion and the dimensions bit for bit, certificate.json the
+// verdict and its proof. All else is made from these, and what result.json says of it must be that: a file
+// that was changed by hand, or belongs to another scene, is refused with the first number that is not its
+// own.
+struct ResultFolder {
+    Solution solution;
+    RunOrigin origin;
+};
+
+/// What makes a scene of its text (the name is for messages), with the formulas of its mechanism.
+using SceneLoader = std::function<Scene(const std::string& text, const std::string& name)>;
+
+/// Throws InputError for a folder that is no result folder, is not complete, holds no motion (infeasible,
+/// failed), is of another version of camopt, or whose files say different things.
+[[nodiscard]] ResultFolder read_result_folder(const std::filesystem::path& folder, const SceneLoader& load);
 
 }  // namespace camopt

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/drawing/dxf/profile_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_furniture.hpp"
 #include "output/words/number_text.hpp"
 #include "profiles/disk/disk_sides.hpp"

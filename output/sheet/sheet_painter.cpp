@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/sheet/sheet_painter.hpp"
 
-#include "output/sheet/dimension_marks.hpp"
-
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace camopt {
 
@@ -15,6 +14,127 @@ using Eigen::Vector2d;
 constexpr double thick_line = 0.5e-3, thin_line = 0.25e-3;
 constexpr std::array<double, 2> dashed_line = {3.0e-3, 1.0e-3};
 constexpr std::array<double, 4> chain_line = {6.0e-3, 1.0e-3, 1.0e-3, 1.0e-3};
+
+// m on the paper.
+constexpr double mark_arrow = 2.5e-3, mark_arrow_half = 0.45e-3, mark_overshoot = 1.2e-3, mark_gap = 0.6e-3,
+                 mark_tail = 4.0e-3, words_above = 0.8e-3, leader_shoulder = 3.0e-3;
+const char* const dimension_layer = "DIMENSIONS";
+
+Vector2d direction_of(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
+Vector2d left_of(const Vector2d& direction) {
+    return {-direction.y(), direction.x()};
+}
+
+void add_mark_line(DimensionMarks& marks, const Vector2d& from, const Vector2d& to) {
+    marks.lines.push_back(
+        {dimension_layer, SheetPen::thin, {{from, 0.0}, {to, 0.0}}, false, SheetSpace::paper, false});
+}
+
+/// Its tip at the point, pointing along the direction.
+void add_mark_arrow(DimensionMarks& marks, const Vector2d& tip, const Vector2d& direction) {
+    const Vector2d back = tip - mark_arrow * direction, side = mark_arrow_half * left_of(direction);
+    marks.arrows.push_back({tip, back + side, back - side});
+}
+
+void set_mark_text(DimensionMarks& marks, const Vector2d& at, const std::string& words, TextAnchor anchor,
+                   double turn) {
+    marks.text = {dimension_layer, at, dimension_text_height, words, anchor, turn};
+}
+
+/// Words are read from below and from the right.
+double readable(double angle) {
+    const double half = std::numbers::pi / 2.0;
+    double turn = std::remainder(angle, 2.0 * std::numbers::pi);
+    if (turn > half + 1e-9) turn -= 2.0 * half;
+    if (turn <= -half + 1e-9) turn += 2.0 * half;
+    return turn;
+}
+
+DimensionMarks linear_marks(const SheetDimension& dimension, const SheetView& view) {
+    DimensionMarks marks;
+    const Vector2d along = direction_of(dimension.direction), across = left_of(along);
+    Vector2d from = view.on_paper(dimension.first), to = view.on_paper(dimension.second);
+    if ((to - from).dot(along) < 0.0) std::swap(from, to);
+    const auto on_line = [&](const Vector2d& point) -> Vector2d {
+        return point + across * across.dot(dimension.place - point);
+    };
+    const Vector2d left = on_line(from), right = on_line(to);
+    for (const auto& [point, end] : {std::pair{from, left}, std::pair{to, right}}) {
+        const Vector2d out = end - point;
+        if (out.norm() < mark_gap) continue;
+        const Vector2d way = out.normalized();
+        add_mark_line(marks, point + mark_gap * way, end + mark_overshoot * way);
+    }
+    const std::string words = dimension.words();
+    const double length = (right - left).norm(), width = widest_text(words, dimension_text_height),
+                 turn = readable(dimension.direction);
+    const bool arrows_fit = length > 2.5 * mark_arrow, words_fit = length > width + 1e-3;
+    if (arrows_fit) {
+        add_mark_line(marks, left, right);
+        add_mark_arrow(marks, left, -along);
+        add_mark_arrow(marks, right, along);
+    } else {
+        add_mark_line(marks, left - mark_tail * along, right + mark_tail * along);
+        add_mark_arrow(marks, left, along);
+        add_mark_arrow(marks, right, -along);
+    }
+    const Vector2d up = left_of(direction_of(turn));
+    if (words_fit) {
+        set_mark_text(marks, 0.5 * (left + right) + words_above * up, words, TextAnchor::middle, turn);
+        return marks;
+    }
+    // Beside the line, at the end from which the words run on outwards.
+    const bool forwards = direction_of(turn).dot(along) > 0.0;
+    const Vector2d start = right + (arrows_fit ? 0.0 : mark_tail) * along;
+    add_mark_line(marks, start, start + (width + 1e-3) * along);
+    set_mark_text(marks, start + 0.5e-3 * along + words_above * up, words,
+                  forwards ? TextAnchor::start : TextAnchor::end, turn);
+    return marks;
+}
+
+DimensionMarks leader_marks(const SheetDimension& dimension, const SheetView& view) {
+    DimensionMarks marks;
+    const Vector2d tip = view.on_paper(dimension.second), center = view.on_paper(dimension.first);
+    const bool to_right = dimension.place.x() >= tip.x();
+    const std::string words = dimension.words();
+    const double width = widest_text(words, dimension_text_height), side = to_right ? 1.0 : -1.0;
+    const Vector2d elbow = dimension.place, end = elbow + side * Vector2d(leader_shoulder + width, 0.0);
+    const Vector2d way = (elbow - tip).normalized();
+    if (dimension.kind == SheetDimension::Kind::radius) {
+        add_mark_line(marks, center, tip);
+        add_mark_arrow(marks, tip, (tip - center).normalized());
+    } else {
+        add_mark_arrow(marks, tip, -way);
+    }
+    add_mark_line(marks, tip, elbow);
+    add_mark_line(marks, elbow, end);
+    set_mark_text(marks, elbow + Vector2d(side * leader_shoulder, words_above), words,
+                  to_right ? TextAnchor::start : TextAnchor::end, 0.0);
+    return marks;
+}
+
+DimensionMarks angle_marks(const SheetDimension& dimension, const SheetView& view) {
+    DimensionMarks marks;
+    const Vector2d center = view.on_paper(dimension.first);
+    const double radius = (dimension.place - center).norm(), from = dimension.direction,
+                 to = from + dimension.sweep, sign = dimension.sweep < 0.0 ? -1.0 : 1.0;
+    Sheet arcs;
+    arcs.arc(dimension_layer, SheetPen::thin,
+             {dimension_layer, SheetPen::thin, center, radius, SheetSpace::paper}, from, to);
+    marks.lines = std::move(arcs.paths);
+    const double head = sign * 0.5 * mark_arrow / radius;  // the chord of a head leans by half its angle
+    add_mark_arrow(marks, center + radius * direction_of(from), -sign * left_of(direction_of(from + head)));
+    add_mark_arrow(marks, center + radius * direction_of(to), sign * left_of(direction_of(to - head)));
+    const double middle = 0.5 * (from + to), turn = readable(middle - std::numbers::pi / 2.0);
+    const bool outwards = left_of(direction_of(turn)).dot(direction_of(middle)) > 0.0;
+    const double distance = outwards ? radius + words_above : radius - words_above;
+    set_mark_text(marks, center + distance * direction_of(middle), dimension.words(), TextAnchor::middle,
+                  turn);
+    return marks;
+}
 
 }  // namespace
 
@@ -70,6 +190,19 @@ BulgeArc bulge_arc(const Vector2d& from, const Vector2d& to, double bulge) {
     const Vector2d out = from - center;
     const double begin = std::atan2(out.y(), out.x());
     return {center, out.norm(), begin, begin + 4.0 * std::atan(bulge)};
+}
+
+DimensionMarks dimension_marks(const SheetDimension& dimension, const SheetView& view) {
+    switch (dimension.kind) {
+        case SheetDimension::Kind::linear:
+            return linear_marks(dimension, view);
+        case SheetDimension::Kind::angle:
+            return angle_marks(dimension, view);
+        case SheetDimension::Kind::diameter:
+        case SheetDimension::Kind::radius:
+            break;
+    }
+    return leader_marks(dimension, view);
 }
 
 }  // namespace camopt

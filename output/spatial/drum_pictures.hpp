@@ -7,7 +7,7 @@
 // the way of its axis. Frame of profiles/spatial/spatial_cam.hpp.
 #pragma once
 
-#include "output/surface/mesh_svg.hpp"
+#include "output/surface/mesh_files.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"

@@ -6,14 +6,12 @@
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_groove.hpp"
-#include "output/spatial/roller_path.hpp"
 #include "profiles/spatial/flank_grid.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -252,6 +250,14 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
 CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, const Machine& machine,
                          const PostProcessor& post, const NcExportOptions& options) {
     return checked_program(machine, post, nc_work(cam, motion, options));
+}
+
+RollerPath roller_path(const SpatialCam& cam, const FollowerMotion& motion) {
+    return [cam, motion](double theta, double station) {
+        const FollowerState state = motion.state(theta);
+        const SpatialPoint point = spatial_point(cam, theta, state, {station, 1});
+        return RollerPose{point.center, roller_axis(cam, theta, state.s).direction, point.normal};
+    };
 }
 
 }  // namespace camopt

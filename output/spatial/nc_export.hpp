@@ -5,6 +5,7 @@
 // s.
 #pragma once
 
+#include "output/nc/cutter_location.hpp"
 #include "output/nc/milling/milling_choice.hpp"
 #include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
@@ -35,5 +36,10 @@ struct NcExportOptions : MillingOptions {
 [[nodiscard]] CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion,
                                        const Machine& machine, const PostProcessor& post,
                                        const NcExportOptions& options);
+
+// The roller of a three-dimensional cam as the NC programs want it (output/nc/cutter_location.hpp).
+
+/// Stations are heights h along the roller; flank +1 is σ_f = +1, the D of paper 001.
+[[nodiscard]] RollerPath roller_path(const SpatialCam& cam, const FollowerMotion& motion);
 
 }  // namespace camopt

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/surface/bspline_surface.hpp"
 
+#include "core/errors.hpp"
+
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
@@ -93,6 +95,16 @@ BsplineSurface patch(const SurfaceGrid& grid, std::size_t from, std::size_t to) 
     return surface;
 }
 
+void check_parameters(const std::string& name, const char* which, const std::vector<double>& values) {
+    if (values.size() < 2)
+        throw InputError(
+            fmt::format("surface {}: it needs two {} at least, found {}", name, which, values.size()));
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (!(values[i] > values[i - 1]))
+            throw InputError(fmt::format("surface {}: its {} must ascend; found {} after {}", name, which,
+                                         values[i], values[i - 1]));
+}
+
 }  // namespace
 
 Eigen::Vector3d BsplineSurface::at(double u, double v) const {
@@ -116,6 +128,23 @@ std::vector<BsplineSurface> bspline_surfaces(const SurfaceGrid& grid) {
         surfaces.back().name = ends.size() == 2 ? grid.name : fmt::format("{} piece {}", grid.name, k);
     }
     return surfaces;
+}
+
+void SurfaceGrid::validate() const {
+    check_parameters(name, "columns", u);
+    check_parameters(name, "rows", v);
+    if (points.size() != u.size() * v.size())
+        throw InputError(fmt::format("surface {}: {} x {} points expected, found {}", name, v.size(),
+                                     u.size(), points.size()));
+    for (const Eigen::Vector3d& point : points)
+        if (!point.allFinite()) throw InputError(fmt::format("surface {}: a point is not finite", name));
+    int before = 0;
+    for (const int column : breaks) {
+        if (column <= before || column >= static_cast<int>(u.size()) - 1)
+            throw InputError(
+                fmt::format("surface {}: breaks must ascend between the first and the last column", name));
+        before = column;
+    }
 }
 
 }  // namespace camopt

@@ -5,7 +5,7 @@
 // triangles that pass it in opposite directions (watertight: mesh_edges). m.
 #pragma once
 
-#include "output/surface/surface_grid.hpp"
+#include "output/surface/bspline_surface.hpp"
 
 #include <Eigen/Core>
 

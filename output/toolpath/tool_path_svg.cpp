@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/nc/path/nc_path.hpp"
+#include "output/nc/path/cutter_compensation.hpp"
 
 #include <fmt/format.h>
 
@@ -229,6 +229,7 @@ class ToolPathPainter {
         for (const std::vector<Vector3d>& outline : work_.task.outlines) {
             View view{developed_, false};
             std::vector<Vector2d> line;
+            line.reserve(outline.size());
             for (const Vector3d& point : outline) line.push_back(view(point));
             if (!developed_) {
                 result.push_back(std::move(line));

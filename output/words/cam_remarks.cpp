@@ -3,7 +3,6 @@
 
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
-#include "output/words/angle_words.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
@@ -18,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace camopt {
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/cam_words.hpp"
 
-#include "core/units.hpp"
-#include "output/words/angle_words.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"

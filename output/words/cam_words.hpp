@@ -2,6 +2,8 @@
 // The cam of a solution in words, of whatever kind: dimensions and figures, in the units of shown_units.hpp.
 #pragma once
 
+#include "core/units.hpp"
+#include "output/words/number_text.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "scene/mechanism_spec.hpp"
 #include "studies/delivered/solution.hpp"
@@ -43,5 +45,13 @@ struct CamFigure {
 [[nodiscard]] std::vector<CamFigure> cam_figures(const Solution& solution);
 /// Their table: name, value, cam angle.
 [[nodiscard]] TextTable cam_table(const Solution& solution, std::vector<TextTable::Column> columns);
+
+// Private to output/words: a place of the motion as a person reads it.
+inline constexpr int angle_digits = 5;
+
+/// The cam angle of x, degrees, without the unit.
+[[nodiscard]] inline std::string degrees_at(const Solution& solution, double x) {
+    return short_text(x * solution.scene.motion.unit_angle() / units::degree, angle_digits);
+}
 
 }  // namespace camopt

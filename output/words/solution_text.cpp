@@ -2,22 +2,19 @@
 #include "output/words/solution_text.hpp"
 
 #include "core/text/printable.hpp"
-#include "output/words/angle_words.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
-#include "output/words/motion_extremes.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
-#include "output/words/tables/set_point_table.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/delivered/limit_activity.hpp"
+#include "studies/delivered/scene_limits.hpp"
 
 #include <fmt/format.h>
 

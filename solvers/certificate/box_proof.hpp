@@ -17,8 +17,8 @@
 // (infeasible). The parts are the leaves of a binary tree of splits, so that together they hold everything.
 #pragma once
 
+#include "core/nlp.hpp"
 #include "core/numbers/interval.hpp"
-#include "core/row_origin.hpp"
 #include "solvers/certificate/certificate.hpp"
 
 #include <Eigen/Core>

@@ -10,18 +10,67 @@
 
 #include "core/continuous_problem.hpp"
 #include "core/extremum.hpp"
-#include "core/row_origin.hpp"
-#include "solvers/certificate/reason.hpp"
+#include "core/nlp.hpp"
+#include "solvers/solver.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
+
+// Why a verdict is not better than it is, each with the word that files and messages have for it.
+enum class Reason {
+    none,  ///< "": nothing is missing
+    // How the search ended: as Termination.
+    not_run,
+    converged,
+    acceptable,
+    infeasible,
+    unbounded,
+    iteration_limit,
+    time_limit,
+    interrupted,
+    numerical_failure,
+    evaluation_error,
+    unsupported,
+    // What is known of the scene.
+    no_feasible_point,       ///< nothing that keeps the limits was found, and no proof that there is nothing
+    limits_contradict,       ///< proved: no motion keeps them
+    conditions_contradict,   ///< no curve of the spline space meets all the conditions
+    limit_broken_at_rest,    ///< a limit is broken where the follower stands
+    limits_within_rounding,  ///< "limits_within_rounding_of_infeasible": of such a point nothing is proved
+    // How far the proof came.
+    stationary,          ///< "stationary, not proved optimal"
+    free_displacements,  ///< the search over free displacements left a gap
+    free_angles,         ///< the search over the angles of a program left a gap
+    // What the delivered motion failed by.
+    breakpoints_too_close,
+    coefficients_too_coarse,
+    condition_not_met,
+    cam_cannot_be_built,
+    limit_not_kept,
+    objective_not_of_the_curve
+};
+
+/// The word in files and messages, as in the comments above where it is not the name.
+[[nodiscard]] const char* name_of(Reason value);
+/// The reason of this name; throws InputError for a word that is none.
+[[nodiscard]] Reason reason_named(std::string_view name);
+/// A search that ended like this is the reason.
+[[nodiscard]] Reason reason_of(Termination termination);
+
+/// By its word.
+[[nodiscard]] inline bool operator==(Reason value, std::string_view name) {
+    return name == name_of(value);
+}
+std::ostream& operator<<(std::ostream& stream, Reason value);
 
 enum class Verdict { optimal, local, feasible, infeasible, failed };
 [[nodiscard]] const char* name_of(Verdict value);
@@ -50,7 +99,7 @@ struct DualityProof {
     Box box;
     double bound = 0.0;
     /// Above 0: the rows of the limits stand moved out by this times their scale, and the bound is of every
-    /// point that keeps the limits to within it (solvers/exchange/relaxed_limits.hpp).
+    /// point that keeps the limits to within it (solvers/exchange/continuous_solve.cpp).
     double limits_relaxed_by = 0.0;
 };
 

@@ -1,18 +1,79 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/exchange/continuous_solve.hpp"
 
+#include "core/continuous_problem.hpp"
 #include "solvers/certificate/duality.hpp"
 #include "solvers/certificate/forget_proof.hpp"
 #include "solvers/exchange/elastic.hpp"
-#include "solvers/exchange/relaxed_limits.hpp"
+#include "solvers/solver.hpp"
 #include "solvers/structured/structured_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace camopt {
 
 namespace {
+
+// A lower bound for motions that keep the limits to within a tolerance.
+//
+// A delivered point may use the tolerance of its limits. Where the limits leave no room (they lie within
+// rounding of infeasible) that is all there is to use: the multipliers of the limits grow without end, and a
+// bound for the limits exactly as written passes the objective of the point, or is infinite. The bound that
+// says something of the point is that of the problem in which it lies: each limit moved out by `slack` times
+// its scale. It is at or below the optimum of the limits as written too, so it is a bound for these as well,
+// only a weaker one.
+
+/// The point of a problem that is spoken of: f(x) and how far it is outside, relative to each limit's scale.
+struct JudgedPoint {
+    const Eigen::VectorXd& x;
+    double objective = infinity;
+    double slack = 0.0;  ///< >= its violation
+};
+
+/// The same problem with every limit moved out.
+class RelaxedGrid final : public Nlp {
+ public:
+    RelaxedGrid(const Nlp& base, double slack) : Nlp(base.shape()), base_(base) {
+        for (int i = 0; i < shape_.constraints(); ++i) {
+            if (!shape_.rows[static_cast<std::size_t>(i)].limit) continue;
+            const double out = slack * shape_.rows[static_cast<std::size_t>(i)].scale;
+            shape_.g_upper[i] += out;
+            shape_.g_lower[i] -= out;
+        }
+    }
+    double cost(const ConstVectorRef& x) const override { return base_.cost(x); }
+    void gradient(const ConstVectorRef& x, VectorRef out) const override { base_.gradient(x, out); }
+    void constraints(const ConstVectorRef& x, VectorRef out) const override { base_.constraints(x, out); }
+    void jacobian(const ConstVectorRef& x, std::span<double> out) const override { base_.jacobian(x, out); }
+    void hessian(const ConstVectorRef& x, double sigma, const ConstVectorRef& lambda,
+                 std::span<double> out) const override {
+        base_.hessian(x, sigma, lambda, out);
+    }
+    std::string variable_name(int index) const override { return base_.variable_name(index); }
+    std::string row_name(int index) const override { return base_.row_name(index); }
+    RowOrigin row_origin(int index) const override { return base_.row_origin(index); }
+
+ private:
+    const Nlp& base_;
+};
+
+/// A proof that no point which keeps the limits to within `slack` has less than proof.bound, which is at most
+/// the objective (to rounding). On the problem's present grid, by the structured solver; convex problems
+/// only. None where no finite bound is found.
+std::optional<DualityProof> relaxed_proof(const ContinuousProblem& problem, const JudgedPoint& point,
+                                          const BackendOptions& options, const SolveControl& control) {
+    if (!problem.grid().shape().convex || !problem.convex(point.objective)) return {};
+    const RelaxedGrid grid(problem.grid(), point.slack);
+    const BackendResult dual = make_structured_solver()->minimize(grid, point.x, options, control);
+    if (!dual.row_multipliers || !dual.row_multipliers->allFinite()) return {};
+    DualityProof proof = duality_proof(grid, point.x, *dual.row_multipliers,
+                                       problem.box(point.objective, point.slack), "objective");
+    if (!std::isfinite(proof.bound)) return {};
+    proof.limits_relaxed_by = point.slack;
+    return proof;
+}
 
 // Rows this close to their bound may carry a multiplier when a backend gives none.
 constexpr double active_row = 1e-6;

@@ -7,7 +7,7 @@
 // started by an Nlp's evaluation inside a solve of the same thread is allowed. For speed run several
 // processes.
 //
-// Ipopt's defaults that are changed are listed with their reasons in ipopt_options.cpp.
+// Ipopt's defaults that are changed are listed with their reasons in ipopt_solver.cpp.
 // Source: A. Wächter, L. T. Biegler, Math. Program. 106 (2006) 25-57.
 #pragma once
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solvers/backend_support.hpp"
+#include "solvers/nlopt/nlopt_solver.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -34,7 +35,7 @@ class NloptAdapter {
         double sign, bound;
     };
 
-    static double cost(unsigned n, const double* x, double* gradient, void* self);
+    static double cost(unsigned n, const double* x_in, double* gradient, void* self);
     static void equalities(unsigned m, double* values, unsigned n, const double* x, double* gradient,
                            void* self);
     static void inequalities(unsigned m, double* values, unsigned n, const double* x, double* gradient,
@@ -56,5 +57,59 @@ class NloptAdapter {
     Eigen::VectorXd constraints_x_, constraints_, jacobian_x_;
     std::vector<double> jacobian_;
 };
+
+// Runs of one NLopt optimizer until nothing changes any more. Private to this folder (an NLopt type appears).
+struct NloptOutcome {
+    Termination termination;
+    const char* word;
+};
+/// A positive code is not success: the limits on evaluations and time have such codes too.
+[[nodiscard]] NloptOutcome outcome_of(nlopt_result status);
+
+[[nodiscard]] bool is_finished(Termination termination);
+
+/// Runs, and runs again from where that ended, until a run ends feasible and lowers the cost no more, or
+/// `restarts` are used up. SLSQP needs it on degenerate linear programs, where it stops early or stalls with
+/// a worn-out quasi-Newton matrix; so do MMA, CCSAQ and L-BFGS, which end with FAILURE where their dual or
+/// their line search finds no progress and mostly go on from there. A FAILURE that changes nothing is
+/// acceptable.
+class NloptRuns {
+ public:
+    NloptRuns(nlopt_opt optimizer, NloptAdapter& adapter, SolveGuard& guard, const BackendOptions& options)
+        : optimizer_(optimizer), adapter_(adapter), guard_(guard), options_(options) {}
+
+    [[nodiscard]] BackendResult from(Eigen::VectorXd x, int restarts);
+
+ private:
+    NloptOutcome once(Eigen::VectorXd& x, double& cost);
+
+    nlopt_opt optimizer_;
+    NloptAdapter& adapter_;
+    SolveGuard& guard_;
+    const BackendOptions& options_;
+};
+
+// What tells the algorithms of NLopt apart, without a type of NLopt. Private to this folder.
+struct NloptTraits {
+    const char* name;
+    const char* text;
+    bool needs_derivatives = true;
+    bool takes_equalities = true;
+    /// Runs from where the run before ended.
+    int restarts = 20;
+    bool is_global = false;     ///< needs a finite box, takes random numbers
+    bool is_augmented = false;  ///< an outer loop on multipliers around an unconstrained method
+};
+
+[[nodiscard]] const NloptTraits& traits_of(NloptMethod method);
+
+/// Relative steps that end a run, in tolerances: a short step of SLSQP on a linear program says little of the
+/// distance to the optimum.
+inline constexpr double step_tolerance = 1e-3;
+
+/// Defaults of options that are not the same for every algorithm of NLopt.
+inline constexpr double default_search_radius = 10.0;
+inline constexpr int default_dual_evaluations = 2000;
+inline constexpr int default_inner_evaluations = 2000;
 
 }  // namespace camopt

@@ -2,7 +2,7 @@
 // What the registry says of NLopt's algorithms; compiled whether or not this build has them.
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
-#include "solvers/nlopt/nlopt_methods.hpp"
+#include "solvers/nlopt/nlopt_adapter.hpp"
 
 #include <fmt/core.h>
 

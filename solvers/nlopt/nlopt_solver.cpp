@@ -3,8 +3,6 @@
 
 #include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_adapter.hpp"
-#include "solvers/nlopt/nlopt_methods.hpp"
-#include "solvers/nlopt/nlopt_runs.hpp"
 
 #include <fmt/core.h>
 

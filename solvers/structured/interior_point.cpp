@@ -3,10 +3,8 @@
 
 #include "solvers/structured/newton/newton_step.hpp"
 #include "solvers/structured/newton/path_reduction.hpp"
-#include "solvers/structured/vector_measures.hpp"
+#include "solvers/structured/nlp_measures.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 

@@ -2,15 +2,42 @@
 // Internal to solvers/structured/: how far a point of an Nlp is from its rows and from stationarity.
 #pragma once
 
-#include "solvers/structured/convexified_hessian.hpp"
 #include "solvers/structured/linearized_problem.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cmath>
+#include <functional>
 #include <vector>
 
 namespace camopt::structured {
+
+// Internal to solvers/structured/: a positive definite stand-in for the Hessian H of the Lagrangian.
+//
+// Where H is not positive definite, first  H + c NᵀN  is tried, N the unit normals of the rows that carry a
+// multiplier. With the term  c Nᵀr  in the slope (r: distance of those rows from their bounds) this adds
+// c/2 ‖N d + r‖², which is zero where the rows are kept: the step stays that of the true Hessian, and the
+// sequence stays superlinear. Only where H curves down along the rows too, a multiple of I is added.
+// Source: Bertsekas, Constrained Optimization and Lagrange Multiplier Methods (1982), section 4.2.
+struct ActiveRows {
+    Eigen::SparseMatrix<double, Eigen::RowMajor> normals;  ///< N
+    Eigen::VectorXd residuals;                             ///< r
+
+    /// Those of its rows that `chosen` names.
+    [[nodiscard]] ActiveRows part(const std::function<bool(Eigen::Index)>& chosen) const;
+};
+
+struct ConvexifiedHessian {
+    Eigen::SparseMatrix<double> lower;  ///< triangle
+    Eigen::VectorXd slope;              ///< c Nᵀr
+    double shift = 0.0;                 ///< multiple of I, beyond the proximal one
+    bool holds = false;                 ///< to the active rows: c > 0
+};
+
+/// `lower`: triangle of H. `least`: multiple of I that is added in any case; it makes the step unique.
+[[nodiscard]] ConvexifiedHessian convexified(const Eigen::SparseMatrix<double>& lower,
+                                             const ActiveRows& active, double least);
 
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
@@ -51,5 +78,18 @@ struct Stationarity {
 /// Lower triangle of ∇²f + Σ λ_i ∇²g_i; entries that are not finite count as 0.
 [[nodiscard]] Eigen::SparseMatrix<double> lagrangian_hessian(const Nlp& problem, const Eigen::VectorXd& x,
                                                              const Eigen::VectorXd& multipliers);
+
+// Internal to solvers/structured/: measures of vectors in the inner loop, written so that they become vector
+// instructions.
+
+/// max |v_i|, 0 for none. NaN may hide.
+[[nodiscard]] inline double largest(const Eigen::VectorXd& v) {
+    return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// Whether every entry is finite (and their sum, which for numbers of any use is the same).
+[[nodiscard]] inline bool finite(const Eigen::VectorXd& v) {
+    return std::isfinite(v.sum());
+}
 
 }  // namespace camopt::structured

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/structured/sequential_solver.hpp"
 
-#include "solvers/structured/run_limits.hpp"
 #include "solvers/structured/sequential_run.hpp"
 
 #include <fmt/core.h>
@@ -11,6 +10,7 @@
 #include <optional>
 
 namespace camopt::structured {
+
 namespace {
 
 constexpr double least_radius = 1e-13;
@@ -281,6 +281,21 @@ BackendResult sequential_minimize(const Nlp& problem, const VectorXd& start, con
         return *crossed;
     }
     return SequentialRun(problem, options, control).run(start);
+}
+
+InteriorPointLimits interior_point_limits(const BackendOptions& options, const StructuredOptions& own,
+                                          const SolveControl& control) {
+    constexpr double aim = 0.1;
+    InteriorPointLimits limits;
+    limits.tolerance = aim * options.tolerance;
+    limits.max_iterations = std::min(own.max_iterations, options.max_iterations);
+    limits.patience = own.patience;
+    limits.shift = own.regularisation;
+    limits.factor = own.factor;
+    limits.correctors = own.correctors;
+    limits.keep_path = options.keep_path;
+    limits.deadline = control.deadline.sooner(options.max_seconds);
+    return limits;
 }
 
 }  // namespace camopt::structured

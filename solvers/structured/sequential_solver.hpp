@@ -13,10 +13,19 @@
 #pragma once
 
 #include "solvers/solver.hpp"
+#include "solvers/structured/interior_point.hpp"
+#include "solvers/structured/structured_solver.hpp"
 
 namespace camopt::structured {
 
 [[nodiscard]] BackendResult sequential_minimize(const Nlp& problem, const Eigen::VectorXd& start,
                                                 const BackendOptions& options, const SolveControl& control);
+
+// Internal to solvers/structured/: what the options of a caller mean for the interior point.
+
+/// The seconds count from now. Aims at a tenth of the tolerance: what is asked for is then met with room.
+[[nodiscard]] InteriorPointLimits interior_point_limits(const BackendOptions& options,
+                                                        const StructuredOptions& own,
+                                                        const SolveControl& control);
 
 }  // namespace camopt::structured

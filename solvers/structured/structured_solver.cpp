@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/structured/infeasibility.hpp"
-#include "solvers/structured/run_limits.hpp"
 #include "solvers/structured/sequential_solver.hpp"
 #include "solvers/structured/standard_form.hpp"
 

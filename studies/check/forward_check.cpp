@@ -5,8 +5,8 @@
 #include "core/errors.hpp"
 #include "core/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
+#include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"
-#include "studies/check/touching_follower.hpp"
 
 #include <fmt/format.h>
 

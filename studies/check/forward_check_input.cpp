@@ -2,6 +2,7 @@
 #include "studies/check/forward_check_input.hpp"
 
 #include "core/errors.hpp"
+#include "core/infinity.hpp"
 #include "core/whole_turn.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/disk_sides.hpp"
@@ -87,6 +88,23 @@ void set_points(ForwardCheckInput& input, std::vector<Eigen::Vector2d> points, s
         is_whole_turn(input.end - input.begin) && gap < same_point * input.cam[DimensionIndex::base_radius];
 }
 
+using Eigen::Vector2d;
+
+constexpr double rounding = 1e-10;        // of a length: a cut this deep is none
+constexpr double gaps_in_roller = 0.125;  // of its radius: between points this close a roller sinks by 0.2 %
+
+/// The height or the angle at which it rests on the circle of the base radius.
+double start_of(const DiskCam& cam) {
+    using enum DimensionIndex;
+    const double base = cam[base_radius], distance = cam[center_distance];
+    const double prime = base + (has_roller(cam.follower) ? cam[roller_radius] : 0.0);
+    if (has_pushed_face(cam.follower)) return base;
+    if (!is_oscillating(cam.follower)) return std::sqrt(prime * prime - cam[offset] * cam[offset]);
+    if (has_turning_face(cam.follower)) return std::asin((base + cam[face_offset]) / distance);
+    const double arm = cam[arm_length];
+    return std::acos((distance * distance + arm * arm - prime * prime) / (2.0 * distance * arm));
+}
+
 }  // namespace
 
 ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Motion& motion,
@@ -130,6 +148,61 @@ ForwardCheckInput side_check_input(const DrivenMechanism& mechanism, const Motio
         contacts.emplace_back(point.contact.x(), mirrored ? -point.contact.y() : point.contact.y());
     set_points(input, std::move(contacts), std::move(profile.breaks));
     return input;
+}
+
+TouchingFollower::TouchingFollower(const DiskCam& cam)
+    : oscillates_(is_oscillating(cam.follower)),
+      flat_(has_flat_face(cam.follower)),
+      roller_(has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0),
+      offset_(cam[DimensionIndex::offset]),
+      distance_(cam[DimensionIndex::center_distance]),
+      arm_(cam[DimensionIndex::arm_length]),
+      face_(cam[DimensionIndex::face_offset]),
+      start_(start_of(cam)) {}
+
+double TouchingFollower::lift_on(const Vector2d& point) const {
+    if (!oscillates_ && flat_) return point.y();
+    if (!oscillates_) {
+        const double across = point.x() - offset_, square = roller_ * roller_ - across * across;
+        return square >= 0.0 ? point.y() + std::sqrt(square) : -infinity;
+    }
+    // In the triangle pivot, point, roller centre; seen from the pivot, from the line to the cam centre
+    // upwards.
+    const double away = std::hypot(distance_ - point.x(), point.y());
+    const double point_angle = std::atan2(point.y(), distance_ - point.x());
+    if (flat_) return away > std::abs(face_) ? point_angle + std::asin(face_ / away) : -infinity;
+    const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
+    return std::abs(cosine) <= 1.0 ? point_angle + std::acos(cosine) : -infinity;
+}
+
+double TouchingFollower::lift_under(const Vector2d& point) const {
+    if (!(point.y() > 0.0)) return infinity;
+    if (!oscillates_) {
+        const double across = point.x() - offset_, square = roller_ * roller_ - across * across;
+        return square >= 0.0 ? point.y() - std::sqrt(square) : infinity;
+    }
+    const double away = std::hypot(distance_ - point.x(), point.y());
+    const double point_angle = std::atan2(point.y(), distance_ - point.x());
+    const double cosine = (arm_ * arm_ + away * away - roller_ * roller_) / (2.0 * arm_ * away);
+    return std::abs(cosine) <= 1.0 ? point_angle - std::acos(cosine) : infinity;
+}
+
+StandingFollower TouchingFollower::standing_at(double lift) const {
+    if (!oscillates_ && flat_) return {false, {0.0, lift}, {0.0, 1.0}, {0.0, 0.0}, rounding * lift};
+    const double square = roller_ * roller_ * (1.0 - rounding);
+    if (!oscillates_) return {true, {offset_, lift}, {0.0, 0.0}, {0.0, 0.0}, square};
+    const Vector2d pivot(distance_, 0.0), arm(-std::cos(lift), std::sin(lift)), swing(arm.y(), -arm.x());
+    if (flat_) return {false, pivot - face_ * swing, swing, arm, rounding * distance_};
+    return {true, pivot + arm_ * arm, {0.0, 0.0}, {0.0, 0.0}, square};
+}
+
+double TouchingFollower::lever() const {
+    if (!oscillates_) return 1.0;
+    return flat_ ? distance_ : arm_;
+}
+
+double TouchingFollower::widest_gap() const {
+    return roller_ > 0.0 ? gaps_in_roller * roller_ : infinity;
 }
 
 }  // namespace camopt

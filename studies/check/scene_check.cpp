@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/check/scene_check.hpp"
 
-#include "core/numbers/extrapolated_difference.hpp"
 #include "objectives/free_displacements.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
@@ -16,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <random>
 #include <utility>
@@ -23,6 +24,64 @@
 namespace camopt {
 
 namespace {
+
+// A derivative by central differences together with how far it can be trusted.
+//
+//     D(h) = (f(x + h e_j) − f(x − h e_j)) / 2h = f' + c₂h² + c₄h⁴ + …
+// is taken at four steps h, h/2, h/4, h/8. Three of them at a time are extrapolated to h = 0 (Richardson,
+// error of order h⁶). The two results differ by about the error of the coarser one; a value of f that is
+// right to some units in its last place adds rounding, which grows as the step shrinks. Both together are
+// the error that is stated: it follows from the step and the size of what is differenced, and needs no
+// tolerance of its own.
+struct ExtrapolatedDifference {
+    Eigen::VectorXd derivative;
+    Eigen::VectorXd error;  ///< estimated, >= 0; infinite where a value is not finite
+};
+
+struct DifferencedFunction {
+    std::function<Eigen::VectorXd(const Eigen::VectorXd&)> values;  ///< the components of f at a point
+    /// The sum of the magnitudes that each component is summed from near x: its rounding goes by that, and
+    /// not by what is left of it.
+    Eigen::VectorXd sizes;
+};
+
+// A value is taken to be right to so many units in the last place of what it was summed from.
+constexpr double value_error = 16.0 * std::numeric_limits<double>::epsilon();
+// What Richardson's weights (16/45·…, 64/45) make of the rounding of three differences, at most.
+constexpr double amplification = 2.0;
+
+/// From D(h), D(h/2), D(h/4): the terms in h² and h⁴ cancel.
+Eigen::VectorXd extrapolated(const Eigen::VectorXd& coarse, const Eigen::VectorXd& middle,
+                             const Eigen::VectorXd& fine) {
+    return (coarse - 20.0 * middle + 64.0 * fine) / 45.0;
+}
+
+/// `step`: h, > 0.
+ExtrapolatedDifference extrapolated_difference(const DifferencedFunction& function, const Eigen::VectorXd& x,
+                                               Eigen::Index variable, double step) {
+    std::array<Eigen::VectorXd, 4> differences;
+    Eigen::VectorXd size = function.sizes, at = x;
+    double width = step;
+    for (Eigen::VectorXd& difference : differences) {
+        at[variable] = x[variable] + width;
+        const double above = at[variable];
+        const Eigen::VectorXd high = function.values(at);
+        at[variable] = x[variable] - width;
+        const double below = at[variable];
+        const Eigen::VectorXd low = function.values(at);
+        difference = (high - low) / (above - below);  // the steps that were taken, not those wished for
+        size = size.cwiseMax(high.cwiseAbs()).cwiseMax(low.cwiseAbs());
+        width *= 0.5;
+    }
+    const Eigen::VectorXd coarse = extrapolated(differences[0], differences[1], differences[2]);
+    ExtrapolatedDifference result;
+    result.derivative = extrapolated(differences[1], differences[2], differences[3]);
+    const double finest = step / 8.0;
+    result.error = (result.derivative - coarse).cwiseAbs() + size * (amplification * value_error / finest);
+    for (Eigen::Index i = 0; i < result.error.size(); ++i)
+        if (!std::isfinite(result.error[i])) result.error[i] = std::numeric_limits<double>::infinity();
+    return result;
+}
 
 // Of the coarsest difference, relative: its error of order h⁶ lies far below 1e-10, and no mechanism is led
 // out of its reach.
@@ -132,7 +191,7 @@ class Checker {
         const double size = std::max({1.0, std::abs(exact), std::abs(difference.value)});
         const double error = std::isfinite(distance) ? distance / size : infinity;
         if (std::pair(beyond, error) <= std::pair(kind.beyond, kind.error) && !std::isnan(beyond)) return;
-        kind.beyond = std::isnan(beyond) ? infinity : beyond;
+        kind.beyond = !std::isnan(beyond) ? beyond : infinity;
         kind.error = error;
         kind.where = row < 0 ? problem_.variable_name(column)
                              : fmt::format("{} / {}", problem_.row_name(row), problem_.variable_name(column));
@@ -188,34 +247,35 @@ std::vector<DerivativeError> derivative_errors(const Nlp& problem, const Eigen::
     return Checker(problem).run(x);
 }
 
-SceneCheck check_scene(const Scene& given) {
-    const Scene scene = with_written_limits(given);
-    validate(scene);
+SceneCheck check_scene(const Scene& scene) {
+    const Scene complete = with_written_limits(scene);
+    validate(complete);
     SceneCheck check;
-    check.choice = choose_backend(scene);
+    check.choice = choose_backend(complete);
     (void)make_solver(check.choice.solver);
-    check_native_options(check.choice.solver, scene.solver.options);
-    CamProblem problem(scene_model(scene, check.choice.design, reference_peaks(scene)));
+    check_native_options(check.choice.solver, complete.solver.options);
+    CamProblem problem(scene_model(complete, check.choice.design, reference_peaks(complete)));
     for (const ConditionConflict& conflict : problem.model().design.redundant())
         check.redundant.push_back(conflict.condition);
     for (const ConditionConflict& conflict : problem.model().design.contradictions())
         check.contradictions.push_back(conflict.condition);
     std::optional<FreeKnotProblem> free;  // what the search over breakpoints sees
-    if (scene.spline.free_knots) free.emplace(scene, reference_peaks(scene));
+    if (complete.spline.free_knots) free.emplace(complete, reference_peaks(complete));
     const ContinuousProblem& solved = free ? static_cast<const ContinuousProblem&>(*free) : problem;
     const NlpShape& shape = solved.grid().shape();
     check.variables = shape.variables();
     check.rows = shape.constraints();
     check.free_displacements =
-        static_cast<int>(free_displacements(scene, problem.model().design).joints.size());
+        static_cast<int>(free_displacements(complete, problem.model().design).joints.size());
     check.searched_angles =
-        static_cast<int>(std::ranges::count_if(scene.motion.segments, [](const ProgramSegment& segment) {
+        static_cast<int>(std::ranges::count_if(complete.motion.segments, [](const ProgramSegment& segment) {
             return segment.angle_range.has_value();
         }));
     check.convex = shape.convex && check.searched_angles == 0;
-    if (scene.measured) (void)measured_report(scene, reference_peaks(scene));  // throws: too few rows
+    if (complete.measured)
+        (void)measured_report(complete, reference_peaks(complete));  // throws: too few rows
     check.free_breakpoints = free.has_value();
-    if (free || needs_starts(problem.model())) check.starts = scene.solver.starts.value_or(default_starts);
+    if (free || needs_starts(problem.model())) check.starts = complete.solver.starts.value_or(default_starts);
     check.limits = limit_shapes(problem.model());
     check.derivatives = derivative_errors(solved.grid(), check_point(solved));
     check.derivatives_agree =

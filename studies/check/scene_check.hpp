@@ -16,7 +16,7 @@
 namespace camopt {
 
 /// Largest disagreement of one kind of derivative with differences
-/// (core/numbers/extrapolated_difference.hpp). An entry is wrong where it is off by many times the estimated
+/// (studies/check/scene_check.cpp). An entry is wrong where it is off by many times the estimated
 /// error of its difference.
 struct DerivativeError {
     std::string kind;     ///< "gradient", "jacobian", "hessian"

@@ -3,8 +3,8 @@
 
 #include "core/errors.hpp"
 #include "studies/check/check_cam.hpp"
-#include "studies/inverse/solved_guide.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/inverse/inverse_forward.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
 

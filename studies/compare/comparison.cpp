@@ -14,9 +14,7 @@
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
-#include "studies/delivered/own_report.hpp"
-#include "studies/delivered/response_report.hpp"
-#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
@@ -196,13 +194,13 @@ ComparisonRow compare_law(const Solution& solution, const std::string& law) {
     return law_row(bench_of(scene, solution), *found, solution.certificate.objective);
 }
 
-Comparison compare(const Scene& given, const SolveControl& control) {
-    Scene scene = with_written_limits(given);
+Comparison compare(const Scene& scene, const SolveControl& control) {
+    Scene complete = with_written_limits(scene);
     Comparison comparison;
-    comparison.optimum = solve_without_explaining(scene, control);
+    comparison.optimum = solve_without_explaining(complete, control);
     const Solution& solution = comparison.optimum;
-    if (searches_angles(scene)) scene = solution.scene;  // the laws get the optimum's angles
-    const Bench bench = bench_of(scene, solution);
+    if (searches_angles(complete)) complete = solution.scene;  // the laws get the optimum's angles
+    const Bench bench = bench_of(complete, solution);
     comparison.cam = bench.disk;
     std::optional<double> optimum;
     if (solution.motion) {

@@ -6,9 +6,9 @@
 #include "splines/basis.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
-#include "studies/delivered/delivered_objective.hpp"
 #include "studies/delivered/extremes_along.hpp"
-#include "studies/delivered/limit_activity.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
-#include "studies/delivered/set_point_reports.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 #include <fmt/format.h>
 

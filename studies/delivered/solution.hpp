@@ -29,7 +29,7 @@ struct ConstraintReport {
     double limit = 0.0, worst = 0.0;
     std::string unit;
     double at = 0.0;
-    bool active = false;  ///< limit_activity.hpp
+    bool active = false;  ///< scene_limits.hpp
     /// Its worst value was enclosed along the whole motion: none hides between points.
     bool verified = false;
     bool no_contact = false;  ///< there is no figure: the cam is undercut, the follower cannot touch it
@@ -155,7 +155,7 @@ struct ForwardCheckReport {
     double at = 0.0;         ///< x
     int points = 0;
     double seconds = 0.0;
-    /// Of a cam that drives both ways (studies/check/two_sided_check.hpp).
+    /// Of a cam that drives both ways (studies/check/check_cam.hpp).
     struct Play {
         double least = 0.0, largest = 0.0;         ///< how far the follower can be moved to and fro, m or rad
         double least_at = 0.0, largest_at = 0.0;   ///< x

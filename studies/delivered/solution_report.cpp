@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/solution_report.hpp"
 
+#include "core/errors.hpp"
+#include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
-#include "studies/compare/peak_arithmetic.hpp"
+#include "studies/compare/law_motion.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
-#include "studies/delivered/limit_activity.hpp"
-#include "studies/delivered/own_report.hpp"
-#include "studies/delivered/response_report.hpp"
+#include "studies/delivered/scene_limits.hpp"
+#include "studies/delivered/solution_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,8 @@ void report_cam(Solution& solution, std::vector<double> dimensions) {
     }
 }
 
+constexpr double rounded_turn = 1e-9;  // of a turn: what is left of it is rounding
+
 }  // namespace
 
 SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift) {
@@ -192,6 +195,17 @@ void report_conflict(Solution& solution) {
     std::erase_if(found, [](const ConflictReport& conflict) { return conflict.weight < telling_weight; });
     std::ranges::stable_sort(found, std::greater{}, &ConflictReport::weight);
     solution.conflict = std::move(found);
+}
+
+MotionChain Solution::whole_turn() const {
+    if (!motion) throw InputError("a cam needs a motion, and this solution has none");
+    const double turn = units::turn / scene.motion.unit_angle();
+    if (motion->end() >= turn * (1.0 - rounded_turn)) return *motion;
+    const bool returns = scene.motion.type == MotionType::rr;  // to 0, not to what rounding left of it
+    const double end = returns ? 0.0 : motion->at(motion->end(), Side::left).derivative[0];
+    std::vector<ChainPart> parts = motion->parts();
+    parts.push_back({motion->end(), turn, nullptr, 0.0, 1.0, end, 1.0});
+    return MotionChain(std::move(parts));
 }
 
 }  // namespace camopt

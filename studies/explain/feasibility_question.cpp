@@ -9,9 +9,6 @@
 #include "studies/solve/rest_conflict.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
-#include <algorithm>
-#include <memory>
-
 namespace camopt {
 
 namespace {

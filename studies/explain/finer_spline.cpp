@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/explain/finer_spline.hpp"
 
-#include "studies/explain/feasibility_question.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "studies/delivered/solution.hpp"
-#include "studies/explain/relaxation_budget.hpp"
+#include "studies/explain/feasibility_question.hpp"
 
 namespace camopt {
 

@@ -11,9 +11,12 @@
 // used.
 #pragma once
 
+#include "studies/delivered/solution.hpp"
+
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,5 +40,13 @@ struct GuideCheckResult {
 
 [[nodiscard]] GuideCheckResult polyline_check(const GuideCheckInput& input);
 [[nodiscard]] GuideCheckResult slot_check(const GuideCheckInput& input);
+
+// The guide of a solved scene with an inverse cam, pushed by its roller.
+
+/// The roller touches either wall of the slot, of `points` (2000) points each (slot_check of
+/// inverse_forward.hpp), at as many places of its stroke. The deviation is that of the feeder, m: the body's
+/// by dY/dpsi at that place; relative: by the lift. Throws InputError for a solution without such a cam or
+/// whose wall cannot be used.
+[[nodiscard]] ForwardCheckReport check_inverse_cam(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

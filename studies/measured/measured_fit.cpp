@@ -3,7 +3,7 @@
 
 #include "objectives/scene_model.hpp"
 #include "scene/scene_error.hpp"
-#include "studies/delivered/delivered_objective.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/solve/program/solve_free_angles.hpp"
 

@@ -10,7 +10,7 @@
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_000.hpp"
-
 #include "studies/papers/paper_000_parts.hpp"
+#include "studies/papers/papers.hpp"
 
 namespace camopt {
 

@@ -2,17 +2,88 @@
 // Private to studies/papers/: the parts of the report on paper 000, one source each.
 #pragma once
 
-#include "studies/papers/paper_000_data.hpp"
+#include "profiles/inverse/g1_guide.hpp"
+#include "profiles/inverse/inverse_feeder.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
+#include <array>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace camopt::feeding_paper {
 
-/// Table 1 beside ours, its misprints, the counts, the recovered dimensions (paper_000_tables.cpp).
+// What the paper on the curvilinear inverse cam prints, and the machine recovered from it. Display units:
+// inch, s, deg, rad/s.
+//
+// Table 1 is given as printed, misprints included. The paper gives neither the guide's dimensions nor the
+// rocker's: the guides are fits to Table 1's theta, theta', theta'' (8 parameters against 20 numbers, 4 of
+// the 24 left out after their residuals were seen), and of the one-parameter family of rockers that fit
+// equally one member was chosen.
+
+/// Columns of Table 1 after the time.
+enum Column {
+    distance,
+    theta,
+    theta_velocity,
+    theta_acceleration,
+    feeder,
+    feeder_velocity,
+    feeder_acceleration
+};
+inline constexpr int columns = 7;
+
+struct ColumnInfo {
+    std::string_view symbol, unit;
+    double unit_value;  ///< SI of one unit
+};
+[[nodiscard]] const ColumnInfo& column_info(int column);
+
+/// One row as printed; the words keep the digits.
+struct PrintedRow {
+    std::string_view time;
+    std::array<std::string_view, columns> cells;
+    bool moving;  ///< one of the eight rows in which the body moves
+};
+[[nodiscard]] std::span<const PrintedRow> printed_rows();
+
+/// A printed digit that contradicts the others.
+struct Misprint {
+    std::string_view time;
+    Column column;
+    double least, most;  ///< the consistent value lies between; display units
+    std::string_view evidence;
+};
+[[nodiscard]] std::span<const Misprint> misprints();
+
+/// Forward up to 0.158 s, then back; the return is a deceleration (recovered).
+[[nodiscard]] RollerLaw roller_law();
+/// The machine of the stroke to which the time belongs. No single guide makes both strokes.
+[[nodiscard]] G1GuideDimensions forward_guide();
+[[nodiscard]] G1GuideDimensions return_guide();
+[[nodiscard]] FeederLinkage linkage();
+
+/// The instant that a printed time stands for: forward rows are samples i · 0.00158 s.
+[[nodiscard]] double instant_of(std::string_view time);
+
+/// All columns of Table 1 at a row, display units.
+[[nodiscard]] std::array<double, columns> computed_row(const PrintedRow& row);
+
+/// Half a unit of the last printed digit.
+[[nodiscard]] double half_digit(std::string_view printed);
+
+/// Over theta … feeder_acceleration of the moving rows.
+struct Agreement {
+    int entries = 0;
+    int rounded = 0;  ///< within the printed rounding
+    int close = 0;    ///< within 0.3 % or 5 half digits
+};
+[[nodiscard]] Agreement agreement();
+
+/// Table 1 beside ours, its misprints, the counts, the recovered dimensions (paper_000_checks.cpp).
 [[nodiscard]] std::vector<PaperTable> printed_tables();
 
-/// Figs. 9 and 10, the guides, the machine (paper_000_figures.cpp).
+/// Figs. 9 and 10, the guides, the machine (paper_000_parts.cpp).
 [[nodiscard]] std::vector<PaperFigure> printed_figures();
 
 /// The approximate method against the number of nodes, forward simulations (paper_000_checks.cpp).

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_001.hpp"
-
 #include "core/units.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/papers/spatial_tables.hpp"
 
 #include <Eigen/Geometry>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_002.hpp"
-
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "studies/papers/barrel_optima.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/papers/spatial_tables.hpp"
-#include "studies/spatial/flank_contact.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_003.hpp"
-
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/delivered/cam/cam_summary.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
 

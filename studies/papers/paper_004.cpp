@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "studies/papers/paper_004.hpp"
-
 #include "motions/laws/law_catalogue.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,7 @@
 #include "studies/papers/paper_catalogue.hpp"
 
 #include "core/errors.hpp"
-#include "studies/papers/paper_000.hpp"
-#include "studies/papers/paper_001.hpp"
-#include "studies/papers/paper_002.hpp"
-#include "studies/papers/paper_003.hpp"
-#include "studies/papers/paper_004.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a paper reports, beside what is true: tables and figures as values, in display units.
 //
-// A study per paper (paper_000.hpp, …) makes one; output/ writes it as text, JSON, CSV and SVG. A table's
+// A study per paper (papers.hpp) makes one; output/ writes it as text, JSON, CSV and SVG. A table's
 // cells are numbers in the column's unit, words, or nothing; NaN and infinity count as nothing in files.
 #pragma once
 

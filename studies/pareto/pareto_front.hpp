@@ -15,13 +15,13 @@
 // least (velocity → 1 takes infinite acceleration; a spline takes as much as its breakpoints allow) the front
 // ends there instead, by a cap, and says so.
 //
-// Points are spaced evenly along the front (front_spacing.hpp): the longest pieces are halved until the shape
+// Points are spaced evenly along the front (front_chain.hpp): the longest pieces are halved until the shape
 // is known, then points are put at equal distances and corrected. All solves are kept: those between the
 // spaced points have no place. The order of the solves, hence every number, is fixed by the request alone.
 #pragma once
 
 #include "studies/delivered/solution.hpp"
-#include "studies/pareto/front_goal.hpp"
+#include "studies/pareto/sweep_front.hpp"
 
 #include <array>
 #include <functional>

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
 // The finished spatial cam, turned under its follower: does the follower move as designed?
 //
-// Each section of each flank, as points and nothing else, drives the follower by itself (flank_contact.hpp);
+// Each section of each flank, as points and nothing else, drives the follower by itself;
 // the largest difference from the designed motion is the result. An undercut flank, or one that is not that
 // of the follower, is found out. m, rad.
 #pragma once
 
+#include "core/motion.hpp"
+#include "profiles/sampling.hpp"
 #include "profiles/spatial/flank_grid.hpp"
+#include "profiles/spatial/follower_motion.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
+#include "studies/check/point_curve.hpp"
+#include "studies/delivered/solution.hpp"
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace camopt {
@@ -54,5 +65,57 @@ struct SpatialForwardCheckRow {
 /// among them.
 [[nodiscard]] SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam,
                                                                const FollowerMotion& motion, int count);
+
+// A finished flank pushes its follower: where does the follower stand?
+//
+// Knows points of one section of one flank, a smooth curve through them (point_curve.hpp), the follower's own
+// dimensions and how it is mounted; no motion, no normal, no formula that made the points, not even the
+// height of the section. At a cam angle the follower stands where the distance between the curve and its
+// roller's axis is, at its least, the roller's radius. That place is followed from the angle before
+// (tracking). Frames of profiles/spatial/spatial_cam.hpp; m, rad.
+class FlankContact {
+ public:
+    /// breaks: indices of points where the flank may be less smooth. s: where the follower stands at first.
+    FlankContact(const SpatialCam& follower, std::span<const Eigen::Vector3d> points,
+                 std::span<const int> breaks, double s);
+
+    struct Stand {
+        double s = 0.0;       ///< m or rad; NaN where no contact is found
+        bool at_end = false;  ///< the contact is the end of the points
+    };
+    /// Angles are to follow one another in small steps.
+    [[nodiscard]] Stand at(double theta);
+
+ private:
+    struct Nearest {
+        double distance = 0.0;
+        bool at_end = false;
+    };
+    /// Least distance between the curve and the roller's axis, near the place of the time before.
+    [[nodiscard]] Nearest nearest(double theta, double s);
+
+    SpatialCam follower_;
+    SpacePointCurve curve_;
+    std::vector<Eigen::Vector3d> places_;  ///< the curve at its nodes
+    std::size_t place_ = 0;
+    double s_;
+    bool placed_ = false;
+};
+
+// The spatial cam of a solved scene: its dimensions, its motion in SI, its forward check.
+
+/// The motion must outlive what is returned. Of a cam: its whole_turn (studies/check/check_cam.hpp).
+[[nodiscard]] FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale);
+
+/// Whether the scene's cam is a barrel or a cylindrical one.
+[[nodiscard]] bool has_spatial_cam(const Solution& solution);
+
+/// Of a solution whose scene has one, with the dimensions that were chosen. Throws InputError for another.
+[[nodiscard]] SpatialCam solved_spatial_cam(const Solution& solution);
+
+/// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` (2000)
+/// points a section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by
+/// the lift.
+[[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

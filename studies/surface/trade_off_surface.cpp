@@ -4,8 +4,7 @@
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
-#include "studies/compare/matrix_game.hpp"
-#include "studies/pareto/front_goal.hpp"
+#include "studies/pareto/sweep_front.hpp"
 #include "studies/solve/solve_sequence.hpp"
 #include "studies/sweep/sweep_run.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "scene/scene.hpp"
 #include "studies/sweep/sweep_axis.hpp"
+#include "studies/sweep/sweep_row.hpp"
 
 #include <functional>
 #include <optional>
@@ -65,5 +66,12 @@ class SweepScenes {
     std::optional<int> row_;  ///< whose scene it is
     Scene scene_;
 };
+
+// Every row of a sweep looked at before anything is solved.
+
+/// Makes the scene of every row and checks what solve() would refuse. Throws InputError naming the first row
+/// that is wrong, its values and why; UnavailableError for a backend this build leaves out. Returns what the
+/// rows have in common.
+[[nodiscard]] SweepColumns check_rows(SweepScenes& scenes);
 
 }  // namespace camopt

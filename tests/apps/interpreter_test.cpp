@@ -4,7 +4,6 @@
 #include "core/text/text_file.hpp"
 #include "output/nc/nc_reader.hpp"
 #include "output/nc/path/cutter_compensation.hpp"
-#include "output/nc/path/nc_path.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -3,7 +3,6 @@
 #include "input/scene_reader.hpp"
 
 #include "core/errors.hpp"
-#include "input/follower_kinds.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "scene/written_limits.hpp"
 #include "tests/input/scene_key_cases.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The texts of a comparison, against one made by hand: an optimum, a law that keeps its limit, one that
 // breaks it with an infinite jerk, one that does not fit.
-#include "output/chart/studies/comparison_svg.hpp"
-#include "output/csv/comparison_csv.hpp"
-#include "output/json/comparison_json.hpp"
-#include "output/words/comparison_text.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/csv/study_csv.hpp"
+#include "output/json/study_json.hpp"
+#include "output/words/study_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

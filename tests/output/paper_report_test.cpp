@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A paper's report as text, Markdown, JSON, CSV and picture, against a small one made by hand.
-#include "output/chart/studies/paper_figure_svg.hpp"
-#include "output/csv/paper_report_csv.hpp"
-#include "output/json/paper_report_json.hpp"
-#include "output/words/paper_report_text.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/csv/study_csv.hpp"
+#include "output/json/study_json.hpp"
+#include "output/words/study_text.hpp"
 #include "tests/output/well_formed.hpp"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 // The reference table's texts, against a small table made by hand: one row proved, one failed, one infinite
 // jerk.
 #include "output/chart/reference_table/reference_table_svg.hpp"
-#include "output/csv/reference_table_csv.hpp"
-#include "output/json/reference_table_json.hpp"
-#include "output/words/tables/reference_table_text.hpp"
+#include "output/csv/study_csv.hpp"
+#include "output/json/study_json.hpp"
+#include "output/words/study_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The classical laws beside the optimum, in Python.
-#include "bindings/python/source/motion_values.hpp"
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/solved_scene.hpp"
 #include "bindings/python/source/watch.hpp"
-#include "output/chart/studies/comparison_svg.hpp"
-#include "output/json/comparison_json.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/json/study_json.hpp"
 
 #include <fmt/format.h>
 

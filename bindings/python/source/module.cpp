@@ -3,8 +3,40 @@
 // (bindings/python/camopt); its stubs are _camopt.pyi.
 #include "bindings/python/source/parts.hpp"
 
+#include <camopt/errors.hpp>
+#include <camopt/licenses.hpp>
 #include <camopt/version.hpp>
 #include <string>
+
+namespace camopt::python {
+
+namespace py = pybind11;
+
+/// The exceptions of the library as exceptions of Python, with the same words; under what terms the module
+/// may be passed on.
+void add_errors(py::module_& module) {
+    module.def(
+        "licenses",
+        [] {
+            std::string text = terms_of_binary();
+            for (const LicensedPart& part : licensed_parts())
+                text += "\n" + part.name + ": " + part.license + " (" + part.use + ")";
+            return text;
+        },
+        "Under what terms this module may be passed on, and the libraries in it with their licences.");
+    // The last one registered is asked first: what is derived comes after its base.
+    auto& input_error = py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+    input_error.attr("__doc__") =
+        "Something given is wrong: the message says what was found and what is allowed.";
+    auto& unavailable = py::register_exception<UnavailableError>(module, "UnavailableError", input_error);
+    unavailable.attr("__doc__") =
+        "Something this build of camopt leaves out; the message says which package brings it.";
+    auto& model_error = py::register_exception<ModelError>(module, "ModelError", PyExc_ValueError);
+    model_error.attr("__doc__") =
+        "A rule of one's own broke its promises: a wrong shape, a value that is not finite.";
+}
+
+}  // namespace camopt::python
 
 PYBIND11_MODULE(_camopt, module) {
     module.doc() = "The C++ library camopt. The package `camopt` is its face; see help(camopt).";

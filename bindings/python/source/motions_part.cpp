@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Motions, laws and peaks in Python.
-#include "bindings/python/source/motion_values.hpp"
 #include "bindings/python/source/parts.hpp"
 
 #include <fmt/format.h>

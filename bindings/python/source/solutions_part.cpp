@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What was found: the class Solution of Python.
 #include "bindings/python/source/columns.hpp"
-#include "bindings/python/source/motion_values.hpp"
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/solved_scene.hpp"
-#include "output/page/result_extras.hpp"
+#include "output/page/page_data.hpp"
 #include "output/report/report.hpp"
-#include "output/words/display_scale.hpp"
+#include "output/words/shown_units.hpp"
 
 #include <fmt/format.h>
 

@@ -1,28 +1,155 @@
 // SPDX-License-Identifier: MIT
 // Sweeps from Python: the rows of the command line's sweep, solved by threads of this process.
 #include "bindings/python/source/parts.hpp"
-#include "bindings/python/source/sweep_threads.hpp"
+#include "bindings/python/source/read_scene.hpp"
+#include "bindings/python/source/watch.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/words/sweep_text.hpp"
+#include "output/words/study_text.hpp"
 #include "studies/pareto/sweep_front.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <camopt/errors.hpp>
+#include <camopt/sweep.hpp>
 #include <camopt/units.hpp>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace camopt::python {
 
 namespace {
+
+// A sweep by threads of this process: each solves whole chunks, so the rows are those of every other way to
+// solve the sweep. The thread that called waits for them, answers Ctrl-C and calls the progress callback.
+struct SweepTask {
+    const ReadScene& given;
+    SweepPlan plan;
+    std::optional<int> chunk;  ///< rows of a chunk; none: as the command line takes them
+    int workers = 1;
+};
+
+class Crew {
+ public:
+    Crew(const SweepTask& task, Watch& watch)
+        : task_(task),
+          watch_(watch),
+          chunking_{task.plan.rows(), task.chunk.value_or(chunk_size_for(task.plan.rows()))} {}
+
+    std::vector<SweepRow> run() {
+        std::vector<std::thread> threads;
+        const int count = std::min(task_.workers, chunking_.count());
+        working_ = count;
+        threads.reserve(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+        wait();
+        for (std::thread& thread : threads) thread.join();
+        if (failure_) std::rethrow_exception(failure_);
+        std::ranges::sort(rows_, {}, &SweepRow::number);
+        return std::move(rows_);
+    }
+
+ private:
+    void work() {
+        try {
+            SweepScenes scenes(task_.plan,
+                               [this](std::span<const std::string> row) { return scene_of(row); });
+            SolveControl control;
+            control.stop_requested = [this] { return watch_.stopped() || failed_; };
+            for (int chunk = next_++; chunk < chunking_.count() && !control.stopped(); chunk = next_++)
+                (void)solve_chunk(scenes, chunking_.range(chunk), control,
+                                  [&](const SweepRow& row) { add(row); });
+        } catch (...) {
+            fail();
+        }
+        const std::lock_guard lock(mutex_);
+        --working_;
+        news_.notify_one();
+    }
+
+    /// A row that throws is a failed row; what a function of the user's throws is to be seen by him.
+    Scene scene_of(std::span<const std::string> row) {
+        Scene scene = task_.given.with(row);
+        for (OwnTerm& term : scene.own_terms) term.formula = told(std::move(term.formula));
+        for (OwnLimit& limit : scene.own_limits) limit.formula = told(std::move(limit.formula));
+        return scene;
+    }
+
+    MotionFormula told(MotionFormula formula) {
+        return [this, own = std::move(formula)](const MotionPoint& point) {
+            try {
+                return own(point);
+            } catch (...) {
+                fail();
+                throw;
+            }
+        };
+    }
+
+    /// In a handler: ends the sweep with the exception at hand, the first of them.
+    void fail() {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        failed_ = true;
+    }
+
+    /// A row during which the sweep was stopped is perhaps stopped halfway.
+    void add(const SweepRow& row) {
+        const std::lock_guard lock(mutex_);
+        if (watch_.stopped()) return;
+        rows_.push_back(row);
+        news_.notify_one();
+    }
+
+    void wait() {
+        constexpr std::chrono::milliseconds patience{20};
+        std::unique_lock lock(mutex_);
+        std::size_t told = 0;
+        while (working_ > 0) {
+            news_.wait_for(lock, patience);
+            const std::size_t done = rows_.size();
+            lock.unlock();
+            watch_.look_for_signals();
+            if (done > told) watch_.tell(done, static_cast<std::size_t>(task_.plan.rows()));
+            told = done;
+            lock.lock();
+        }
+    }
+
+    const SweepTask& task_;
+    Watch& watch_;
+    Chunking chunking_;
+    std::atomic<int> next_{0};
+    std::atomic<bool> failed_{false};
+    std::mutex mutex_;
+    std::condition_variable news_;
+    std::vector<SweepRow> rows_;
+    std::exception_ptr failure_;
+    int working_ = 0;
+};
+
+/// Without the interpreter's lock. Where the watch stops it, the rows that were finished until then. Throws
+/// InputError for a row that is wrong, before anything is solved.
+SweepTable solve_sweep(const SweepTask& task, Watch& watch) {
+    SweepScenes scenes(task.plan, [&](std::span<const std::string> row) { return task.given.with(row); });
+    SweepTable table;
+    table.columns = check_rows(scenes);
+    table.rows = Crew(task, watch).run();
+    return table;
+}
 
 /// Keys that vary together, and their points, one a row.
 using Axis =
@@ -126,8 +253,8 @@ class Columns {
 
 SweepTable swept(const ReadScene& given, const std::vector<Axis>& axes, std::optional<int> chunk, int workers,
                  py::object progress) {
-    std::vector<SweepAxis> all;
-    for (const Axis& axis : axes) all.push_back(axis_of(axis));
+    std::vector<SweepAxis> all(axes.size());
+    std::ranges::transform(axes, all.begin(), axis_of);
     if (workers < 1) throw InputError(fmt::format("workers: found {}; allowed: 1 or more", workers));
     if (chunk && *chunk < 1) throw InputError(fmt::format("chunk: found {}; allowed: 1 or more", *chunk));
     Watch watch(std::move(progress));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/python/source/watch.hpp"
 
-#include <string>
-
 namespace camopt::python {
 
 namespace {

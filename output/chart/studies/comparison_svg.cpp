@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/studies/comparison_svg.hpp"
-
 #include "output/chart/axis_ticks.hpp"
 #include "output/chart/plot_frame.hpp"
+#include "output/chart/studies/study_svg.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/studies/pareto_svg.hpp"
-
 #include "output/chart/placed_texts.hpp"
-#include "output/chart/sweep/sweep_panels.hpp"
-#include "output/csv/pareto_csv.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/chart/sweep/sweep_quantities.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 

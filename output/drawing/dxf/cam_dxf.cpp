@@ -4,9 +4,8 @@
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
-#include "output/drawing/arc_chain.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
-#include "output/drawing/profile_shape.hpp"
+#include "profiles/disk/disk_sides.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
@@ -112,6 +111,96 @@ ProfileDxf outline_dxf(const DrivenMechanism& mechanism, const Motion& motion, c
     return result;
 }
 
+constexpr double pivot_size = 0.05, opening_text = 0.05;  // of the base radius
+
+/// Where the outline of a side lies: an open cam, or the first disk, is the CAM.
+const char* outline_layer(const ProfileShape& shape, int side) {
+    if (shape.cam.form.is_grooved()) return side == 0 ? "INNER_FLANK" : "OUTER_FLANK";
+    return side == 0 ? "CAM" : "SECOND_CAM";
+}
+
+std::vector<DxfLayer> layers(const ProfileShape& shape) {
+    std::vector<DxfLayer> all = {{outline_layer(shape, 0), 7, DxfLine::continuous},
+                                 {"PITCH", 5, DxfLine::dashed},
+                                 {"BASE_CIRCLE", 8, DxfLine::dashed},
+                                 {"PRIME_CIRCLE", 8, DxfLine::dashed},
+                                 {"ROLLER", 3, DxfLine::continuous},
+                                 {"FACE", 3, DxfLine::continuous},
+                                 {"AXES", 1, DxfLine::center}};
+    if (!shape.other) return all;
+    all.push_back({outline_layer(shape, 1), 7, DxfLine::continuous});
+    if (shape.cam.form.is_grooved()) all.push_back({"RIM", 8, DxfLine::continuous});
+    if (shape.cam.form.is_conjugate()) {
+        all.push_back({"SECOND_PITCH", 5, DxfLine::dashed});
+        all.push_back({"SECOND_ROLLER", 3, DxfLine::continuous});
+    }
+    return all;
+}
+
+/// The cam's direction of travel reverses at its cusps, the pitch curve's does not.
+std::vector<double> knots_with_cusps(const ProfileShape& shape) {
+    std::vector<double> knots = shape.knots;
+    const std::vector<double> cusps = cusp_angles(shape);
+    knots.insert(knots.end(), cusps.begin(), cusps.end());
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    return knots;
+}
+
+ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape& shape, double tolerance,
+                     bool of_cam) {
+    ArcChain chain = outline_chain(shape, of_cam, tolerance);
+    drawing.polyline(layer, chain.vertices, chain.closed);
+    return chain;
+}
+
+void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach) {
+    const DiskCam& cam = shape.cam;
+    const ProfilePoint point = shape.at(shape.start);
+    const FollowerPose pose = follower_pose(cam, point);
+    if (has_roller(cam.follower)) drawing.circle("ROLLER", point.pitch, cam[DimensionIndex::roller_radius]);
+    if (is_oscillating(cam.follower)) {
+        const bool flat = has_flat_face(cam.follower);
+        drawing.line("AXES", {0.0, 0.0}, pose.pivot);
+        drawing.line("AXES", pose.pivot, flat ? pose.foot : point.pitch);
+        drawing.circle("AXES", pose.pivot, pivot_size * cam[DimensionIndex::base_radius]);
+        if (flat) drawing.line("FACE", pose.foot, point.contact + 0.5 * (point.contact - pose.foot));
+        return;
+    }
+    drawing.line("AXES", point.pitch, point.pitch + 0.5 * reach * pose.lift);
+    if (!has_flat_face(cam.follower)) return;
+    const Vector2d along(-pose.lift.y(), pose.lift.x());
+    const Vector2d middle = point.contact - along * along.dot(point.contact);
+    const double half = shape.face_half_width.value_or(0.5 * reach);
+    drawing.line("FACE", middle - half * along, middle + half * along);
+}
+
+/// Where the scene says nothing of the cam, a line between its ends, and what is missing.
+void draw_opening(DxfDrawing& drawing, const ProfileShape& shape, double size) {
+    if (shape.closed || shape.open_because.empty()) return;
+    const Vector2d from = shape.at(shape.begin()).contact, to = shape.at(shape.end()).contact;
+    drawing.line("OPEN", from, to);
+    drawing.text("OPEN",
+                 {1.1 * to, opening_text * size, "OPEN: " + shape.open_because, DxfText::Anchor::start, 0.0});
+}
+
+/// Its greatest radius, that of a groove's rim included.
+double draw_other_side(DxfDrawing& drawing, const ProfileShape& shape, double tolerance, ProfileDxf& result) {
+    const ProfileShape other = other_side(shape);
+    const ArcChain outline = drawn_chain(drawing, outline_layer(shape, 1), other, tolerance, true);
+    result.arcs += outline.arcs;
+    result.deviation = std::max(result.deviation, outline.deviation);
+    if (const std::optional<double> rim = rim_radius(shape)) {
+        drawing.circle("RIM", {0.0, 0.0}, *rim);
+        return *rim;
+    }
+    const ArcChain pitch = drawn_chain(drawing, "SECOND_PITCH", other, tolerance, false);
+    result.pitch_arcs += pitch.arcs;
+    result.pitch_deviation = std::max(result.pitch_deviation, pitch.deviation);
+    drawing.circle("SECOND_ROLLER", other.at(shape.start).pitch, roller_radius_of(shape.cam, 1));
+    return largest_radius(outline);
+}
+
 }  // namespace
 
 ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
@@ -121,6 +210,43 @@ ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
     if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
         return profile_dxf(*shape, tolerance);
     return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);
+}
+
+ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance) {
+    const PlaneCurve curve = [&](double theta) {
+        const ProfilePoint point = shape.at(theta);
+        return CurvePoint{of_cam ? point.contact : point.pitch, point.normal};
+    };
+    ArcChainOptions options;
+    options.tolerance = tolerance;
+    return arc_chain(curve, of_cam ? knots_with_cusps(shape) : shape.knots, shape.closed, options);
+}
+
+ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
+    std::vector<DxfLayer> used = layers(shape);
+    if (!shape.closed && !shape.open_because.empty()) used.push_back({"OPEN", 1, DxfLine::dashed});
+    DxfDrawing drawing(std::move(used));
+    ProfileDxf result;
+    const ArcChain outline = drawn_chain(drawing, outline_layer(shape, 0), shape, tolerance, true);
+    result.arcs = outline.arcs;
+    result.deviation = outline.deviation;
+    const double base = shape.cam[DimensionIndex::base_radius];
+    drawing.circle("BASE_CIRCLE", {0.0, 0.0}, base);
+    if (has_roller(shape.cam.follower)) {
+        const ArcChain pitch = drawn_chain(drawing, "PITCH", shape, tolerance, false);
+        result.pitch_arcs = pitch.arcs;
+        result.pitch_deviation = pitch.deviation;
+        drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius]);
+    }
+    double greatest = largest_radius(outline);
+    if (shape.other) greatest = std::max(greatest, draw_other_side(drawing, shape, tolerance, result));
+    const double reach = axis_overhang * greatest;
+    drawing.line("AXES", {-reach, 0.0}, {reach, 0.0});
+    drawing.line("AXES", {0.0, -reach}, {0.0, reach});
+    draw_follower(drawing, shape, reach);
+    draw_opening(drawing, shape, base);
+    result.text = drawing.finish();
+    return result;
 }
 
 }  // namespace camopt

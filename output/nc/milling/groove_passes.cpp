@@ -80,7 +80,7 @@ class Groove {
 };
 
 /// Does the tool climb on this flank when the cam angle grows? In the middle of the motion
-/// (milling_direction.hpp).
+/// (cutter_compensation.hpp).
 bool climbs_forward(const GrooveMilling& milling, int flank) {
     const double theta = 0.5 * (milling.knots.front() + milling.knots.back());
     const auto at = [&](double angle) { return milling.roller(angle, milling.location.station); };

@@ -8,11 +8,11 @@
 // Every pass begins and ends where the contour is farthest from the cam's axis: there the whole cam lies
 // behind the tangent. In: a line from beside the blank against the contour, a quarter of a circle of radius R
 // that touches the path; out the same way. The tool goes clockwise around the cam where it climbs and the
-// spindle turns clockwise. m, rad; frame of tool_pose.hpp, the cam's upper face at z = 0.
+// spindle turns clockwise. m, rad; frame of ToolPose, the cam's upper face at z = 0.
 #pragma once
 
+#include "output/nc/cutter_location.hpp"
 #include "output/nc/milling/milling_choice.hpp"
-#include "output/nc/plane_cutter_path.hpp"
 
 #include <string>
 #include <vector>

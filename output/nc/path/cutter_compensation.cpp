@@ -3,10 +3,11 @@
 
 #include "core/errors.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string>
+#include <numbers>
 
 namespace camopt {
 
@@ -106,6 +107,41 @@ class Compensation {
     std::vector<Element> elements_;
 };
 
+constexpr double least_way = 2e-6;   // m: below, printed digits decide
+constexpr double least_sine = 0.05;  // the way must pass the flank, not lead to it
+constexpr double small_step = 1e-3;  // of a block: for the tip's direction in its middle
+
+/// (w × m) · v of unit vectors; 0 where there is no direction.
+double sense_of(const Machine& machine, FinishedCam& cam, const Eigen::VectorXd& from, const NcMove& move,
+                SpindleSense spindle) {
+    const ToolPose middle = machine.pose(values_along(from, move, 0.5));
+    const Eigen::Vector3d before = machine.pose(values_along(from, move, 0.5 - small_step)).tip;
+    const Eigen::Vector3d after = machine.pose(values_along(from, move, 0.5 + small_step)).tip;
+    const Eigen::Vector3d way = after - before;
+    if (way.norm() < 2.0 * small_step * least_way) return 0.0;
+    const Eigen::Vector3d turn =
+        spindle == SpindleSense::clockwise ? middle.axis : Eigen::Vector3d(-middle.axis);
+    return turn.cross(cam.towards_flank(middle)).dot(way.normalized());
+}
+
+constexpr double no_turn = 1e-12;  // rad: an arc that ends where it begins is a whole circle
+
+struct RoundWay {
+    double begin_angle, sweep;  // rad, signed
+    double begin_radius, end_radius;
+};
+
+RoundWay round_way(const Eigen::VectorXd& from, const NcMove& move) {
+    const Eigen::Vector2d begin = from.head<2>() - move.arc->center;
+    const Eigen::Vector2d end = move.values.head<2>() - move.arc->center;
+    const double begin_angle = std::atan2(begin.y(), begin.x());
+    double sweep = std::atan2(end.y(), end.x()) - begin_angle;
+    const double turn = 2.0 * std::numbers::pi, sense = move.arc->clockwise ? -1.0 : 1.0;
+    while (sense * sweep <= no_turn) sweep += sense * turn;
+    while (sense * sweep > turn + no_turn) sweep -= sense * turn;
+    return {begin_angle, sweep, begin.norm(), end.norm()};
+}
+
 }  // namespace
 
 std::vector<NcMove> compensated(std::span<const NcMove> moves, double radius) {
@@ -126,6 +162,44 @@ std::vector<NcMove> compensated(std::span<const NcMove> moves, double radius) {
         --i;
     }
     return result;
+}
+
+DirectionCheck check_direction(std::span<const NcMove> moves, const Machine& machine, FinishedCam& cam,
+                               SpindleSense spindle, const CutterInBlank& cutter,
+                               std::span<const FlankBlocks> blocks) {
+    DirectionCheck check;
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < moves.size() && place < blocks.size(); ++i) {
+        while (place < blocks.size() && moves[i].line > blocks[place].last_line) ++place;
+        if (place == blocks.size() || moves[i].line < blocks[place].first_line || moves[i].rapid) continue;
+        if (distance_to_blank(cutter.blank, machine.pose(moves[i].values), cutter.radius) > 0.0) continue;
+        const double sense = sense_of(machine, cam, moves[i - 1].values, moves[i], spindle);
+        if (!(std::abs(sense) > least_sine)) continue;
+        const bool climbs = sense < 0.0;
+        ++(climbs ? check.climb : check.conventional);
+        if (climbs != blocks[place].climbs && check.fault.empty())
+            check.fault = fmt::format("line {}: the block is {}, not {}", moves[i].line,
+                                      climbs ? "climb" : "conventional", climbs ? "conventional" : "climb");
+    }
+    return check;
+}
+
+Eigen::VectorXd values_along(const Eigen::VectorXd& from, const NcMove& move, double share) {
+    Eigen::VectorXd values = from + share * (move.values - from);
+    if (!move.arc) return values;
+    const RoundWay way = round_way(from, move);
+    const double angle = way.begin_angle + share * way.sweep;
+    const double radius = way.begin_radius + share * (way.end_radius - way.begin_radius);
+    values.head<2>() = move.arc->center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    return values;
+}
+
+double linear_length(const Eigen::VectorXd& from, const NcMove& move) {
+    const Eigen::VectorXd way = move.values - from;
+    if (!move.arc) return way.head<3>().norm();
+    const RoundWay round = round_way(from, move);
+    const double around = std::max(round.begin_radius, round.end_radius) * std::abs(round.sweep);
+    return std::hypot(around + std::abs(round.end_radius - round.begin_radius), way(2));
 }
 
 }  // namespace camopt

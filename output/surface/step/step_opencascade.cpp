@@ -1,33 +1,86 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors.hpp"
+#include "core/text/text_file.hpp"
 #include "core/units.hpp"
 #include "output/surface/step/step_file.hpp"
-#include "output/surface/step/step_library.hpp"
+#include "output/surface/step/step_solid.hpp"
 
 #include <fmt/format.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_PrinterOStream.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <cmath>
+#include <filesystem>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
+#include <sstream>
 #include <vector>
 
 namespace camopt {
 
 namespace {
+
+// What the two STEP writers share of Open CASCADE. Internal.
+
+/// Open CASCADE prints to stdout unless its printers are taken away; they are put back at the end.
+class SilentLibrary {
+ public:
+    SilentLibrary() : printers_(Message::DefaultMessenger()->Printers()) {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+    }
+    ~SilentLibrary() { Message::DefaultMessenger()->ChangePrinters() = printers_; }
+    SilentLibrary(const SilentLibrary&) = delete;
+    SilentLibrary& operator=(const SilentLibrary&) = delete;
+
+ private:
+    Message_SequenceOfPrinters printers_;
+};
+
+/// What was transferred to the writer, as text first: the file is written and checked as every other is.
+void write_step_model(const std::filesystem::path& path, STEPControl_Writer& writer) {
+    StepData_StepWriter text(writer.Model());
+    text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+    std::ostringstream bytes;
+    if (!text.Print(bytes)) throw InputError("STEP: Open CASCADE could not print the model");
+    write_text_file(path, bytes.str());
+}
 
 struct KnotList {
     std::vector<double> value;
@@ -95,6 +148,116 @@ void write(const std::filesystem::path& path, std::span<const BsplineSurface> su
     write_step_model(path, writer);
 }
 
+/// On the plate's lower face.
+class PlateShape {
+ public:
+    explicit PlateShape(const Plate& plate) : plate_(plate) {}
+
+    [[nodiscard]] TopoDS_Shape solid() const {
+        const TopoDS_Shape plate = layer(plate_.outline, plate_.hole, -bottom());
+        if (!plate_.groove) return plate;
+        // The channel as a body of the plate's lower face, lifted to where it is cut out, and beyond the
+        // upper face.
+        const double depth = plate_.groove->depth / units::millimetre;
+        gp_Trsf lift;
+        lift.SetTranslation(gp_Vec(0.0, 0.0, -bottom() - depth));
+        const TopoDS_Shape channel = layer(plate_.groove->outer, plate_.groove->inner, 2.0 * depth);
+        BRepAlgoAPI_Cut cut(plate, BRepBuilderAPI_Transform(channel, lift, true).Shape());
+        if (!cut.IsDone()) throw InputError(fmt::format("STEP: the groove of {} cannot be cut", plate_.name));
+        const TopExp_Explorer solids(cut.Shape(), TopAbs_SOLID);
+        if (!solids.More()) throw InputError(fmt::format("STEP: nothing is left of {}", plate_.name));
+        return solids.Current();
+    }
+
+ private:
+    const Plate& plate_;
+
+    /// From the lower face upwards.
+    [[nodiscard]] TopoDS_Shape layer(const std::vector<PlateEdge>& outline,
+                                     const std::vector<PlateEdge>& inner, double height) const {
+        const gp_Pln plane(gp_Pnt(0.0, 0.0, bottom()), gp_Dir(0.0, 0.0, 1.0));
+        BRepBuilderAPI_MakeFace face(plane, wire(outline));
+        if (!inner.empty()) {
+            TopoDS_Wire hole = wire(inner);
+            if (turns_to_the_left(inner)) hole.Reverse();
+            face.Add(hole);
+        }
+        if (!face.IsDone()) throw InputError(fmt::format("STEP: the plate {} makes no face", plate_.name));
+        return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, height)).Shape();
+    }
+    [[nodiscard]] static bool turns_to_the_left(const std::vector<PlateEdge>& edges) {
+        std::vector<Eigen::Vector2d> corners;
+        for (const PlateEdge& part : edges) {
+            corners.push_back(part.from);
+            if (part.kind == PlateEdge::Kind::arc) corners.push_back(part.middle);
+            corners.insert(corners.end(), part.poles.begin(), part.poles.end());
+        }
+        double twice_area = 0.0;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Eigen::Vector2d &here = corners[i], &next = corners[(i + 1) % corners.size()];
+            twice_area += here.x() * next.y() - here.y() * next.x();
+        }
+        return twice_area > 0.0;
+    }
+    [[nodiscard]] double bottom() const { return -plate_.thickness / units::millimetre; }
+    [[nodiscard]] gp_Pnt place(const Eigen::Vector2d& point) const {
+        return {point.x() / units::millimetre, point.y() / units::millimetre, bottom()};
+    }
+    [[nodiscard]] TopoDS_Edge edge(const PlateEdge& from) const {
+        switch (from.kind) {
+            case PlateEdge::Kind::line:
+                return BRepBuilderAPI_MakeEdge(place(from.from), place(from.to));
+            case PlateEdge::Kind::arc: {
+                const GC_MakeArcOfCircle arc(place(from.from), place(from.middle), place(from.to));
+                return BRepBuilderAPI_MakeEdge(arc.Value());
+            }
+            case PlateEdge::Kind::curve:
+                break;
+        }
+        return BRepBuilderAPI_MakeEdge(curve(from));
+    }
+    [[nodiscard]] Handle(Geom_BSplineCurve) curve(const PlateEdge& from) const {
+        const int count = static_cast<int>(from.poles.size());
+        TColgp_Array1OfPnt poles(1, count);
+        for (int i = 0; i < count; ++i) poles.SetValue(i + 1, place(from.poles[static_cast<std::size_t>(i)]));
+        std::vector<double> values;
+        std::vector<int> counts;
+        for (const double knot : from.knots) {
+            if (values.empty() || knot != values.back()) {
+                values.push_back(knot);
+                counts.push_back(0);
+            }
+            ++counts.back();
+        }
+        const int last = static_cast<int>(values.size());
+        const int degree = static_cast<int>(from.knots.size()) - count - 1;
+        return new Geom_BSplineCurve(poles, TColStd_Array1OfReal(values.front(), 1, last),
+                                     TColStd_Array1OfInteger(counts.front(), 1, last), degree);
+    }
+    [[nodiscard]] TopoDS_Wire wire(const std::vector<PlateEdge>& edges) const {
+        BRepBuilderAPI_MakeWire maker;
+        for (const PlateEdge& part : edges) maker.Add(edge(part));
+        if (!maker.IsDone()) throw InputError(fmt::format("STEP: the edges of {} make no line", plate_.name));
+        return maker.Wire();
+    }
+};
+
+double write_plate(const std::filesystem::path& path, const Plate& plate) {
+    const SilentLibrary silent;
+    const TopoDS_Shape solid = PlateShape(plate).solid();
+    GProp_GProps properties;
+    constexpr double precision = 1e-9;  // relative, of the volume
+    BRepGProp::VolumeProperties(solid, properties, precision);
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    Interface_Static::SetCVal("write.step.schema", "AP214IS");
+    Interface_Static::SetCVal("write.step.product.name", plate.name.c_str());
+    if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
+        throw InputError("STEP: Open CASCADE could not translate the solid");
+    write_step_model(path, writer);
+    return std::abs(properties.Mass()) * std::pow(units::millimetre, 3);
+}
+
 }  // namespace
 
 bool step_available() {
@@ -108,6 +271,14 @@ void write_step_file(const std::filesystem::path& path, std::span<const BsplineS
     } catch (const Standard_Failure& failure) {
         throw InputError(
             fmt::format("STEP: Open CASCADE refuses the surfaces: {}", failure.GetMessageString()));
+    }
+}
+
+double write_step_solid(const std::filesystem::path& path, const Plate& plate) {
+    try {
+        return write_plate(path, plate);
+    } catch (const Standard_Failure& failure) {
+        throw InputError(fmt::format("STEP: Open CASCADE refuses the solid: {}", failure.GetMessageString()));
     }
 }
 

@@ -2,7 +2,7 @@
 #include "output/words/tables/dynamics_text.hpp"
 
 #include "core/units.hpp"
-#include "output/words/angle_words.hpp"
+#include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/tables/text_table.hpp"

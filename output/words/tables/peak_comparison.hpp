@@ -2,16 +2,59 @@
 // The peaks of the optimum beside those of the reference and of the best curve of any kind: one row a peak.
 #pragma once
 
-#include "output/chart/reference_motion.hpp"
-#include "output/words/motion_extremes.hpp"
+#include "core/motion.hpp"
+#include "core/peaks.hpp"
 #include "output/words/shown_units.hpp"
+#include "scene/scene.hpp"
 #include "studies/delivered/solution.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt {
+
+// The reference law, placed into the scene so that it can be compared with the optimum: the law itself on the
+// rise, and for RR its mirror image, stretched to its own angle, on the return.
+struct ReferenceMotion {
+    std::string title;  ///< for people: "modified sine"; empty where the reference is given as numbers
+    std::unique_ptr<Motion> motion;
+    Peaks peaks;  ///< of the whole motion in this scene, exact; infinite where they are
+};
+
+/// motion is empty where the reference is given as numbers, and for a program, whose normalised peaks compare
+/// with the law's but which has no single curve beside it. Throws InputError for an unknown law.
+[[nodiscard]] ReferenceMotion reference_motion(const Scene& scene);
+
+// How far the delivered motion goes to either side: the signed extremes of its derivatives, and where it
+// leaves the range of a stroke.
+
+/// The peak of a derivative with its sign, and the largest value of the other sign: `value` in lifts and
+/// units of x. A peak without value (an impulse) is infinite.
+struct SignedPeaks {
+    Extremum largest;
+    std::optional<Extremum> opposite;  ///< none: the derivative keeps its sign
+};
+
+/// order 1 … 3. For a solution with a motion. The peak is exact (Solution::motion_peaks), the opposite one
+/// comes from extremes_along.hpp.
+[[nodiscard]] SignedPeaks signed_peaks(const Solution& solution, int order);
+
+/// Of a stroke (rise, rise and return, spline segment of a program) that leaves the range low … high between
+/// the displacements at its ends, lifts.
+struct Excursion {
+    double low = 0.0, high = 1.0;
+    int segment = -1;     ///< of a program
+    Extremum farthest{};  ///< y there
+    double beyond = 0.0;  ///< > 0: how far outside
+
+    [[nodiscard]] bool below() const { return farthest.value < low; }
+};
+[[nodiscard]] std::vector<Excursion> excursions(const Solution& solution);
+
+/// "The follower goes 3.2 mm below its start at 212 deg." One sentence each.
+[[nodiscard]] std::vector<std::string> excursion_sentences(const Solution& solution);
 
 struct PeakRow {
     std::string name;                 ///< "velocity"

@@ -69,7 +69,7 @@ class CondensedSystem {
     CompressedRows rows_, columns_;  ///< [C; E] and its transpose
     SymmetricFactor::Matrix lower_;
     CompressedRows assembly_;                     ///< entries of lower_ from weight_
-    std::vector<int> hessian_slot_, width_slot_;  ///< condensed_pattern.hpp
+    std::vector<int> hessian_slot_, width_slot_;  ///< see condensed_pattern
     std::unique_ptr<SymmetricFactor> factor_;
     const std::vector<double>* hessian_ = nullptr;
     const Eigen::VectorXd* curvature_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/studio/request_rules.hpp"
+#include "apps/studio/request_room.hpp"
 
 #include <gtest/gtest.h>
 

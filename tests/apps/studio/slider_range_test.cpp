@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/studio/slider_range.hpp"
+#include "apps/studio/studio_controls.hpp"
 
 #include <gtest/gtest.h>
 

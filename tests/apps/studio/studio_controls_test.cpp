@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/studio/studio_controls.hpp"
 
-#include "apps/studio/studio_scene.hpp"
+#include "apps/studio/studio_page.hpp"
 #include "core/errors.hpp"
 #include "input/keys/scene_keys.hpp"
 

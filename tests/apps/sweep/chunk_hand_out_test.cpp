@@ -2,8 +2,6 @@
 // Chunks handed out to ranks: each is done once, and what a rank had goes to others.
 #include "apps/sweep/ranks/chunk_hand_out.hpp"
 
-#include "apps/sweep/ranks/rank_message.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // Solves through the C face: the numbers of the C++ face, bit for bit, and every error.
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/csv/profile_csv.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/report/cam_files.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files that cannot be read say why instead of throwing from the standard library.
-#include "core/text/file_bytes.hpp"
+#include "core/text/text_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -28,11 +28,5 @@ TEST(NumberParsing, RefusesWhatIsNoneAsAWhole) {
     EXPECT_EQ(required_number("1.5"), 1.5);
 }
 
-TEST(NumberParsing, TakesTheBeginningOfALongerText) {
-    EXPECT_EQ(number_at_start("0.25 (segment 3)"), 0.25);
-    EXPECT_EQ(number_at_start("1,5"), 1.0);
-    EXPECT_FALSE(number_at_start("(segment 3)"));
-}
-
 }  // namespace number_parsing_test
 }  // namespace camopt

@@ -3,7 +3,6 @@
 #include "core/text/text_file.hpp"
 
 #include "core/errors.hpp"
-#include "core/text/file_bytes.hpp"
 
 #include <gtest/gtest.h>
 

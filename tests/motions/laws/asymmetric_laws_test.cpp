@@ -2,8 +2,8 @@
 // Laws with unequal parts against the symmetric law they come from: peaks, joint, continuity, refusals.
 #include "core/errors.hpp"
 #include "motions/laws/asymmetric_law.hpp"
+#include "motions/laws/harmonic_law.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "motions/laws/polynomial_law.hpp"
 
 #include <gtest/gtest.h>
 

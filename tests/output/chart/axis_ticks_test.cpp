@@ -2,8 +2,6 @@
 // Ticks tell themselves from their neighbours, and what is level is drawn level.
 #include "output/chart/axis_ticks.hpp"
 
-#include "output/chart/value_range.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

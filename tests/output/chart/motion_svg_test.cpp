@@ -3,10 +3,10 @@
 
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"
-#include "output/chart/reference_motion.hpp"
 #include "output/report/report.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
+#include "output/words/tables/peak_comparison.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 

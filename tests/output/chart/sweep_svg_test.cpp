@@ -2,8 +2,8 @@
 // Pictures of sweeps and fronts, against tables made by hand.
 #include "output/chart/sweep/sweep_svg.hpp"
 
-#include "output/chart/studies/pareto_svg.hpp"
-#include "output/csv/pareto_csv.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/csv/sweep_csv.hpp"
 #include "tests/output/well_formed.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/csv/profile_csv.hpp"
-
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/csv/motion_csv.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"

@@ -3,7 +3,7 @@
 #include "output/csv/sweep_csv.hpp"
 
 #include "core/errors.hpp"
-#include "output/csv/csv_reader.hpp"
+#include "output/csv/csv_line.hpp"
 
 #include <gtest/gtest.h>
 

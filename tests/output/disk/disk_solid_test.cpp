@@ -3,7 +3,7 @@
 #include "output/disk/disk_solid.hpp"
 
 #include "core/errors.hpp"
-#include "output/surface/plane_region.hpp"
+#include "output/surface/mesh_cut.hpp"
 #include "tests/output/disk/harmonic_disk.hpp"
 #include "tests/support/refusal.hpp"
 

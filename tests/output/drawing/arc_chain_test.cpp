@@ -2,7 +2,6 @@
 #include "output/drawing/arc_chain.hpp"
 
 #include "core/errors.hpp"
-#include "output/drawing/biarc.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <Eigen/Geometry>
@@ -26,7 +25,7 @@ CurvePoint ellipse(double t) {
     return {{0.08 * std::cos(t), 0.03 * std::sin(t)}, normal};
 }
 
-/// Center and radius of the arc with this bulge: the formula of the DXF reference, not of biarc.cpp.
+/// Center and radius of the arc with this bulge: the formula of the DXF reference, not of arc_chain.cpp.
 double distance_to_arc(const Vector2d& point, const Vector2d& from, const Vector2d& to, double bulge) {
     const Vector2d chord = to - from, left(-chord.y(), chord.x());
     if (std::abs(bulge) < 1e-12) return std::abs(left.normalized().dot(point - from));

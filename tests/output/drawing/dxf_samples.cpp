@@ -4,7 +4,7 @@
 #include "core/text/text_file.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
-#include "output/drawing/dxf/profile_dxf.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <cstdio>

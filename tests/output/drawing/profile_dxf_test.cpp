@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "output/drawing/dxf/profile_dxf.hpp"
-
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "output/drawing/dxf/cam_dxf.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"

@@ -5,11 +5,9 @@
 
 #include "core/errors.hpp"
 #include "output/drawing/dxf/dxf_scaffold.hpp"
-#include "output/sheet/dimension_marks.hpp"
-#include "output/sheet/sheet_dxf.hpp"
+#include "output/sheet/sheet_files.hpp"
 #include "output/sheet/sheet_furniture.hpp"
 #include "output/sheet/sheet_painter.hpp"
-#include "output/sheet/sheet_svg.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A disk cam milled on three axes, a cylindrical cam on four.
+#include "output/nc/cutter_location.hpp"
 #include "output/nc/nc_samples.hpp"
-#include "output/nc/plane_cutter_path.hpp"
 #include "profiles/disk/disk_cam.hpp"
 
 #include <gtest/gtest.h>

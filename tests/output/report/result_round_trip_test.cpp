@@ -8,7 +8,6 @@
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
-#include "output/report/result_folder_reader.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"

@@ -5,7 +5,7 @@
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/sweep_csv.hpp"
-#include "output/words/sweep_text.hpp"
+#include "output/words/study_text.hpp"
 #include "tests/output/temporary_folder.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -2,7 +2,6 @@
 // Meshes: what watertight means, and the files made from them.
 #include "core/errors.hpp"
 #include "output/surface/mesh_files.hpp"
-#include "output/surface/mesh_svg.hpp"
 #include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The path that a solve leaves behind, and a neighbouring problem taken up from it.
-#include "solvers/path_point.hpp"
+#include "solvers/solver.hpp"
 #include "tests/solvers/structured/structured_problems.hpp"
 
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finished grooves and conjugate disks, by their points alone; and points that were spoiled.
-#include "studies/check/two_sided_check.hpp"
-
 #include "core/units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/disk_sides.hpp"
+#include "studies/check/check_cam.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"
 

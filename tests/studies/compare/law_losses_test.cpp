@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
-#include "studies/compare/matrix_game.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"
-#include "studies/explain/joint_relaxation.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
 #include "studies/solve/solve.hpp"

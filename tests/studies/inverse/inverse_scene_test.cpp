@@ -6,7 +6,7 @@
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/factory/mechanism_factory.hpp"
-#include "studies/inverse/solved_guide.hpp"
+#include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>

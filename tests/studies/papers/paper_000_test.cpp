@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Paper 000: which entries of Table 1 agree, which digits are misprinted, and the whole report.
-#include "studies/papers/paper_000.hpp"
-
 #include "core/units.hpp"
-#include "studies/papers/paper_000_data.hpp"
+#include "studies/papers/paper_000_parts.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The report of paper 003 against docs/theory/remote_follower.py: largest pressure angles by both
 // definitions, verdicts, forward checks.
-#include "studies/papers/paper_003.hpp"
-
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
+#include "studies/papers/papers.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "tests/support/counting_clock.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The reports of papers 001 and 002: what they say is what was found independently.
-#include "studies/papers/paper_001.hpp"
-#include "studies/papers/paper_002.hpp"
+#include "studies/papers/papers.hpp"
 
 #include <gtest/gtest.h>
 

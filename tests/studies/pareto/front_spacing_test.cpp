@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/pareto/front_spacing.hpp"
+#include "studies/pareto/front_chain.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "scene/motion/set_points.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "studies/delivered/set_point_reports.hpp"
+#include "studies/delivered/solution_parts.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"

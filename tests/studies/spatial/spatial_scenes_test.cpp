@@ -6,7 +6,7 @@
 #include "profiles/spatial/interference.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/spatial/solved_cam.hpp"
+#include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
-#include "studies/sweep/sweep_check.hpp"
 
 #include <gtest/gtest.h>
 

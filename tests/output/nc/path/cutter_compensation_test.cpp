@@ -3,7 +3,6 @@
 #include "output/nc/path/cutter_compensation.hpp"
 
 #include "core/errors.hpp"
-#include "output/nc/path/nc_path.hpp"
 
 #include <gtest/gtest.h>
 

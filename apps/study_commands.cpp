@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// camopt table, reproduce, compare, dynamics: studies beside a solve.
+#include "apps/commands.hpp"
+#include "apps/scene_loading.hpp"
+#include "apps/terminal.hpp"
+#include "core/errors.hpp"
+#include "core/text/number_parsing.hpp"
+#include "core/units.hpp"
+#include "output/chart/reference_table/reference_table_svg.hpp"
+#include "output/chart/studies/study_svg.hpp"
+#include "output/csv/study_csv.hpp"
+#include "output/json/study_json.hpp"
+#include "output/page/study_html.hpp"
+#include "output/report/folder_update.hpp"
+#include "output/report/result_folder.hpp"
+#include "output/words/study_text.hpp"
+#include "output/words/tables/dynamics_text.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/compare/reference_table.hpp"
+#include "studies/papers/paper_catalogue.hpp"
+#include "studies/response/train_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace camopt::apps {
+
+namespace {
+
+void write_table_folder(const std::filesystem::path& path, const ReferenceTable& table) {
+    FolderUpdate folder(path);
+    folder.write("table.json", reference_table_json(table));
+    folder.write("table.md", reference_table_markdown(table));
+    folder.write("table.svg", reference_table_svg(table));
+    folder.write("optimum_points.csv", optimum_points_csv(table));
+    folder.write("convergence.csv", convergence_csv(table));
+    folder.write("laws.csv", laws_csv(table));
+    folder.write("weights.csv", weights_csv(table));
+    folder.finish();
+}
+
+/// Success only where every row is proved optimal: a table with a hole in it must not pass for a whole one.
+ExitCode exit_code_of(const ReferenceTable& table) {
+    const auto optimal = [](const auto& row) { return row.optimum.certificate.verdict == Verdict::optimal; };
+    return std::ranges::all_of(table.convergence, optimal) && std::ranges::all_of(table.weights, optimal)
+               ? success
+               : failure;
+}
+
+// camopt reproduce: a paper's tables and figures beside ours.
+void write_report_folder(const std::filesystem::path& path, const PaperReport& report) {
+    FolderUpdate folder(path);
+    folder.write("report.json", paper_report_json(report));
+    folder.write("report.md", paper_report_markdown(report));
+    for (const PaperTable& table : report.tables) folder.write(table.key + ".csv", paper_table_csv(table));
+    for (const PaperFigure& figure : report.figures) {
+        folder.write(figure.key + ".csv", paper_figure_csv(figure));
+        folder.write(figure.key + ".svg", paper_figure_svg(figure));
+    }
+    folder.finish();
+}
+
+// camopt compare: every classical law on the scene, beside its optimum.
+Comparison compare_with_progress(const Scene& scene) {
+    const InterruptWatch watch;
+    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
+    Comparison comparison = compare(scene, control);
+    end_progress();
+    return comparison;
+}
+
+// camopt dynamics: the elastic follower train over speed, under the optimum and the classical laws.
+constexpr int most_study_speeds = 100'000;
+
+/// "100:400:61" in rpm.
+SpeedSweep read_speeds(const std::string& text) {
+    const auto refuse = [&]() -> InputError {
+        return InputError(
+            fmt::format("--speeds: found {}; allowed: FROM:TO:COUNT in rpm, 0 < FROM <= TO, COUNT from 1 "
+                        "to {}",
+                        text, most_study_speeds));
+    };
+    std::vector<double> numbers;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+        const std::size_t end = std::min(text.find(':', begin), text.size());
+        const auto number = number_in(text.substr(begin, end - begin));
+        if (!number) throw refuse();
+        numbers.push_back(*number);
+        begin = end + 1;
+    }
+    if (numbers.size() != 3) throw refuse();
+    const bool whole =
+        numbers[2] == std::floor(numbers[2]) && numbers[2] >= 1.0 && numbers[2] <= most_study_speeds;
+    if (!whole || !(numbers[0] > 0.0) || !(numbers[1] >= numbers[0]) || !std::isfinite(numbers[1]))
+        throw refuse();
+    return {numbers[0] * units::revolution_per_minute, numbers[1] * units::revolution_per_minute,
+            static_cast<int>(numbers[2])};
+}
+
+TrainStudy study_with_progress(const Scene& scene, const SpeedSweep& speeds) {
+    const InterruptWatch watch;
+    const SolveControl control{InterruptWatch::interrupted, terminal_progress()};
+    TrainStudy study = train_study(scene, speeds, control);
+    end_progress();
+    return study;
+}
+
+}  // namespace
+
+ExitCode table_command(const TableRequest& request) {
+    if (!request.out.empty()) prepare_folder(request.out);
+    const auto table = interruptible_run("the table", "solved ", spline_versus_modified_sine);
+    if (!table) return failure;
+    if (!request.out.empty()) write_table_folder(request.out, *table);
+    const std::string text = request.json ? reference_table_json(*table) : reference_table_text(*table);
+    print(text);
+    return exit_code_of(*table);
+}
+
+ExitCode reproduce_command(const ReproduceRequest& request) {
+    const PaperInfo& paper = find_paper(request.paper);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const auto report = interruptible_run("the report", "", paper.report);
+    if (!report) return failure;
+    if (!request.out.empty()) write_report_folder(request.out, *report);
+    const std::string text = request.json ? paper_report_json(*report) : paper_report_text(*report);
+    print(text);
+    return report->faults.empty() ? success : failure;
+}
+
+ExitCode compare_command(const CompareRequest& request) {
+    LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
+    if (!request.out.empty()) prepare_folder(request.out);
+    Comparison comparison = compare_with_progress(loaded.scene);
+    show_in(comparison.optimum.scene, request.units);
+    const RunOrigin origin{request.scene, request.command, std::move(loaded.text)};
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        folder.write("comparison.csv", comparison_csv(comparison));
+        folder.write("comparison.svg", comparison_svg(comparison));
+        folder.write("comparison.html", comparison_html(comparison, origin));
+        folder.write("comparison.json", comparison_json(comparison, origin));
+        folder.finish();
+    }
+    const std::string text = request.json ? comparison_json(comparison, origin) : comparison_text(comparison);
+    print(text);
+    return exit_code_of(comparison.optimum.certificate.verdict);
+}
+
+ExitCode dynamics_command(const DynamicsRequest& request) {
+    LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
+    const SpeedSweep speeds =
+        request.speeds.empty() ? default_speeds(loaded.scene) : read_speeds(request.speeds);
+    if (!request.out.empty()) prepare_folder(request.out);
+    const TrainStudy study = study_with_progress(loaded.scene, speeds);
+    if (!request.out.empty()) {
+        FolderUpdate folder(request.out);
+        folder.write("dynamics.csv", dynamics_csv(study));
+        folder.write("history.csv", history_csv(study));
+        folder.write("dynamics.json", dynamics_json(study));
+        for (const auto& [name, picture] : dynamics_pictures(study)) folder.write(name, picture);
+        folder.finish();
+    }
+    print(request.json ? dynamics_json(study) : dynamics_text(study));
+    return exit_code_of(study.optimum.certificate.verdict);
+}
+
+}  // namespace camopt::apps

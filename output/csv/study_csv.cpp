@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "output/csv/study_csv.hpp"
+
+#include "core/units.hpp"
+#include "output/csv/csv_line.hpp"
+#include "output/words/comparison_words.hpp"
+#include "output/words/tables/reference_table_rows.hpp"
+#include "scene/cost_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace camopt {
+
+namespace {
+
+/// The limits of the scene, from the first row that has been judged.
+std::vector<std::string> limit_keys(const Comparison& comparison) {
+    std::vector<std::string> keys;
+    const auto judged =
+        std::ranges::find_if(comparison.rows, [](const auto& row) { return row.misfit.empty(); });
+    if (judged == comparison.rows.end()) return keys;
+    for (const LimitOutcome& outcome : judged->limits) keys.push_back(outcome.reached.key);
+    return keys;
+}
+
+void add_figures(CsvLine& line, const ComparisonRow& row, std::size_t limits) {
+    if (!row.misfit.empty()) {
+        line.blank(2 + cost_figure_count + static_cast<int>(limits));
+        return;
+    }
+    line.number(row.objective).number(row.loss_percent);
+    for (const CostTerm& term : cost_terms()) line.number(term.measured.of(row.peaks));
+    for (const LimitOutcome& outcome : row.limits) {
+        const double worst = outcome.reached.worst;
+        line.number(outcome.reached.no_contact || std::isnan(worst) ? std::nullopt : std::optional(worst));
+    }
+}
+
+void add_cell(CsvLine& line, const PaperCell& cell) {
+    if (const double* number = std::get_if<double>(&cell))
+        line.number(*number);
+    else if (const std::string* words = std::get_if<std::string>(&cell))
+        line.words(*words);
+    else
+        line.blank();
+}
+
+void add_figures(CsvLine& line, const std::optional<PeakFigures>& figures) {
+    if (!figures) {
+        line.blank(4);
+        return;
+    }
+    line.number(figures->velocity).number(figures->acceleration).number(figures->jerk);
+    line.number(figures->objective);
+}
+
+void add_proof(CsvLine& line, const Certificate& certificate) {
+    line.number(certificate.lower_bound).number(certificate.gap);
+    line.words(name_of(certificate.verdict)).words(name_of(certificate.reason));
+}
+
+std::string figure_columns(const std::string& prefix) {
+    return prefix + "_velocity," + prefix + "_acceleration," + prefix + "_jerk," + prefix + "_objective";
+}
+
+}  // namespace
+
+std::string dynamics_csv(const TrainStudy& study) {
+    CsvLine titles;
+    for (const char* title : {"motion", "speed_rpm", "frequency_ratio", "residual", "peak_deflection",
+                              "peak_acceleration", "lifts_off"})
+        titles.words(title);
+    titles.words(study.scene.motion.lift_is_angle ? "least_force_nm" : "least_force_n");
+    std::string text = titles.finish();
+    for (const TrainRow& row : study.rows)
+        text += CsvLine()
+                    .words(row.motion)
+                    .number(row.speed / units::revolution_per_minute)
+                    .number(row.frequency_ratio)
+                    .number(row.residual)
+                    .number(row.peak_deflection)
+                    .number(row.peak_acceleration)
+                    .count(row.lifts_off() ? 1 : 0)
+                    .number(row.least_force)
+                    .finish();
+    return text;
+}
+
+std::string history_csv(const TrainStudy& study) {
+    const MotionSpec& motion = study.scene.motion;
+    const bool angle = motion.lift_is_angle;
+    const double lift = motion.lift / (angle ? units::degree : units::millimetre);
+    CsvLine titles;
+    for (const char* title : {"motion", "speed_rpm", "theta_deg"}) titles.words(title);
+    titles.words(angle ? "input_deg" : "input_mm").words(angle ? "output_deg" : "output_mm");
+    titles.words(angle ? "output_rad_s2" : "output_m_s2").words(angle ? "force_nm" : "force_n");
+    std::string text = titles.finish();
+    for (const TrainHistory& history : study.histories) {
+        const double per_second = history.speed / motion.unit_angle();
+        for (const TrainInstant& one : history.instants)
+            text += CsvLine()
+                        .words(history.motion)
+                        .number(history.speed / units::revolution_per_minute)
+                        .number(one.x * motion.unit_angle() / units::degree)
+                        .number(one.input * lift)
+                        .number(one.output * lift)
+                        .number(one.acceleration * motion.lift * per_second * per_second)
+                        .number(one.force)
+                        .finish();
+    }
+    return text;
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+    const std::vector<std::string> keys = limit_keys(comparison);
+    CsvLine titles;
+    for (const char* title : {"law", "title", "fits", "feasible", "objective", "loss_percent"})
+        titles.words(title);
+    for (const CostTerm& term : cost_terms()) titles.words(term.name());
+    for (const std::string& key : keys) titles.words(key);
+    for (const char* title : {"base_radius_needed_mm", "broken", "note"}) titles.words(title);
+    std::string text = titles.finish();
+    for (const ComparisonRow& row : comparison.rows) {
+        CsvLine line;
+        line.words(row.key)
+            .words(row_title(row))
+            .count(row.misfit.empty() ? 1 : 0)
+            .count(row.feasible ? 1 : 0);
+        add_figures(line, row, keys.size());
+        const bool has_radius = row.base && row.base->radius;
+        line.number(has_radius ? std::optional(*row.base->radius / units::millimetre) : std::nullopt);
+        line.words(fmt::format("{}", fmt::join(broken_limits(row), "; ")));
+        std::string note = row.misfit;
+        if (row.base && !row.base->radius) note = "no base radius tried helps: " + row.base->broken;
+        text += line.words(note).finish();
+    }
+    return text;
+}
+
+std::string paper_table_csv(const PaperTable& table) {
+    CsvLine header;
+    for (const PaperColumn& column : table.columns) header.words(column.key);
+    std::string text = header.finish();
+    for (const auto& row : table.rows) {
+        CsvLine line;
+        for (std::size_t i = 0; i < table.columns.size(); ++i)
+            add_cell(line, i < row.size() ? row[i] : PaperCell{});
+        text += line.finish();
+    }
+    return text;
+}
+
+std::string paper_figure_csv(const PaperFigure& figure) {
+    std::string text = "series,x,y\n";
+    for (const PaperSeries& series : figure.series)
+        for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i)
+            text += CsvLine{}.words(series.title).number(series.x[i]).number(series.y[i]).finish();
+    return text;
+}
+
+std::string optimum_points_csv(const ReferenceTable& table) {
+    std::string text = "segments,index,x,y_printed,y_optimum\n";
+    for (const ConvergenceRow& row : table.convergence) {
+        const std::size_t points = std::max(row.printed_points.size(), row.optimum_points.size());
+        for (std::size_t i = 0; i < points; ++i) {
+            const auto ordinate = [i](const std::vector<double>& ordinates) {
+                return i < ordinates.size() ? std::optional(ordinates[i]) : std::nullopt;
+            };
+            text += CsvLine{}
+                        .count(row.segments)
+                        .count(static_cast<long>(i))
+                        .number(static_cast<double>(i) / row.segments)
+                        .number(ordinate(row.printed_points))
+                        .number(ordinate(row.optimum_points))
+                        .finish();
+        }
+    }
+    return text;
+}
+
+std::string convergence_csv(const ReferenceTable& table) {
+    std::string text = "segments," + figure_columns("printed") + "," + figure_columns("points") +
+                       ",points_end_acceleration," + figure_columns("corrected") + "," +
+                       figure_columns("optimum") + ",lower_bound,gap,verdict,reason,any_curve_limit,note\n";
+    for (const ConvergenceRow& row : table.convergence) {
+        CsvLine line;
+        line.count(row.segments);
+        add_figures(line, row.printed);
+        add_figures(line, row.points_exact);
+        line.number(row.points_end_acceleration);
+        add_figures(line, row.corrected_exact);
+        add_figures(line, optimum_figures(row.optimum));
+        add_proof(line, row.optimum.certificate);
+        text += line.number(table.limit.objective).words(row.note).finish();
+    }
+    return text;
+}
+
+std::string laws_csv(const ReferenceTable& table) {
+    std::string text = "name,key,printed_velocity,printed_acceleration,printed_jerk," +
+                       figure_columns("exact") + ",loss_percent\n";
+    for (const LawComparisonRow& row : table.laws) {
+        CsvLine line;
+        line.words(row.name).words(row.key);
+        if (row.printed)
+            line.number(row.printed->velocity).number(row.printed->acceleration).number(row.printed->jerk);
+        else
+            line.blank(3);
+        add_figures(line, row.exact);
+        text += line.number(row.loss_percent).finish();
+    }
+    return text;
+}
+
+std::string weights_csv(const ReferenceTable& table) {
+    std::string text =
+        "weight_velocity,weight_acceleration,weight_jerk,y4_printed,y4_optimum,printed_objective," +
+        figure_columns("optimum") + ",lower_bound,gap,verdict,reason,any_curve_limit\n";
+    for (const WeightEffectRow& row : table.weights) {
+        CsvLine line;
+        line.number(row.velocity).number(row.acceleration).number(row.jerk);
+        line.number(row.printed_fourth_ordinate);
+        line.number(row.optimum.curve ? std::optional(row.fourth_ordinate) : std::nullopt);
+        line.number(row.printed_objective);
+        add_figures(line, optimum_figures(row.optimum));
+        add_proof(line, row.optimum.certificate);
+        text += line.number(row.limit.objective).finish();
+    }
+    return text;
+}
+
+}  // namespace camopt

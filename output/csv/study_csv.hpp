@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Studies beside a solve for spreadsheets: elastic follower trains, comparisons, papers.
+#pragma once
+
+#include "studies/compare/comparison.hpp"
+#include "studies/compare/reference_table.hpp"
+#include "studies/papers/paper_report.hpp"
+#include "studies/response/train_study.hpp"
+
+#include <string>
+
+namespace camopt {
+
+// dynamics.csv: motion by motion, speed by speed; history.csv: instant by instant at the scene's speed.
+[[nodiscard]] std::string dynamics_csv(const TrainStudy& study);
+[[nodiscard]] std::string history_csv(const TrainStudy& study);
+
+// A comparison for spreadsheets: one line a law, the optimum among them with an empty key.
+//
+// Peaks are normalised. One column a limit holds what the motion reaches, in the unit of its key. Numbers
+// read back as the same double; what is infinite or absent is an empty cell. Nothing throws.
+[[nodiscard]] std::string comparison_csv(const Comparison& comparison);
+
+// A paper's tables and figures as CSV (RFC 4180, line feed). A table has its columns' keys as header; a
+// figure has series,x,y.
+[[nodiscard]] std::string paper_table_csv(const PaperTable& table);
+[[nodiscard]] std::string paper_figure_csv(const PaperFigure& figure);
+
+// The reference table for spreadsheets: one CSV text a table.
+//
+// First line the column names. Numbers read back as the same double; what is infinite or absent is an empty
+// cell. Peaks are normalised, without units. Nothing throws.
+
+/// segments, i, x, the paper's y_i, the optimum's.
+[[nodiscard]] std::string optimum_points_csv(const ReferenceTable& table);
+
+/// One row a number of segments: printed, the printed points evaluated, misprint corrected, optimum and
+/// proof.
+[[nodiscard]] std::string convergence_csv(const ReferenceTable& table);
+
+/// One row a classical law.
+[[nodiscard]] std::string laws_csv(const ReferenceTable& table);
+
+/// One row a weighting, n = 10.
+[[nodiscard]] std::string weights_csv(const ReferenceTable& table);
+
+}  // namespace camopt

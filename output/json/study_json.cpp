@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+#include "output/json/study_json.hpp"
+
+#include "core/units.hpp"
+#include "core/version.hpp"
+#include "output/json/json_text.hpp"
+#include "output/json/solution_json.hpp"
+#include "output/words/comparison_words.hpp"
+#include "output/words/shown_units.hpp"
+#include "output/words/tables/reference_table_rows.hpp"
+#include "studies/delivered/scene_limits.hpp"
+
+#include <cstddef>
+
+namespace camopt {
+
+namespace {
+
+double rpm_of(double speed) {
+    return speed / units::revolution_per_minute;
+}
+
+Json frequencies_json(const std::vector<double>& frequencies) {
+    Json list = Json::array();
+    for (const double one : frequencies) list.push_back(number_json(one / units::turn));
+    return list;
+}
+
+const char* force_name(const Scene& scene) {
+    return scene.motion.lift_is_angle ? "least_force_nm" : "least_force_n";
+}
+
+Json train_row_json(const Scene& scene, const TrainRow& row) {
+    return {{"motion", row.motion},
+            {"speed_rpm", number_json(rpm_of(row.speed))},
+            {"frequency_ratio", number_json(row.frequency_ratio)},
+            {"residual", number_json(row.residual)},
+            {"peak_deflection", number_json(row.peak_deflection)},
+            {"peak_acceleration", number_json(row.peak_acceleration)},
+            {"lifts_off", row.lifts_off()},
+            {force_name(scene), number_json(row.least_force)}};
+}
+
+Json motions_json(const TrainStudy& study) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < study.motions.size(); ++i) {
+        const std::optional<double>& speed = study.lift_off_speeds[i];
+        list.push_back({{"motion", study.motions[i].first},
+                        {"title", study.motions[i].second},
+                        {"lifts_off_at_rpm", speed ? number_json(rpm_of(*speed)) : Json(nullptr)}});
+    }
+    return list;
+}
+
+Json steady_json(const TrainStudy& study) {
+    Json list = Json::array();
+    for (const SteadyRow& row : study.steady)
+        list.push_back({{"speed_rpm", number_json(rpm_of(row.speed))},
+                        {"peak_deflection", number_json(row.peak_deflection)},
+                        {"peak_acceleration", number_json(row.peak_acceleration)},
+                        {force_name(study.scene), number_json(row.least_force)}});
+    return list;
+}
+
+Json worst_json(const Scene& scene, const char* name, const std::optional<ResponseReport>& worst) {
+    if (!worst) return nullptr;
+    return {{name, number_json(worst->value)},
+            {"speed_rpm", number_json(rpm_of(worst->speed))},
+            {"at_deg", number_json(worst->at * display_scale(scene.motion).degrees_per_x)}};
+}
+
+Json limits_json(const ComparisonRow& row, double degrees_per_x) {
+    Json list = Json::array();
+    for (const LimitOutcome& outcome : row.limits) {
+        const ConstraintReport& reached = outcome.reached;
+        list.push_back(
+            {{"name", reached.name},
+             {"limit", number_json(reached.limit)},
+             {"worst", number_json(reached.worst)},
+             {"unit", reached.unit},
+             {"at_deg", is_nowhere(reached) ? Json(nullptr) : number_json(reached.at * degrees_per_x)},
+             {"kept", outcome.kept},
+             {"no_contact", reached.no_contact},
+             {"excess", number_json(outcome.excess)},
+             {"key", reached.key}});
+    }
+    return list;
+}
+
+Json base_json(const ComparisonRow& row) {
+    if (!row.base) return nullptr;
+    const std::optional<double>& radius = row.base->radius;
+    return {{"needed_mm", radius ? number_json(*radius / units::millimetre) : Json(nullptr)},
+            {"stays_broken", words_json(row.base->broken)}};
+}
+
+Json row_json(const ComparisonRow& row, double degrees_per_x) {
+    Json json;
+    json["law"] = words_json(row.key);
+    json["title"] = row_title(row);
+    json["fits"] = row.misfit.empty();
+    json["misfit"] = words_json(row.misfit);
+    json["feasible"] = row.feasible;
+    json["objective"] = row.misfit.empty() ? number_json(row.objective) : Json(nullptr);
+    json["loss_percent"] = number_json(row.loss_percent);
+    json["peaks"] = peaks_json(row.misfit.empty() ? std::optional(row.peaks) : std::nullopt);
+    json["limits"] = limits_json(row, degrees_per_x);
+    json["base_radius"] = base_json(row);
+    return json;
+}
+
+Json dimensions_json(const Comparison& comparison) {
+    if (!comparison.cam) return nullptr;
+    Json json = Json::object();
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        if (!has_dimension(comparison.cam->follower, index)) continue;
+        json[std::string(name_of(index)) + "_mm"] = number_json((*comparison.cam)[index] / units::millimetre);
+    }
+    return json;
+}
+
+Json cell_json(const PaperCell& cell) {
+    if (const double* number = std::get_if<double>(&cell)) return number_json(*number);
+    if (const std::string* words = std::get_if<std::string>(&cell)) return *words;
+    return nullptr;
+}
+
+Json table_json(const PaperTable& table) {
+    Json json = {
+        {"key", table.key}, {"title", table.title}, {"introduction", words_json(table.introduction)}};
+    Json columns = Json::array(), rows = Json::array();
+    for (const PaperColumn& column : table.columns)
+        columns.push_back({{"key", column.key}, {"title", column.title}, {"unit", words_json(column.unit)}});
+    for (const auto& cells : table.rows) {
+        Json row = Json::object();
+        for (std::size_t i = 0; i < cells.size() && i < table.columns.size(); ++i)
+            row[table.columns[i].key] = cell_json(cells[i]);
+        rows.push_back(std::move(row));
+    }
+    json["columns"] = std::move(columns);
+    json["rows"] = std::move(rows);
+    return json;
+}
+
+Json figure_json(const PaperFigure& figure) {
+    Json json = {{"key", figure.key},
+                 {"title", figure.title},
+                 {"x_title", figure.x_title},
+                 {"y_title", figure.y_title}};
+    Json series = Json::array();
+    for (const PaperSeries& one : figure.series)
+        series.push_back({{"title", one.title}, {"x", numbers_json(one.x)}, {"y", numbers_json(one.y)}});
+    json["series"] = std::move(series);
+    return json;
+}
+
+Json figures_json(const std::optional<PeakFigures>& figures, bool with_objective = true) {
+    if (!figures) return nullptr;
+    Json json = {{"velocity", number_json(figures->velocity)},
+                 {"acceleration", number_json(figures->acceleration)},
+                 {"jerk", number_json(figures->jerk)}};
+    if (with_objective) json["objective"] = number_json(figures->objective);
+    return json;
+}
+
+Json limit_json(const LimitCurve& limit) {
+    return {{"objective", number_json(limit.objective)},
+            {"velocity", number_json(limit.velocity)},
+            {"acceleration", number_json(limit.acceleration)},
+            {"jerk", number_json(limit.jerk)}};
+}
+
+Json solution_json(const Solution& solution) {
+    const Certificate& certificate = solution.certificate;
+    Json json;
+    add_verdict(json, certificate);
+    json["peaks"] = nullptr;
+    if (solution.curve) {
+        json["peaks"] = {{"velocity", extremum_json(solution.peaks.velocity)},
+                         {"acceleration", extremum_json(solution.peaks.acceleration)},
+                         {"jerk", extremum_json(solution.peaks.jerk)},
+                         {"torque", extremum_json(solution.peaks.torque)}};
+    }
+    json["solver"] = {{"name", solution.solver.name},
+                      {"termination", name_of(solution.solver.termination)},
+                      {"iterations", solution.solver.iterations},
+                      {"exchange_rounds", solution.solver.exchange_rounds}};
+    json["seconds"] = number_json(solution.seconds_total);
+    return json;
+}
+
+Json convergence_json(const ReferenceTable& table) {
+    Json rows = Json::array();
+    for (const ConvergenceRow& row : table.convergence) {
+        Json json;
+        json["segments"] = row.segments;
+        json["printed"] = figures_json(row.printed);
+        json["printed_points"] =
+            row.printed_points.empty() ? Json(nullptr) : numbers_json(row.printed_points);
+        json["points_exact"] = figures_json(row.points_exact);
+        json["points_end_acceleration"] = number_json(row.points_end_acceleration);
+        json["corrected_exact"] = figures_json(row.corrected_exact);
+        json["optimum"] = solution_json(row.optimum);
+        json["optimum_points"] =
+            row.optimum_points.empty() ? Json(nullptr) : numbers_json(row.optimum_points);
+        json["note"] = row.note;
+        rows.push_back(std::move(json));
+    }
+    return rows;
+}
+
+Json laws_json(const ReferenceTable& table) {
+    Json rows = Json::array();
+    for (const LawComparisonRow& row : table.laws) {
+        rows.push_back({{"name", row.name},
+                        {"key", words_json(row.key)},
+                        {"printed", figures_json(row.printed, false)},
+                        {"exact", figures_json(row.exact)},
+                        {"loss_percent", number_json(row.loss_percent)}});
+    }
+    return rows;
+}
+
+Json weights_json(const ReferenceTable& table) {
+    Json rows = Json::array();
+    for (const WeightEffectRow& row : table.weights) {
+        Json json;
+        json["weights"] = {{"velocity", number_json(row.velocity)},
+                           {"acceleration", number_json(row.acceleration)},
+                           {"jerk", number_json(row.jerk)}};
+        json["printed_fourth_ordinate"] = number_json(row.printed_fourth_ordinate);
+        json["printed_objective"] = number_json(row.printed_objective);
+        json["fourth_ordinate"] = row.optimum.curve ? number_json(row.fourth_ordinate) : Json(nullptr);
+        json["optimum"] = solution_json(row.optimum);
+        json["limit"] = limit_json(row.limit);
+        rows.push_back(std::move(json));
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string dynamics_json(const TrainStudy& study) {
+    Json json;
+    json["camopt"] = version();
+    json["title"] = words_json(study.scene.title);
+    json["natural_frequencies_hz"] = frequencies_json(study.natural_frequencies);
+    json["motions"] = motions_json(study);
+    json["rows"] = Json::array();
+    for (const TrainRow& row : study.rows) json["rows"].push_back(train_row_json(study.scene, row));
+    json["steady_state"] = steady_json(study);
+    return json_text(json);
+}
+
+Json train_json(const Solution& solution) {
+    if (!solution.train) return nullptr;
+    const Scene& scene = solution.scene;
+    const TrainReport& train = *solution.train;
+    Json json;
+    json["natural_frequencies_hz"] = frequencies_json(train.natural_frequencies);
+    json["frequency_ratio"] = number_json(train.frequency_ratio);
+    json["speed_range_rpm"] = {number_json(rpm_of(train.speeds[0])), number_json(rpm_of(train.speeds[1]))};
+    json["residual"] = worst_json(scene, "lifts", train.residual);
+    json["acceleration"] = worst_json(scene, "normalised", train.acceleration);
+    json["contact_force"] =
+        worst_json(scene, scene.motion.lift_is_angle ? "least_nm" : "least_n", train.least_force);
+    json["terms"] = Json::array();
+    for (const ResponseTermReport& term : train.terms)
+        json["terms"].push_back({{"name", term.name},
+                                 {"weight", number_json(term.weight)},
+                                 {"reference", number_json(term.reference)},
+                                 {"value", number_json(term.worst.value)}});
+    return json;
+}
+
+std::string comparison_json(const Comparison& comparison, const RunOrigin& origin) {
+    const Solution& solution = comparison.optimum;
+    const Certificate& certificate = solution.certificate;
+    const double degrees_per_x = display_scale(solution.scene.motion).degrees_per_x;
+    Json json;
+    json["camopt"] = version();
+    json["study"] = "compare";
+    json["scene"] = words_json(origin.scene_file);
+    json["title"] = words_json(solution.scene.title);
+    json["command"] = words_json(origin.command);
+    add_verdict(json, certificate);
+    json["dimensions"] = dimensions_json(comparison);
+    const ComparisonRow* best = best_law(comparison);
+    json["best_law"] = best ? Json(best->key) : Json(nullptr);
+    json["rows"] = Json::array();
+    for (const ComparisonRow& row : comparison.rows) json["rows"].push_back(row_json(row, degrees_per_x));
+    return json_text(json);
+}
+
+std::string paper_report_json(const PaperReport& report) {
+    Json json;
+    json["camopt"] = version();
+    json["paper"] = report.id;
+    json["title"] = report.title;
+    json["source"] = report.source;
+    json["introduction"] = report.introduction;
+    json["faults"] = report.faults;
+    json["assumptions"] = report.assumptions;
+    json["tables"] = Json::array();
+    for (const PaperTable& table : report.tables) json["tables"].push_back(table_json(table));
+    json["figures"] = Json::array();
+    for (const PaperFigure& figure : report.figures) json["figures"].push_back(figure_json(figure));
+    json["notes"] = report.notes;
+    return json_text(json);
+}
+
+std::string reference_table_json(const ReferenceTable& table) {
+    Json json;
+    json["camopt"] = version();
+    json["study"] = "spline-vs-modified-sine";
+    json["all_optimal"] = unproved_rows(table).empty();
+    json["unproved"] = unproved_rows(table);
+    json["limit"] = limit_json(table.limit);
+    json["modified_sine_exact"] = figures_json(table.modified_sine_exact);
+    json["convergence"] = convergence_json(table);
+    json["laws"] = laws_json(table);
+    json["weights"] = weights_json(table);
+    json["notes"] = table.notes;
+    return json_text(json);
+}
+
+}  // namespace camopt

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Studies beside a solve as JSON: elastic follower trains, comparisons, papers.
+#pragma once
+
+#include "output/json/certificate/run_origin.hpp"
+#include "studies/compare/comparison.hpp"
+#include "studies/compare/reference_table.hpp"
+#include "studies/papers/paper_report.hpp"
+#include "studies/response/train_study.hpp"
+
+#include <string>
+
+namespace camopt {
+
+// What an elastic follower train makes of motions.
+
+/// {"rows": [{"motion", "speed_rpm", "frequency_ratio", "residual", "peak_deflection", "peak_acceleration",
+/// "lifts_off", …}], …}
+[[nodiscard]] std::string dynamics_json(const TrainStudy& study);
+
+// A comparison for programs: one object a row. What is infinite or absent is null, never NaN; numbers read
+// back as the same double. Nothing throws.
+[[nodiscard]] std::string comparison_json(const Comparison& comparison, const RunOrigin& origin = {});
+
+// A paper's report for programs: tables as columns and rows of objects by column key, figures as series.
+// Numbers read back as the same double; null where there is none.
+[[nodiscard]] std::string paper_report_json(const PaperReport& report);
+
+// The reference table for programs: everything in it, as one JSON document.
+//
+// Numbers read back as the same double; what is infinite or absent is null, never NaN. "all_optimal" is true
+// where every solve is proved; every solve carries its own verdict. Peaks are normalised. Nothing throws.
+[[nodiscard]] std::string reference_table_json(const ReferenceTable& table);
+
+}  // namespace camopt

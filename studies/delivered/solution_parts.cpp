@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "studies/delivered/solution_parts.hpp"
+
+#include "core/units.hpp"
+#include "objectives/response/response_rule.hpp"
+#include "objectives/rules/own_point_rule.hpp"
+#include "objectives/scene_model.hpp"
+#include "profiles/scene_cam.hpp"
+#include "scene/cost_table.hpp"
+#include "scene/limit_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+/// The value farthest from `wanted`, from either side.
+void look_at(SetPointReport& report, const Motion& motion, double wanted, double x) {
+    for (const Side side : {Side::left, Side::right}) {
+        // Outside of a region its velocity does not hold.
+        const bool region = report.point.is_region() && report.order > 0;
+        if (region && ((side == Side::left && x <= report.point.begin) ||
+                       (side == Side::right && x >= report.point.end)))
+            continue;
+        const double found = motion.at(x, side).derivative[static_cast<std::size_t>(report.order)];
+        const double distance = std::abs(found - wanted);
+        if (distance < report.distance) continue;
+        report.distance = distance;
+        report.found = found;
+        report.at = x;
+    }
+}
+
+/// The motion is a polynomial on each piece of a region: where its velocity is right at degree places of a
+/// piece and one more, it is right everywhere.
+void look_along(SetPointReport& report, const Motion& motion, double wanted, int degree) {
+    const PlacedPoint& region = report.point;
+    std::vector<double> ends = {region.begin, region.end};
+    for (const double point : motion.breakpoints())
+        if (point > region.begin && point < region.end) ends.push_back(point);
+    std::ranges::sort(ends);
+    const int places = degree + 1;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        for (int k = 0; k <= places; ++k)
+            look_at(report, motion, wanted, std::lerp(ends[i], ends[i + 1], static_cast<double>(k) / places));
+}
+
+ResponseReport response_report_of(const Scene& scene, ResponseKind kind, const Motion& motion) {
+    const WorstResponse worst = worst_response(scene, kind, motion);
+    return {worst.value, worst.speed, worst.at};
+}
+
+double weighted_dimensions(const Solution& solution) {
+    if (!solution.cam) return 0.0;
+    const MechanismSpec spec = cam_of(solution.scene).value();
+    const std::vector<double>& delivered = solution.cam->cam.dimensions;
+    double sum = 0.0;
+    for (std::size_t d = 0; d < delivered.size(); ++d)
+        sum += dimension_weight(solution.scene, spec.dimensions[d].name) * std::abs(delivered[d]);
+    return sum;
+}
+
+}  // namespace
+
+const char* set_point_name(int order) {
+    constexpr std::array<const char*, 3> names = {"via_displacement", "via_velocity", "via_acceleration"};
+    return names.at(static_cast<std::size_t>(order));
+}
+
+std::vector<SetPointReport> set_point_reports(const MotionSpec& spec, int degree, const Motion& motion) {
+    std::vector<SetPointReport> all;
+    for (const PlacedPoint& point : placed_points(spec)) {
+        for (int order = 0; order < 3; ++order) {
+            const std::optional<double>& wanted = point.wanted[static_cast<std::size_t>(order)];
+            if (!wanted) continue;
+            const WrittenValue written = written_value(spec, point, order);
+            SetPointReport report;
+            report.point = point;
+            report.order = order;
+            report.key = written.key;
+            report.unit = written.unit;
+            report.size = std::abs(*wanted);
+            if (point.is_region() && order == 1)
+                look_along(report, motion, *wanted, degree);
+            else
+                look_at(report, motion, *wanted, std::clamp(point.begin, motion.begin(), motion.end()));
+            report.wanted = as_written(*wanted * written.per_normalised);
+            report.found *= written.per_normalised;
+            all.push_back(std::move(report));
+        }
+    }
+    return all;
+}
+
+TrainReport train_report(const Scene& scene, const Motion& motion) {
+    const DynamicsSpec& spec = scene.dynamics.value();
+    TrainReport report;
+    report.natural_frequencies = spec.formulas->natural_frequencies();
+    report.frequency_ratio = scene.motion.unit_angle() / scene.motion.speed.value() *
+                             report.natural_frequencies.front() / units::turn;
+    report.speeds = response_speeds(scene);
+    if (motion_events(scene.motion).empty()) return report;
+    if (spec.formulas->vibrates())
+        report.residual = response_report_of(scene, ResponseKind::residual, motion);
+    report.acceleration = response_report_of(scene, ResponseKind::acceleration, motion);
+    if (spec.pressed()) report.least_force = response_report_of(scene, ResponseKind::contact_force, motion);
+    for (const ResponseTerm& term : response_terms())
+        if (const double weight = term.weight_in(scene.objective); weight > 0.0)
+            report.terms.push_back(
+                {term.name, weight, response_reference(scene, term),
+                 (kind_of(term.figure) == ResponseKind::residual ? report.residual : report.acceleration)
+                     .value()});
+    return report;
+}
+
+std::vector<ConstraintReport> response_constraints(const Scene& scene, const TrainReport& train) {
+    std::vector<ConstraintReport> reports;
+    for (const LimitRow& row : limit_rows()) {
+        const auto& limit = row.in(scene.limits);
+        if (!row.needs_dynamics || !limit) continue;
+        const bool residual = row.figure == LimitedFigure::residual;
+        const std::optional<ResponseReport>& worst = residual ? train.residual : train.least_force;
+        if (!worst) continue;
+        const double value = residual ? worst->value * scene.motion.lift : worst->value;
+        reports.push_back(
+            {row.name, limit->key, limit->given(), value / limit->unit_value, limit->unit, worst->at});
+    }
+    return reports;
+}
+
+void report_responses(Solution& solution) {
+    const Scene& scene = solution.scene;
+    if (!scene.dynamics) return;
+    solution.train = train_report(scene, *solution.motion);
+    const std::vector<ConstraintReport> limits = response_constraints(scene, *solution.train);
+    solution.constraints.insert(solution.constraints.end(), limits.begin(), limits.end());
+}
+
+std::vector<OwnTermReport> own_term_reports(const Scene& scene, const Motion& motion) {
+    std::vector<OwnTermReport> reports;
+    for (const OwnTerm& term : scene.own_terms) {
+        const Extremum largest = largest_of_own(term, motion);
+        reports.push_back({term.name, term.weight, term.reference, largest.value, largest.at});
+    }
+    return reports;
+}
+
+std::vector<ConstraintReport> own_constraints(const Scene& scene, const Motion& motion) {
+    std::vector<ConstraintReport> reports;
+    for (const OwnLimit& limit : scene.own_limits) {
+        const Extremum worst = largest_of_own(limit, motion);
+        reports.push_back({limit.key(), limit.key(), limit.limit, worst.value, limit.unit, worst.at});
+    }
+    return reports;
+}
+
+double defined_objective(const Solution& solution) {
+    const ObjectiveSpec& weights = solution.scene.objective;
+    const Peaks& peaks = solution.peaks;
+    const Peaks& reference = solution.reference_peaks;
+    double sum = weighted_dimensions(solution);
+    // A reference that a term of no weight would need may be infinite or absent.
+    for (const CostTerm& term : cost_terms())
+        if (const double weight = term.weight_in(weights); weight > 0.0)
+            sum += weight * term.measured.of(peaks) / term.measured.of(reference);
+    for (const OwnTermReport& term : solution.own_terms) sum += term.weight * term.value / term.reference;
+    if (solution.train)
+        for (const ResponseTermReport& term : solution.train->terms)
+            sum += term.weight * term.worst.value / term.reference;
+    return sum;
+}
+
+}  // namespace camopt
