@@ -161,13 +161,17 @@ bool VertexProgram::refactor() {
     return true;
 }
 
-bool VertexProgram::exchange(Eigen::Index leaving, Face entering) {
+Eigen::VectorXd VertexProgram::rise_along(const Eigen::VectorXd& direction) const {
+    return normals_.topRows(rows()) * direction;
+}
+
+bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise) {
     const Eigen::VectorXd a = normal(entering);
     const Eigen::VectorXd shares = inverse_.transpose() * a;
     const Eigen::VectorXd column = inverse_.col(leaving) / shares[leaving];
     const double step = side(entering) - a.dot(x_);
     x_ += step * column;
-    activity_ += step * (normals_.topRows(rows()) * column);
+    activity_ -= (step / shares[leaving]) * rise;
     inverse_ -= column * shares.transpose();
     inverse_.col(leaving) = column;
     Face& face = corner_[static_cast<std::size_t>(leaving)];
@@ -225,7 +229,7 @@ VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost
             ray_face_ = *entering;
             return Outcome::infeasible;
         }
-        if (!exchange(leaving, *entering)) return Outcome::stuck;
+        if (!exchange(leaving, *entering, rise_along(-inverse_.col(leaving)))) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -237,10 +241,13 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
     for (int count = 0; count < most; ++count) {
         if (count % clock_every == clock_every - 1 && control.ending()) return Outcome::ended;
         const Eigen::VectorXd multipliers = face_multipliers(cost);
+        if (multipliers.minCoeff() >= -least_multiplier) return Outcome::done;
+        // The steepest edge: the way along which the cost falls most by the length of x.
         Eigen::Index leaving = -1;
-        if (multipliers.minCoeff(&leaving) >= -least_multiplier) return Outcome::done;
+        (multipliers.array().min(0.0).square() / inverse_.colwise().squaredNorm().transpose().array())
+            .maxCoeff(&leaving);
         const Eigen::VectorXd along = -inverse_.col(leaving);
-        const Eigen::VectorXd rise = normals_.topRows(rows()) * along;
+        const Eigen::VectorXd rise = rise_along(along);
         std::optional<Face> entering;
         double least = infinity, steepest = 0.0;
         const auto meet = [&](Face face, double room, double speed) {
@@ -262,7 +269,7 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
             if (along[j] < 0.0 && !on_face(lower_face(j))) meet(lower_face(j), x_[j] - lower_[j], -along[j]);
         }
         if (!entering) return Outcome::stuck;
-        if (!exchange(leaving, *entering)) return Outcome::stuck;
+        if (!exchange(leaving, *entering, rise)) return Outcome::stuck;
     }
     return Outcome::stuck;
 }

@@ -72,7 +72,9 @@ class VertexProgram {
     [[nodiscard]] double side(Face face) const;
     void start_at_bounds(const Eigen::VectorXd& cost);
     [[nodiscard]] bool refactor();
-    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering);
+    /// `rise`: −(normals of all rows) · (column `leaving` of the inverse) where it is known already.
+    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise);
+    [[nodiscard]] Eigen::VectorXd rise_along(const Eigen::VectorXd& direction) const;
     [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const;

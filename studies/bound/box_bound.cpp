@@ -25,7 +25,9 @@ constexpr double outward = 1e-12;
 
 VertexBound Bounder::solve(Node& node, const Eigen::VectorXd& cost) {
     ++result_.programs;
-    return node.program.minimize(cost, control_);
+    VertexBound found = node.program.minimize(cost, control_);
+    corner_ = found.status == VertexBound::Status::optimal ? found.x : Eigen::VectorXd();
+    return found;
 }
 
 bool Bounder::settle(Node& node) {
