@@ -109,6 +109,9 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
     // In large problems MUMPS pairs the rows in a way that at least doubles its time; in small ones the pairs
     // are worth the last digits.
     if (shape.variables() >= many_variables) settings.require("mumps_permuting_scaling", 0);
+    // Ipopt would have MUMPS set aside eleven times the memory that it expects to need. Where twice that is
+    // too little, Ipopt doubles it itself.
+    settings.require("mumps_mem_percent", 100);
     set_tolerances(settings, options);
 
     const Linearity linear = linearity_of(shape);
