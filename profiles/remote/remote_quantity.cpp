@@ -81,11 +81,11 @@ SecondOrder<n> expanded(const RemoteCam& cam, const MechanismState& state, const
     const RemoteEvaluation<SecondOrder<n - 2>> narrow(cam, dimensions_of<n - 2>(state, by, 1));
     const remote::Turning<SecondOrder<n - 2>> arm = narrow.linkage.roller_arm(variable<n - 2>(output[0], 0));
     const RemoteEvaluation<SecondOrder<n>> own(cam, dimensions_of<n>(state, by, output_variables));
-    return formula(own, own.roller({{widened<n>(arm.direction.x), widened<n>(arm.direction.y)},
-                                    widened<n>(arm.first),
-                                    widened<n>(arm.second)},
-                                   {variable<n>(output[0], 0), variable<n>(output[1], 1),
-                                    variable<n>(output[2], 2)}));
+    return formula(
+        own, own.roller({{widened<n>(arm.direction.x), widened<n>(arm.direction.y)},
+                         widened<n>(arm.first),
+                         widened<n>(arm.second)},
+                        {variable<n>(output[0], 0), variable<n>(output[1], 1), variable<n>(output[2], 2)}));
 }
 
 /// Writes the partials of one pass into the rows and columns of its variables.

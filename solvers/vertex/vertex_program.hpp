@@ -83,7 +83,7 @@ class VertexProgram {
     void mark(Face face, char on);
 
     Eigen::VectorXd lower_, upper_;
-    SparseRowList normals_;         ///< each scaled by a power of two
+    SparseRowList normals_;       ///< each scaled by a power of two
     std::vector<double> factor_;  ///< that power
     std::vector<double> side_;    ///< b, scaled alike
     std::vector<double> moved_;   ///< b moved out by a hair

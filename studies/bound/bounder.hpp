@@ -20,10 +20,9 @@ namespace camopt::box_bound {
 /// Not linear, of one place, and with an enclosure over boxes.
 [[nodiscard]] bool can_be_bounded(const PointRule& rule);
 
-/// The least and the greatest y, y', y'' at every place that the corners of one pass had. An end of a box that
-/// one of them comes near cannot shrink: the linear program that would say so is left out.
-/// Source: A. Gleixner et al., Three enhancements for optimization-based bound tightening, J. Glob. Optim. 67
-/// (2017).
+/// The least and the greatest y, y', y'' at every place that the corners of one pass had. An end of a box
+/// that one of them comes near cannot shrink: the linear program that would say so is left out. Source: A.
+/// Gleixner et al., Three enhancements for optimization-based bound tightening, J. Glob. Optim. 67 (2017).
 class SeenStates {
  public:
     explicit SeenStates(const std::vector<Place>& places);

@@ -20,7 +20,8 @@ SeenStates::SeenStates(const std::vector<Place>& places)
     weights_.resize(rows, places.front().state.front().weights.size());
     offsets_.resize(rows);
     for (Eigen::Index row = 0; row < rows; ++row) {
-        const StateRow& state = places[static_cast<std::size_t>(row / 3)].state[static_cast<std::size_t>(row % 3)];
+        const StateRow& state =
+            places[static_cast<std::size_t>(row / 3)].state[static_cast<std::size_t>(row % 3)];
         weights_.row(row) = state.weights.transpose();
         offsets_[row] = state.offset;
     }
