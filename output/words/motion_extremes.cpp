@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/motion_extremes.hpp"
 
+#include "core/numbers/sampled_maximum.hpp"
 #include "core/peak_figures.hpp"
 #include "output/words/angle_words.hpp"
 #include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
-#include "studies/delivered/extremes_along.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ void add_excursions(std::vector<Excursion>& all, const Motion& motion, Excursion
     std::vector<double> places = motion.breakpoints();
     std::erase_if(places, [&](double x) { return x < begin || x > end; });
     const FigureAlong displacement = [&](double x, Side side) { return motion.at(x, side).derivative[0]; };
-    for (const CamExtreme& found : {least_along(places, displacement), largest_along(places, displacement)}) {
+    for (const Extremum& found : {least_along(places, displacement), largest_along(places, displacement)}) {
         stroke.farthest = {found.value, found.at, Side::right};
         stroke.beyond = std::max(stroke.low - found.value, found.value - stroke.high);
         if (stroke.beyond > no_excursion) all.push_back(stroke);
@@ -44,7 +44,7 @@ SignedPeaks signed_peaks(const Solution& solution, int order) {
     if (!std::isfinite(largest.value)) return peaks;
     largest.value = std::copysign(largest.value, there);
     const double sign = there < 0.0 ? 1.0 : -1.0;
-    const CamExtreme found = largest_along(motion.breakpoints(), [&](double x, Side side) {
+    const Extremum found = largest_along(motion.breakpoints(), [&](double x, Side side) {
         return sign * motion.at(x, side).derivative[index];
     });
     if (found.value > no_motion * std::abs(largest.value))

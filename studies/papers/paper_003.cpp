@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/papers/paper_003.hpp"
 
+#include "core/numbers/sampled_maximum.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/delivered/cam/cam_summary.hpp"
