@@ -18,13 +18,13 @@ constexpr int chaining_pays = 6000;
 
 class Settings {
  public:
-    explicit Settings(Ipopt::IpoptApplication& application) : options_(*application.Options()) {}
+    explicit Settings(Ipopt::IpoptApplication& application) : options_(application.Options()) {}
 
     // Ipopt answers false for an option that its version does not know or a value it does not take.
-    bool set(const char* name, const char* text) { return options_.SetStringValue(name, text); }
-    bool set(const char* name, bool flag) { return options_.SetStringValue(name, flag ? "yes" : "no"); }
-    bool set(const char* name, double number) { return options_.SetNumericValue(name, number); }
-    bool set(const char* name, int number) { return options_.SetIntegerValue(name, number); }
+    bool set(const char* name, const char* text) { return options_->SetStringValue(name, text); }
+    bool set(const char* name, bool flag) { return options_->SetStringValue(name, flag ? "yes" : "no"); }
+    bool set(const char* name, double number) { return options_->SetNumericValue(name, number); }
+    bool set(const char* name, int number) { return options_->SetIntegerValue(name, number); }
 
     template <class Value>
     void require(const char* name, Value value) {
@@ -42,7 +42,7 @@ class Settings {
     }
 
  private:
-    Ipopt::OptionsList& options_;
+    Ipopt::SmartPtr<Ipopt::OptionsList> options_;
 };
 
 struct Linearity {
