@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/train_at_speed.hpp"
 
+#include "core/numbers/polynomial.hpp"
 #include "core/units.hpp"
 #include "scene/scene_error.hpp"
 
@@ -242,7 +243,7 @@ std::vector<Extremum> LinearTrainAtSpeed::maxima(const Reading& reading, double 
         if (rests && at_rest + reach * state.norm() <= floor) break;
         const Series series = steps.series(state, displacement, i * part, part);
         const Terms value = sign * series.of(reading);
-        if (const auto maximum = bounded_maximum(value, floor)) {
+        if (const auto maximum = maximum_above(value, floor)) {
             const double t = (i + maximum->at) * part;
             found.push_back({maximum->value, piece.begin + std::min(t, 1.0) * piece.width, Side::right});
         }

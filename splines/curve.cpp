@@ -2,8 +2,8 @@
 #include "splines/curve.hpp"
 
 #include "core/errors.hpp"
+#include "core/numbers/polynomial.hpp"
 #include "splines/basis.hpp"
-#include "splines/polynomial.hpp"
 
 #include <fmt/format.h>
 

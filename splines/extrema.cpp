@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "splines/extrema.hpp"
 
+#include "core/numbers/polynomial.hpp"
 #include "core/peak_figures.hpp"
-#include "splines/polynomial.hpp"
 
 #include <algorithm>
 #include <cmath>

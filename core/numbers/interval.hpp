@@ -90,6 +90,24 @@ inline constexpr double least_widening = 4.0 * std::numeric_limits<double>::epsi
     return cos(a - Interval(0.5 * std::numbers::pi));
 }
 
+namespace enclosing {
+
+[[nodiscard]] inline bool is_zero(const Interval& a) {
+    return a.lower == 0.0 && a.upper == 0.0;
+}
+/// Most partials of most formulas are 0, and stay so whatever they meet.
+[[nodiscard]] inline Interval partial_product(const Interval& a, const Interval& b) {
+    return is_zero(a) || is_zero(b) ? Interval(0.0) : a * b;
+}
+[[nodiscard]] inline Interval partial_square(const Interval& a) {
+    return is_zero(a) ? Interval(0.0) : square(a);
+}
+[[nodiscard]] inline Interval partial_sum(const Interval& a, const Interval& b) {
+    return is_zero(a) ? b : is_zero(b) ? a : a + b;
+}
+
+}  // namespace enclosing
+
 /// What both hold; they are known to hold something together.
 [[nodiscard]] inline Interval common(const Interval& a, const Interval& b) {
     return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};

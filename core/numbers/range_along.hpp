@@ -24,18 +24,25 @@ struct RangeAlong {
     return {-a.value, -a.slope, -a.bend};
 }
 [[nodiscard]] inline RangeAlong operator+(const RangeAlong& a, const RangeAlong& b) {
-    return {a.value + b.value, a.slope + b.slope, a.bend + b.bend};
+    using enclosing::partial_sum;
+    return {a.value + b.value, partial_sum(a.slope, b.slope), partial_sum(a.bend, b.bend)};
 }
 [[nodiscard]] inline RangeAlong operator-(const RangeAlong& a, const RangeAlong& b) {
-    return {a.value - b.value, a.slope - b.slope, a.bend - b.bend};
+    using enclosing::partial_sum;
+    return {a.value - b.value, partial_sum(a.slope, -b.slope), partial_sum(a.bend, -b.bend)};
 }
 [[nodiscard]] inline RangeAlong operator*(const RangeAlong& a, const RangeAlong& b) {
-    return {a.value * b.value, a.value * b.slope + a.slope * b.value,
-            a.value * b.bend + Interval(2.0) * (a.slope * b.slope) + a.bend * b.value};
+    using enclosing::partial_product, enclosing::partial_sum;
+    const Interval mixed = partial_product(Interval(2.0), partial_product(a.slope, b.slope));
+    const Interval bent = partial_sum(partial_product(a.value, b.bend), partial_product(a.bend, b.value));
+    return {a.value * b.value,
+            partial_sum(partial_product(a.value, b.slope), partial_product(a.slope, b.value)),
+            partial_sum(mixed, bent)};
 }
 [[nodiscard]] inline RangeAlong operator*(double factor, const RangeAlong& a) {
+    using enclosing::partial_product;
     const Interval by(factor);
-    return {by * a.value, by * a.slope, by * a.bend};
+    return {by * a.value, partial_product(by, a.slope), partial_product(by, a.bend)};
 }
 [[nodiscard]] inline RangeAlong operator*(const RangeAlong& a, double factor) {
     return factor * a;
@@ -43,7 +50,9 @@ struct RangeAlong {
 /// f(u): from the ranges of f, f' and f'' over the values of u.
 [[nodiscard]] inline RangeAlong composed(const Interval& f, const Interval& first, const Interval& second,
                                          const RangeAlong& u) {
-    return {f, first * u.slope, second * square(u.slope) + first * u.bend};
+    using enclosing::partial_product, enclosing::partial_square, enclosing::partial_sum;
+    return {f, partial_product(first, u.slope),
+            partial_sum(partial_product(second, partial_square(u.slope)), partial_product(first, u.bend))};
 }
 [[nodiscard]] inline RangeAlong operator/(const RangeAlong& a, const RangeAlong& b) {
     const Interval inverse = Interval(1.0) / b.value, squared = square(inverse);

@@ -62,21 +62,6 @@ class RangeOver {
     std::array<Interval, most*(most + 1) / 2> second_;
 };
 
-namespace enclosing {
-
-[[nodiscard]] inline bool is_zero(const Interval& a) {
-    return a.lower == 0.0 && a.upper == 0.0;
-}
-/// Most partials of most formulas are 0, and stay so whatever they meet.
-[[nodiscard]] inline Interval partial_product(const Interval& a, const Interval& b) {
-    return is_zero(a) || is_zero(b) ? Interval(0.0) : a * b;
-}
-[[nodiscard]] inline Interval partial_sum(const Interval& a, const Interval& b) {
-    return is_zero(a) ? b : is_zero(b) ? a : a + b;
-}
-
-}  // namespace enclosing
-
 /// f(u): from the ranges of f, f' and f'' over the values of u.
 [[nodiscard]] inline RangeOver composed(const Interval& f, const Interval& first, const Interval& second,
                                         const RangeOver& u) {
@@ -86,7 +71,8 @@ namespace enclosing {
     for (int i = 0; i < u.size(); ++i) {
         result.first(i) = partial_product(first, u.first(i));
         for (int j = 0; j <= i; ++j) {
-            const Interval slopes = i == j ? square(u.first(i)) : partial_product(u.first(i), u.first(j));
+            const Interval slopes =
+                i == j ? enclosing::partial_square(u.first(i)) : partial_product(u.first(i), u.first(j));
             result.second(i, j) =
                 partial_sum(partial_product(second, slopes), partial_product(first, u.second(i, j)));
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/torque_rule.hpp"
 
-#include "splines/polynomial.hpp"
+#include "core/numbers/polynomial.hpp"
 
 namespace camopt {
 

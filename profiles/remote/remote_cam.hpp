@@ -45,6 +45,8 @@ class RemoteCam final : public CamMechanism {
                                     double most) const override;
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override;
+    [[nodiscard]] MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
+                                                 int station, std::span<const int> active) const override;
     [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
                                                          const MechanismStateOver& state,
                                                          int station) const override;
@@ -53,6 +55,9 @@ class RemoteCam final : public CamMechanism {
     [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
                                                        int station) const override;
     [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override;
+    [[nodiscard]] std::optional<RangeAlong> pressure_along(double limit, int sign,
                                                            const MechanismStateAlong& state,
                                                            int station) const override;
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;

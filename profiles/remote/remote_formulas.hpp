@@ -192,10 +192,10 @@ struct RollerState {
     }
 };
 
-/// The output's state put through the linkage.
+/// The output's state put through the linkage; arm: linkage.roller_arm(output[0]), all that is not cheap.
 template <class T>
-RollerState<T> roller_state(const Linkage<T>& linkage, const std::array<T, 3>& output, double sense) {
-    const Turning<T> arm = linkage.roller_arm(output[0]);
+RollerState<T> roller_state(const Linkage<T>& linkage, const Turning<T>& arm, const std::array<T, 3>& output,
+                            double sense) {
     const Vector<T> pivot =
         difference(linkage.lever_pivot(), linkage.at(RemoteDimension::center_x, RemoteDimension::center_y));
     const T& length = linkage[RemoteDimension::roller_arm];

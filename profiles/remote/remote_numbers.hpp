@@ -24,7 +24,11 @@ struct RemoteEvaluation {
           pressure_point(cam.pressure_point_) {}
 
     [[nodiscard]] remote::RollerState<T> roller(const std::array<T, 3>& output) const {
-        return remote::roller_state(linkage, output, sense);
+        return roller(linkage.roller_arm(output[0]), output);
+    }
+    [[nodiscard]] remote::RollerState<T> roller(const remote::Turning<T>& arm,
+                                                const std::array<T, 3>& output) const {
+        return remote::roller_state(linkage, arm, output, sense);
     }
     [[nodiscard]] T numerator(const remote::RollerState<T>& roller) const {
         const T along = roller.normal_along();

@@ -8,49 +8,84 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 
 namespace camopt {
 namespace {
 
 constexpr int output_variables = 3;
 
-template <class T>
-T formula(const RemoteEvaluation<T>& own, const std::array<T, 3>& output, MechanismQuantity which) {
-    const remote::RollerState<T> roller = own.roller(output);
-    switch (which) {
-        case MechanismQuantity::pressure_numerator:
-            return own.numerator(roller);
-        case MechanismQuantity::pressure_denominator:
-            return own.denominator(roller);
-        case MechanismQuantity::pitch_curvature:
-            return roller.curvature();
-        case MechanismQuantity::regularity:
-            break;
-    }
-    return own.regularity(roller);
-}
-
-struct Request {
-    const RemoteCam& cam;
-    const MechanismState& state;
+/// What is asked for, as a formula of a RemoteEvaluation and the roller's state.
+struct QuantityFormula {
     MechanismQuantity which;
+
+    template <class T>
+    T operator()(const RemoteEvaluation<T>& own, const remote::RollerState<T>& roller) const {
+        switch (which) {
+            case MechanismQuantity::pressure_numerator:
+                return own.numerator(roller);
+            case MechanismQuantity::pressure_denominator:
+                return own.denominator(roller);
+            case MechanismQuantity::pitch_curvature:
+                return roller.curvature();
+            case MechanismQuantity::regularity:
+                break;
+        }
+        return own.regularity(roller);
+    }
 };
 
-/// By the output and n − 3 dimensions.
-template <int n>
-SecondOrder<n> expanded(const Request& request, const std::array<int, n - output_variables>& by) {
+/// CamMechanism::pressure_excess, of one evaluation of the linkage.
+struct PressureFormula {
+    double cosine, sine;  ///< sign · cos φ, sin φ
+
+    template <class T>
+    T operator()(const RemoteEvaluation<T>& own, const remote::RollerState<T>& roller) const {
+        return T(own.numerator(roller) * cosine) - T(own.denominator(roller) * sine);
+    }
+};
+
+/// All dimensions as constants of n variables, but those in `by`, the variables from `first` on.
+template <int n, std::size_t count>
+std::array<SecondOrder<n>, remote_dimension_count> dimensions_of(const MechanismState& state,
+                                                                 const std::array<int, count>& by,
+                                                                 int first) {
     std::array<SecondOrder<n>, remote_dimension_count> dimensions;
-    for (std::size_t i = 0; i < dimensions.size(); ++i)
-        dimensions[i] = constant<n>(request.state.dimensions[i]);
+    for (std::size_t i = 0; i < dimensions.size(); ++i) dimensions[i] = constant<n>(state.dimensions[i]);
     for (std::size_t k = 0; k < by.size(); ++k) {
         const auto which = static_cast<std::size_t>(by[k]);
-        dimensions[which] =
-            variable<n>(request.state.dimensions[which], output_variables + static_cast<int>(k));
+        dimensions[which] = variable<n>(state.dimensions[which], first + static_cast<int>(k));
     }
-    const std::array<double, 3> output = remote::numbers(request.state.output);
-    const std::array<SecondOrder<n>, 3> state = {variable<n>(output[0], 0), variable<n>(output[1], 1),
-                                                 variable<n>(output[2], 2)};
-    return formula(RemoteEvaluation<SecondOrder<n>>(request.cam, dimensions), state, request.which);
+    return dimensions;
+}
+
+/// By (s, dimensions) -> by (s, s', s'', dimensions).
+template <int n>
+SecondOrder<n> widened(const SecondOrder<n - 2>& narrow) {
+    const auto place = [](int i) { return i == 0 ? 0 : i + 2; };
+    SecondOrder<n> wide = constant<n>(narrow.value().value());
+    for (int i = 0; i < n - 2; ++i) {
+        wide.value().derivatives()(place(i)) = narrow.value().derivatives()(i);
+        wide.derivatives()(place(i)).value() = narrow.derivatives()(i).value();
+        for (int j = 0; j < n - 2; ++j)
+            wide.derivatives()(place(i)).derivatives()(place(j)) = narrow.derivatives()(i).derivatives()(j);
+    }
+    return wide;
+}
+
+/// By the output and n − 3 dimensions. The linkage knows nothing of s' and s'': it is followed without them.
+template <int n, class Formula>
+SecondOrder<n> expanded(const RemoteCam& cam, const MechanismState& state, const Formula& formula,
+                        const std::array<int, n - output_variables>& by) {
+    const std::array<double, 3> output = remote::numbers(state.output);
+    const RemoteEvaluation<SecondOrder<n - 2>> narrow(cam, dimensions_of<n - 2>(state, by, 1));
+    const remote::Turning<SecondOrder<n - 2>> arm = narrow.linkage.roller_arm(variable<n - 2>(output[0], 0));
+    const RemoteEvaluation<SecondOrder<n>> own(cam, dimensions_of<n>(state, by, output_variables));
+    return formula(
+        own, own.roller({{widened<n>(arm.direction.x), widened<n>(arm.direction.y)},
+                         widened<n>(arm.first),
+                         widened<n>(arm.second)},
+                        {variable<n>(output[0], 0), variable<n>(output[1], 1), variable<n>(output[2], 2)}));
 }
 
 /// Writes the partials of one pass into the rows and columns of its variables.
@@ -64,28 +99,48 @@ void put(const SecondOrder<n>& pass, const std::array<int, n>& columns, Mechanis
     }
 }
 
-}  // namespace
-
-MechanismValue RemoteCam::quantity(MechanismQuantity which, const MechanismState& state, int,
-                                   std::span<const int> active) const {
-    const Request request{*this, state, which};
+template <class Formula>
+MechanismValue value_of(const RemoteCam& cam, const MechanismState& state, std::span<const int> active,
+                        const Formula& formula) {
     const int count = static_cast<int>(active.size()), size = output_variables + count;
     MechanismValue result{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    if (count == 0) put<3>(expanded<3>(request, {}), {0, 1, 2}, result);
-    if (count == 1) put<4>(expanded<4>(request, {active[0]}), {0, 1, 2, 3}, result);
+    if (count == 0) put<3>(expanded<3>(cam, state, formula, {}), {0, 1, 2}, result);
+    if (count == 1) put<4>(expanded<4>(cam, state, formula, {active[0]}), {0, 1, 2, 3}, result);
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j)
-            put<5>(expanded<5>(request, {active[i], active[j]}),
+            put<5>(expanded<5>(cam, state, formula, {active[i], active[j]}),
                    {0, 1, 2, output_variables + i, output_variables + j}, result);
     return result;
 }
 
-std::optional<RangeAlong> RemoteCam::quantity_along(MechanismQuantity which, const MechanismStateAlong& state,
-                                                    int) const {
+template <class Formula>
+RangeAlong range_of(const RemoteCam& cam, const MechanismStateAlong& state, const Formula& formula) {
     std::array<RangeAlong, remote_dimension_count> dimensions;
     std::copy_n(state.dimensions.begin(), remote_dimension_count, dimensions.begin());
-    return formula(RemoteEvaluation<RangeAlong>(*this, dimensions),
-                   {state.s, state.velocity, state.acceleration}, which);
+    const RemoteEvaluation<RangeAlong> own(cam, dimensions);
+    return formula(own, own.roller({state.s, state.velocity, state.acceleration}));
+}
+
+}  // namespace
+
+MechanismValue RemoteCam::quantity(MechanismQuantity which, const MechanismState& state, int,
+                                   std::span<const int> active) const {
+    return value_of(*this, state, active, QuantityFormula{which});
+}
+
+MechanismValue RemoteCam::pressure_excess(double limit, int sign, const MechanismState& state, int,
+                                          std::span<const int> active) const {
+    return value_of(*this, state, active, PressureFormula{sign * std::cos(limit), std::sin(limit)});
+}
+
+std::optional<RangeAlong> RemoteCam::quantity_along(MechanismQuantity which, const MechanismStateAlong& state,
+                                                    int) const {
+    return range_of(*this, state, QuantityFormula{which});
+}
+
+std::optional<RangeAlong> RemoteCam::pressure_along(double limit, int sign, const MechanismStateAlong& state,
+                                                    int) const {
+    return range_of(*this, state, PressureFormula{sign * std::cos(limit), std::sin(limit)});
 }
 
 }  // namespace camopt

@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "profiles/spatial/largest_along.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_extremes.hpp"
 
+#include "core/numbers/sampled_maximum.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "profiles/spatial/largest_along.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <algorithm>
@@ -13,12 +13,21 @@ namespace camopt {
 namespace {
 
 using enum SpatialDimension;
-using spatial_search::largest_along;
 
 constexpr int height_steps = 16;     // g is smooth over a roller
 constexpr int height_sections = 40;  // golden sections between two of them
 constexpr int bisections = 60;       // down to neighbouring numbers
 constexpr int search_steps = 64;     // of the centre distance, until g < 0 is met
+constexpr double end_share = 1e-12;  // of the motion: pieces are looked at from this far inside their ends
+
+/// Of function(θ) over the motion.
+template <class Function>
+Extremum largest_over(const FollowerMotion& motion, const Function& function) {
+    const double inset = end_share * (motion.end() - motion.begin());
+    return largest_along(motion.breakpoints, [&](double theta, Side side) {
+        return function(side == Side::left ? theta - inset : theta + inset);
+    });
+}
 
 spatial_formulas::AxisMotion<double> motion_at(const SpatialCam& cam, const FollowerMotion& motion,
                                                double theta, double height) {
@@ -28,7 +37,7 @@ spatial_formulas::AxisMotion<double> motion_at(const SpatialCam& cam, const Foll
 
 /// Of −g over the cam angle.
 Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, const RollerStation& station) {
-    return largest_along(motion, [&](double theta) {
+    return largest_over(motion, [&](double theta) {
         return -spatial_formulas::undercut(motion_at(cam, motion, theta, station.height), cam[roller_radius],
                                            station.flank);
     });
@@ -38,7 +47,7 @@ Extremum worst_undercut(const SpatialCam& cam, const FollowerMotion& motion, con
 
 SpatialExtreme largest_pressure_angle(const SpatialCam& cam, const FollowerMotion& motion, double height) {
     const double sign = spatial_formulas::sign_of_b(cam);
-    const Extremum worst = largest_along(motion, [&](double theta) {
+    const Extremum worst = largest_over(motion, [&](double theta) {
         const auto axis = motion_at(cam, motion, theta, height);
         return std::abs(std::atan2(axis.across_travel, sign * axis.along_b));
     });
@@ -71,7 +80,7 @@ std::optional<SpatialExtreme> critical_roller_radius(const SpatialCam& cam, cons
                                                      const RollerStation& station) {
     // 1/r is smooth and bounded where r may be infinite: r = 2/(b + sqrt(b² + 4 t²)), b = σ_f bend.
     const double side = station.flank > 0 ? 1.0 : -1.0;
-    const Extremum worst = largest_along(motion, [&](double theta) {
+    const Extremum worst = largest_over(motion, [&](double theta) {
         const auto terms = spatial_formulas::undercut_terms(motion_at(cam, motion, theta, station.height));
         const double bend = side * terms.bend;
         return 0.5 * (bend + std::hypot(bend, 2.0 * terms.twist));

@@ -39,7 +39,7 @@ template <class T, class Height>
     const T sine = sin(v.position), cosine = cos(v.position);
     const T rho = v.center_distance - height;
     const T lateral = v.arm_length * cosine - v.lateral_offset;
-    AxisMotion<T> m;
+    AxisMotion<T> m{};
     m.across_travel = v.arm_length * v.velocity - sense * rho * sine;
     m.along_b = -sense * rho * cosine;
     m.along_axis = sense * lateral;
@@ -57,7 +57,7 @@ template <class T, class Height>
     const T sine = sin(v.position), cosine = cos(v.position);
     const T rho = v.arm_length + height;
     const T radial = v.center_distance - rho * cosine;
-    AxisMotion<T> m;
+    AxisMotion<T> m{};
     m.across_travel = rho * v.velocity - sense * v.lateral_offset * sine;
     m.along_b = sense * radial;
     m.along_axis = sense * v.lateral_offset * cosine;
@@ -71,7 +71,7 @@ template <class T, class Height>
 
 template <class T, class Height>
 [[nodiscard]] AxisMotion<T> translating_motion(const Variables<T>& v, double sense, const Height& height) {
-    AxisMotion<T> m;
+    AxisMotion<T> m{};
     m.across_travel = v.velocity;
     m.along_b = sense * T(v.center_distance - height);
     m.along_axis = sense * v.lateral_offset;

@@ -42,7 +42,7 @@ SolverEntry ipopt_entry() {
         integer_option("acceptable_iter", "15", {0.0, 1e6},
                        "iterations at that error before it is accepted; 0: never"),
         number_option("mumps_pivtol", "1e-6", {0.0, 1.0}, "pivot tolerance of MUMPS"),
-        integer_option("mumps_mem_percent", "1000", {0.0, 1e6}, "spare memory of MUMPS in percent"),
+        integer_option("mumps_mem_percent", "100", {0.0, 1e6}, "spare memory of MUMPS in percent"),
         integer_option("mumps_permuting_scaling", "7; 0 from 3000 variables on", {0.0, 7.0},
                        "how MUMPS permutes and scales; 0: not, 7: as it likes"),
         integer_option("max_soc", "4", {0.0, 1e6}, "second-order corrections in one iteration"),

@@ -29,13 +29,13 @@ constexpr int chaining_pays = 6000;
 
 class Settings {
  public:
-    explicit Settings(Ipopt::IpoptApplication& application) : options_(*application.Options()) {}
+    explicit Settings(Ipopt::IpoptApplication& application) : options_(application.Options()) {}
 
     // Ipopt answers false for an option that its version does not know or a value it does not take.
-    bool set(const char* name, const char* text) { return options_.SetStringValue(name, text); }
-    bool set(const char* name, bool flag) { return options_.SetStringValue(name, flag ? "yes" : "no"); }
-    bool set(const char* name, double number) { return options_.SetNumericValue(name, number); }
-    bool set(const char* name, int number) { return options_.SetIntegerValue(name, number); }
+    bool set(const char* name, const char* text) { return options_->SetStringValue(name, text); }
+    bool set(const char* name, bool flag) { return options_->SetStringValue(name, flag ? "yes" : "no"); }
+    bool set(const char* name, double number) { return options_->SetNumericValue(name, number); }
+    bool set(const char* name, int number) { return options_->SetIntegerValue(name, number); }
 
     template <class Value>
     void require(const char* name, Value value) {
@@ -53,7 +53,7 @@ class Settings {
     }
 
  private:
-    Ipopt::OptionsList& options_;
+    Ipopt::SmartPtr<Ipopt::OptionsList> options_;
 };
 
 struct Linearity {
@@ -124,6 +124,9 @@ void set_ipopt_options(Ipopt::IpoptApplication& application, const NlpShape& sha
     // In large problems MUMPS pairs the rows in a way that at least doubles its time; in small ones the pairs
     // are worth the last digits.
     if (shape.variables() >= many_variables) settings.require("mumps_permuting_scaling", 0);
+    // Ipopt would have MUMPS set aside eleven times the memory that it expects to need. Where twice that is
+    // too little, Ipopt doubles it itself.
+    settings.require("mumps_mem_percent", 100);
     set_tolerances(settings, options);
 
     const Linearity linear = linearity_of(shape);

@@ -34,17 +34,15 @@ VertexProgram::VertexProgram(Eigen::VectorXd lower, Eigen::VectorXd upper)
     : lower_(std::move(lower)), upper_(std::move(upper)) {
     if (!lower_.allFinite() || !upper_.allFinite())
         throw ModelError("vertex program: found an infinite bound of a variable; allowed: finite ones");
-    normals_.resize(0, lower_.size());
     lower_on_.assign(static_cast<std::size_t>(lower_.size()), 0);
     upper_on_ = lower_on_;
 }
 
 void VertexProgram::add_row(const Eigen::VectorXd& a, double b) {
     const int row = rows();
-    if (row >= normals_.rows()) normals_.conservativeResize(std::max(64, 2 * row), Eigen::NoChange);
     const double largest = a.size() > 0 ? a.cwiseAbs().maxCoeff() : 0.0;
     const double factor = largest > 0.0 ? std::exp2(-std::ilogb(largest)) : 1.0;
-    normals_.row(row) = factor * a.transpose();
+    normals_.add(factor * a);
     factor_.push_back(factor);
     side_.push_back(factor * b);
     noise_ ^= noise_ << 13;
@@ -55,7 +53,7 @@ void VertexProgram::add_row(const Eigen::VectorXd& a, double b) {
     row_on_.push_back(0);
     if (corner_.empty()) return;
     activity_.conservativeResize(row + 1);
-    activity_[row] = normals_.row(row).dot(x_);
+    activity_[row] = normals_.dot(row, x_);
 }
 
 std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
@@ -67,7 +65,6 @@ std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
         place[from] = to;
         stay.push_back(i);
         if (to == i) continue;
-        normals_.row(to) = normals_.row(i);
         const auto at = static_cast<std::size_t>(to);
         factor_[at] = factor_[from];
         side_[at] = side_[from];
@@ -75,6 +72,7 @@ std::vector<int> VertexProgram::drop_rows(std::vector<char> kept) {
         row_on_[at] = row_on_[from];
         if (!corner_.empty()) activity_[to] = activity_[i];
     }
+    normals_.keep(stay);
     const auto left = static_cast<Eigen::Index>(stay.size());
     for (std::vector<double>* values : {&factor_, &side_, &moved_}) values->resize(stay.size());
     row_on_.resize(stay.size());
@@ -96,11 +94,15 @@ void VertexProgram::set_bounds(int j, double lower, double upper) {
 
 double VertexProgram::slack(int row, const Eigen::VectorXd& x) const {
     const auto at = static_cast<std::size_t>(row);
-    return (side_[at] - normals_.row(row).dot(x)) / factor_[at];
+    return (side_[at] - normals_.dot(row, x)) / factor_[at];
 }
 
 Eigen::VectorXd VertexProgram::normal(Face face) const {
-    if (face >= 0) return normals_.row(face).transpose();
+    if (face >= 0) {
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(lower_.size());
+        normals_.each(face, [&](int column, double value) { row[column] = value; });
+        return row;
+    }
     const int j = (-1 - face) / 2;
     return Eigen::VectorXd::Unit(lower_.size(), j) * (face == lower_face(j) ? -1.0 : 1.0);
 }
@@ -140,7 +142,7 @@ void VertexProgram::start_at_bounds(const Eigen::VectorXd& cost) {
         inverse_(j, j) = low ? -1.0 : 1.0;
         x_[j] = low ? lower_[j] : upper_[j];
     }
-    activity_ = normals_.topRows(rows()) * x_;
+    activity_ = normals_.times(x_);
     since_refactor_ = 0;
 }
 
@@ -156,18 +158,18 @@ bool VertexProgram::refactor() {
     if (!inverse_.allFinite()) return false;
     x_ = inverse_ * sides;
     x_ += inverse_ * (sides - faces * x_);
-    activity_ = normals_.topRows(rows()) * x_;
+    activity_ = normals_.times(x_);
     since_refactor_ = 0;
     return true;
 }
 
-bool VertexProgram::exchange(Eigen::Index leaving, Face entering) {
+bool VertexProgram::exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise) {
     const Eigen::VectorXd a = normal(entering);
     const Eigen::VectorXd shares = inverse_.transpose() * a;
     const Eigen::VectorXd column = inverse_.col(leaving) / shares[leaving];
     const double step = side(entering) - a.dot(x_);
     x_ += step * column;
-    activity_ += step * (normals_.topRows(rows()) * column);
+    activity_ -= (step / shares[leaving]) * rise;
     inverse_ -= column * shares.transpose();
     inverse_.col(leaving) = column;
     Face& face = corner_[static_cast<std::size_t>(leaving)];
@@ -225,7 +227,7 @@ VertexProgram::Outcome VertexProgram::reach_feasible(const Eigen::VectorXd& cost
             ray_face_ = *entering;
             return Outcome::infeasible;
         }
-        if (!exchange(leaving, *entering)) return Outcome::stuck;
+        if (!exchange(leaving, *entering, normals_.times(-inverse_.col(leaving)))) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -237,10 +239,13 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
     for (int count = 0; count < most; ++count) {
         if (count % clock_every == clock_every - 1 && control.ending()) return Outcome::ended;
         const Eigen::VectorXd multipliers = face_multipliers(cost);
+        if (multipliers.minCoeff() >= -least_multiplier) return Outcome::done;
+        // The steepest edge: the way along which the cost falls most by the length of x.
         Eigen::Index leaving = -1;
-        if (multipliers.minCoeff(&leaving) >= -least_multiplier) return Outcome::done;
+        (multipliers.array().min(0.0).square() / inverse_.colwise().squaredNorm().transpose().array())
+            .maxCoeff(&leaving);
         const Eigen::VectorXd along = -inverse_.col(leaving);
-        const Eigen::VectorXd rise = normals_.topRows(rows()) * along;
+        const Eigen::VectorXd rise = normals_.times(along);
         std::optional<Face> entering;
         double least = infinity, steepest = 0.0;
         const auto meet = [&](Face face, double room, double speed) {
@@ -262,7 +267,7 @@ VertexProgram::Outcome VertexProgram::reach_optimal(const Eigen::VectorXd& cost,
             if (along[j] < 0.0 && !on_face(lower_face(j))) meet(lower_face(j), x_[j] - lower_[j], -along[j]);
         }
         if (!entering) return Outcome::stuck;
-        if (!exchange(leaving, *entering)) return Outcome::stuck;
+        if (!exchange(leaving, *entering, rise)) return Outcome::stuck;
     }
     return Outcome::stuck;
 }
@@ -278,11 +283,11 @@ double VertexProgram::bound_of(const Eigen::VectorXd& cost,
         const long double multiplier = given / factor_[at];  // a power of two
         bound -= multiplier * side_[at];
         sizes += std::abs(multiplier * side_[at]);
-        for (Eigen::Index j = 0; j < size; ++j) {
-            const long double term = multiplier * normals_(row, j);
-            reduced[static_cast<std::size_t>(j)] += term;
-            magnitude[static_cast<std::size_t>(j)] += std::abs(term);
-        }
+        normals_.each(row, [&](int column, double value) {
+            const long double term = multiplier * value;
+            reduced[static_cast<std::size_t>(column)] += term;
+            magnitude[static_cast<std::size_t>(column)] += std::abs(term);
+        });
     }
     // As recomputed_bound (solvers/certificate): a double carries each term to half a unit in its last place.
     constexpr long double rounding = std::numeric_limits<double>::epsilon();

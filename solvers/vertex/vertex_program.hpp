@@ -3,7 +3,7 @@
 //
 //     min c·x   subject to   a_i·x <= b_i,   l <= x <= u,   l and u finite
 //
-// A simplex method on dense rows that goes from corner to corner of what is left: another cost starts at the
+// A simplex method that goes from corner to corner of what is left: another cost starts at the
 // corner of the last one (primal steps), new rows are met from the last optimum (dual steps). Right sides are
 // moved out by a hair while it runs, so that no two corners coincide; the bound knows nothing of that.
 //
@@ -14,6 +14,7 @@
 
 #include "core/infinity.hpp"
 #include "solvers/solver.hpp"
+#include "solvers/vertex/sparse_row_list.hpp"
 
 #include <Eigen/Core>
 
@@ -61,7 +62,6 @@ class VertexProgram {
     [[nodiscard]] long steps() const { return steps_; }
 
  private:
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     enum class Outcome { done, infeasible, stuck, ended };
 
     /// What a corner lies on: a row (>= 0), the lower bound of variable j (−1 − 2j), the upper one (−2 − 2j).
@@ -72,7 +72,8 @@ class VertexProgram {
     [[nodiscard]] double side(Face face) const;
     void start_at_bounds(const Eigen::VectorXd& cost);
     [[nodiscard]] bool refactor();
-    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering);
+    /// `rise`: −(normals of all rows) · (column `leaving` of the inverse) where it is known already.
+    [[nodiscard]] bool exchange(Eigen::Index leaving, Face entering, const Eigen::VectorXd& rise);
     [[nodiscard]] Outcome reach_feasible(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Outcome reach_optimal(const Eigen::VectorXd& cost, const SolveControl& control);
     [[nodiscard]] Eigen::VectorXd face_multipliers(const Eigen::VectorXd& cost) const;
@@ -82,7 +83,7 @@ class VertexProgram {
     void mark(Face face, char on);
 
     Eigen::VectorXd lower_, upper_;
-    Rows normals_;                ///< its first rows() rows are in use; each scaled by a power of two
+    SparseRowList normals_;       ///< each scaled by a power of two
     std::vector<double> factor_;  ///< that power
     std::vector<double> side_;    ///< b, scaled alike
     std::vector<double> moved_;   ///< b moved out by a hair

@@ -20,6 +20,23 @@ namespace camopt::box_bound {
 /// Not linear, of one place, and with an enclosure over boxes.
 [[nodiscard]] bool can_be_bounded(const PointRule& rule);
 
+/// The least and the greatest y, y', y'' at every place that the corners of one pass had. An end of a box
+/// that one of them comes near cannot shrink: the linear program that would say so is left out. Source: A.
+/// Gleixner et al., Three enhancements for optimization-based bound tightening, J. Glob. Optim. 67 (2017).
+class SeenStates {
+ public:
+    explicit SeenStates(const std::vector<Place>& places);
+    void add(const Eigen::VectorXd& x);
+    [[nodiscard]] const Interval& at(std::size_t place, int order) const {
+        return seen_[3 * place + static_cast<std::size_t>(order)];
+    }
+
+ private:
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> weights_;
+    Eigen::VectorXd offsets_;
+    std::vector<Interval> seen_;
+};
+
 class Bounder {
  public:
     Bounder(const CamModel& model, double incumbent, const BoxBoundOptions& options,
@@ -60,6 +77,7 @@ class Bounder {
     /// One pass over the boxes. False: the node is empty.
     bool tighten(Node& node);
     bool tighten_end(Node& node, const StateRow& number, Interval& box, std::array<int, 2>& ends, bool upper);
+    bool tighten_place(Node& node, std::size_t place, int order, bool upper, SeenStates& seen);
     [[nodiscard]] bool is_read(const PlaceBox& box, int order) const;
     int linear_step(int row, int side, const BoxStep& step);
     bool tighten_variable(Node& node, int variable);
@@ -75,6 +93,7 @@ class Bounder {
     std::vector<char> moves_rule_;  ///< variables that are parameters of rules that are not linear
     Eigen::VectorXd cost_;
     double constant_ = 0.0;
+    Eigen::VectorXd corner_;  ///< of the last linear program; empty where it has none
     BoxBound result_;
     BoxProof proof_;
     std::map<std::pair<int, int>, int> linear_steps_;

@@ -13,6 +13,29 @@ constexpr double worth_a_bound = 1e-3;
 
 }  // namespace
 
+SeenStates::SeenStates(const std::vector<Place>& places)
+    : seen_(3 * places.size(), Interval(infinity, -infinity)) {
+    if (places.empty()) return;
+    const auto rows = static_cast<Eigen::Index>(seen_.size());
+    weights_.resize(rows, places.front().state.front().weights.size());
+    offsets_.resize(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        const StateRow& state =
+            places[static_cast<std::size_t>(row / 3)].state[static_cast<std::size_t>(row % 3)];
+        weights_.row(row) = state.weights.transpose();
+        offsets_[row] = state.offset;
+    }
+}
+
+void SeenStates::add(const Eigen::VectorXd& x) {
+    if (x.size() == 0 || seen_.empty()) return;
+    const Eigen::VectorXd states = weights_ * x + offsets_;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+        const double state = states[static_cast<Eigen::Index>(i)];
+        seen_[i] = {std::min(seen_[i].lower, state), std::max(seen_[i].upper, state)};
+    }
+}
+
 std::vector<Interval> Bounder::rule_box(const Node& node, std::size_t place, int rule) const {
     const PlaceBox& box = node.boxes[place];
     std::vector<Interval> all(box.state.begin(), box.state.end());
@@ -81,21 +104,32 @@ bool Bounder::tighten_variable(Node& node, int variable) {
     return true;
 }
 
+bool Bounder::tighten_place(Node& node, std::size_t place, int order, bool upper, SeenStates& seen) {
+    PlaceBox& box = node.boxes[place];
+    if (!box.bites || !is_read(box, order)) return true;
+    const auto at = static_cast<std::size_t>(order);
+    Interval& numbers = box.state[at];
+    const Interval& known = seen.at(place, order);
+    const double most = upper ? numbers.upper - known.upper : known.lower - numbers.lower;
+    if (std::isfinite(numbers.width()) && most < worth_a_bound * numbers.width()) return true;
+    const bool left = tighten_end(node, places_[place].state[at], numbers, box.steps[at], upper);
+    seen.add(corner_);
+    return left;
+}
+
 bool Bounder::tighten(Node& node) {
     ++result_.passes;
     for (int j = design_size(); j < node.program.variables(); ++j) {
         if (moves_rule_[static_cast<std::size_t>(j)] && !tighten_variable(node, j)) return false;
     }
+    SeenStates seen(places_);
+    seen.add(node.x);
     // One end of one order along all places before the next: neighbours lie at nearly the same corner.
     for (int order = 0; order < 3; ++order) {
         for (const bool upper : {false, true}) {
             for (std::size_t place = 0; place < places_.size(); ++place) {
                 if (control_.ending()) return true;
-                PlaceBox& box = node.boxes[place];
-                if (!box.bites || !is_read(box, order)) continue;
-                const auto at = static_cast<std::size_t>(order);
-                if (!tighten_end(node, places_[place].state[at], box.state[at], box.steps[at], upper))
-                    return false;
+                if (!tighten_place(node, place, order, upper, seen)) return false;
             }
         }
     }

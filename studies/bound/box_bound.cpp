@@ -25,7 +25,9 @@ constexpr double outward = 1e-12;
 
 VertexBound Bounder::solve(Node& node, const Eigen::VectorXd& cost) {
     ++result_.programs;
-    return node.program.minimize(cost, control_);
+    VertexBound found = node.program.minimize(cost, control_);
+    corner_ = found.status == VertexBound::Status::optimal ? found.x : Eigen::VectorXd();
+    return found;
 }
 
 bool Bounder::settle(Node& node) {
@@ -167,10 +169,11 @@ std::optional<BoxBound> Bounder::run() {
     grid.gradient(zero, cost_);
     constant_ = grid.cost(zero);
     moves_rule_.assign(static_cast<std::size_t>(variables), 0);
+    const auto first_parameter = static_cast<std::size_t>(design_size());
     for (const PlacedRule& rule : model.rules) {
         if (!can_be_bounded(*rule)) continue;
         for (const int parameter : rule->parameters())
-            moves_rule_[static_cast<std::size_t>(design_size() + parameter)] = 1;
+            moves_rule_[first_parameter + static_cast<std::size_t>(parameter)] = 1;
     }
     proof_.cost = cost_;
     proof_.constant = constant_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "studies/delivered/delivered_audit.hpp"
 
+#include "core/numbers/sampled_maximum.hpp"
 #include "scene/limit_table.hpp"
 #include "solvers/certificate/forget_proof.hpp"
 #include "splines/basis.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
-#include "studies/delivered/extremes_along.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 

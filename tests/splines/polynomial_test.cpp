@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "splines/polynomial.hpp"
+#include "core/numbers/polynomial.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +57,29 @@ TEST(Polynomial, ASignChangeAtAStationaryPointIsFound) {
 TEST(Polynomial, RootsOutsideTheIntervalDoNotCount) {
     EXPECT_TRUE(sign_changes(with_roots({-0.5, 1.5}), 0.0, 1.0).empty());
     EXPECT_TRUE(sign_changes(Eigen::VectorXd::Constant(1, 3.0), 0.0, 1.0).empty());
+}
+
+TEST(Polynomial, ItsMaximumIsThatOfAFineScanOrNotAboveTheFloor) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> number;
+    int ruled_out = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        Eigen::VectorXd p(1 + trial % 20);
+        for (double& coefficient : p) coefficient = number(random);
+        double most = -1e300;
+        for (int k = 0; k <= 2000; ++k) most = std::max(most, evaluate_polynomial(p, k / 2000.0));
+        const double floor = 0.5;
+        const std::optional<Extremum> found = maximum_above(p, floor);
+        if (!found) {
+            EXPECT_LE(most, floor);
+            ++ruled_out;
+            continue;
+        }
+        EXPECT_GE(found->value, most - 1e-13);
+        EXPECT_LE(found->value, most + 1e-2);
+        EXPECT_DOUBLE_EQ(evaluate_polynomial(p, found->at), found->value);
+    }
+    EXPECT_GT(ruled_out, 20);
 }
 
 }  // namespace polynomial_test

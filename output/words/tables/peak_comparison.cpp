@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/words/tables/peak_comparison.hpp"
 
+#include "core/numbers/sampled_maximum.hpp"
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "output/words/cam_words.hpp"
@@ -9,7 +10,6 @@
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/compare/law_motion.hpp"
-#include "studies/delivered/extremes_along.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ void add_excursions(std::vector<Excursion>& all, const Motion& motion, Excursion
     std::vector<double> places = motion.breakpoints();
     std::erase_if(places, [&](double x) { return x < begin || x > end; });
     const FigureAlong displacement = [&](double x, Side side) { return motion.at(x, side).derivative[0]; };
-    for (const CamExtreme& found : {least_along(places, displacement), largest_along(places, displacement)}) {
+    for (const Extremum& found : {least_along(places, displacement), largest_along(places, displacement)}) {
         stroke.farthest = {found.value, found.at, Side::right};
         stroke.beyond = std::max(stroke.low - found.value, found.value - stroke.high);
         if (stroke.beyond > no_excursion) all.push_back(stroke);
@@ -112,7 +112,7 @@ SignedPeaks signed_peaks(const Solution& solution, int order) {
     if (!std::isfinite(largest.value)) return peaks;
     largest.value = std::copysign(largest.value, there);
     const double sign = there < 0.0 ? 1.0 : -1.0;
-    const CamExtreme found = largest_along(motion.breakpoints(), [&](double x, Side side) {
+    const Extremum found = largest_along(motion.breakpoints(), [&](double x, Side side) {
         return sign * motion.at(x, side).derivative[index];
     });
     if (found.value > no_motion * std::abs(largest.value))

@@ -2,6 +2,7 @@
 #include "studies/delivered/cam/cam_summary.hpp"
 
 #include "core/infinity.hpp"
+#include "core/numbers/sampled_maximum.hpp"
 #include "objectives/rules/rest_places.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/disk/disk_sides.hpp"
@@ -39,27 +40,27 @@ class CamTurn {
           points_(motion.breakpoints()),
           at_samples_(static_cast<std::size_t>(cam.formulas->stations())) {}
 
-    [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure) const {
-        std::optional<CamExtreme> best;
+    [[nodiscard]] Extremum largest(const CamPlaceFigure& figure) const {
+        std::optional<Extremum> best;
         for (int station = 0; station < cam_.formulas->stations(); ++station) {
-            const CamExtreme one = largest(figure, station);
+            const Extremum one = largest(figure, station);
             if (!best || one.value > best->value) best = one;
         }
         return *best;
     }
-    [[nodiscard]] CamExtreme largest(const CamPlaceFigure& figure, int station) const {
+    [[nodiscard]] Extremum largest(const CamPlaceFigure& figure, int station) const {
         const auto along = [&](double x, Side side) { return figure(place(motion_.at(x, side), station)); };
         const std::vector<CamPlace>& known = at_samples(station);
         if (known.empty()) return largest_along(points_, along);
         return largest_along(points_, along, [&](std::size_t k) { return figure(known[k]); });
     }
-    [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure, int station) const {
-        CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); }, station);
+    [[nodiscard]] Extremum least(const CamPlaceFigure& figure, int station) const {
+        Extremum found = largest([&](const CamPlace& place) { return -figure(place); }, station);
         found.value = -found.value;
         return found;
     }
-    [[nodiscard]] CamExtreme least(const CamPlaceFigure& figure) const {
-        CamExtreme found = largest([&](const CamPlace& place) { return -figure(place); });
+    [[nodiscard]] Extremum least(const CamPlaceFigure& figure) const {
+        Extremum found = largest([&](const CamPlace& place) { return -figure(place); });
         found.value = -found.value;
         return found;
     }

@@ -3,17 +3,20 @@
 // the samples too. What a kind has not, is absent.
 #pragma once
 
+#include "core/extremum.hpp"
 #include "core/motion.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
-#include "studies/delivered/extremes_along.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace camopt {
+
+/// A value in SI and rad, and the x where it is reached.
+using CamExtreme = Extremum;
 
 struct ForceSummary {
     CamExtreme least_force, largest_force;  ///< F (N) or M (N m), see ForceSpec

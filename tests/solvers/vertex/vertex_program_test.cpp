@@ -96,5 +96,18 @@ TEST(VertexProgram, RefusesAnInfiniteBound) {
     EXPECT_THROW(VertexProgram(Eigen::Vector2d(0.0, -infinity), Eigen::Vector2d(1.0, 1.0)), ModelError);
 }
 
+TEST(SparseRowList, GrowsAndIsThinnedOut) {
+    const Eigen::MatrixXd dense{{1.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, {0.0, -3.0, 0.0}, {4.0, 5.0, 6.0}};
+    SparseRowList rows;
+    for (Eigen::Index i = 0; i < dense.rows(); ++i) rows.add(dense.row(i).transpose());
+    const Eigen::Vector3d x(1.0, 10.0, 100.0);
+    EXPECT_EQ(rows.times(x), dense * x);
+    rows.keep({0, 2, 3});
+    ASSERT_EQ(rows.size(), 3);
+    EXPECT_EQ(rows.dot(1, x), -30.0);
+    rows.add(Eigen::Vector3d(0.0, 7.0, 0.0));
+    EXPECT_EQ(rows.times(x), Eigen::Vector4d(201.0, -30.0, 654.0, 70.0));
+}
+
 }  // namespace vertex_program_test
 }  // namespace camopt

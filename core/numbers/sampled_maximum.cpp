@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/delivered/extremes_along.hpp"
+#include "core/numbers/sampled_maximum.hpp"
 
 #include "core/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
@@ -15,7 +15,9 @@ namespace {
 // Samples between two breakpoints of the motion; where the figure may be larger than the best of them it is
 // looked at closer.
 constexpr int samples = 24;
-constexpr int refinements = 60;
+constexpr int golden_sections = 40;  // to 4e-9 of two samples; differences do the rest
+constexpr int newton_steps = 3;
+constexpr double step_of_bracket = 0.01;  // for differences of fourth order
 // Between two samples a figure may rise above them by this many of its second differences there. A parabola
 // needs an eighth of one.
 constexpr double mistrust = 4.0;
@@ -23,29 +25,42 @@ constexpr int most_halvings = 10;
 // Of the figure: second differences of rounding.
 constexpr double search_rounding = 1e-13;
 
-/// Golden section: a place to the root of rounding, a value to rounding.
-CamExtreme refined(const FigureAlong& figure, double left, double right) {
-    // From right to left: of equal values the first is taken.
-    const auto at = [&](double mirrored) { return figure(-mirrored, Side::right); };
-    const GoldenSection top = golden_maximum(at, -right, -left, refinements,
-                                             [](const GoldenSection& now) { return !(now.high > now.low); });
-    return {top.value(), -top.place()};
+/// Newton steps on the slope, both derivatives by differences, where the figure is smooth there.
+double polished(const FigureAlong& figure, double place, double left, double right) {
+    const double step = step_of_bracket * (right - left);
+    const auto at = [&](int steps) { return figure(place + steps * step, Side::right); };
+    for (int i = 0; i < newton_steps; ++i) {
+        if (place - 2.0 * step < left || place + 2.0 * step > right) return place;
+        const double inner = at(1) + at(-1), outer = at(2) + at(-2);
+        const double slope = (8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12.0 * step);
+        const double bend = (16.0 * inner - outer - 30.0 * at(0)) / (12.0 * step * step);
+        if (!(bend < 0.0)) return place;
+        place -= std::clamp(slope / bend, -step, step);
+    }
+    return std::clamp(place, left, right);
 }
 
-struct Sample {
-    double at = 0.0, value = 0.0;
-};
+/// Golden sections: a place to the root of rounding, a value to rounding; then the place too.
+Extremum refined(const FigureAlong& figure, double left, double right) {
+    // From right to left: of equal values the first is taken.
+    const auto at = [&](double mirrored) { return figure(-mirrored, Side::right); };
+    const GoldenSection top = golden_maximum(at, -right, -left, golden_sections,
+                                             [](const GoldenSection& now) { return !(now.high > now.low); });
+    const double place = polished(figure, -top.place(), left, right);
+    const bool as_high = figure(place, Side::right) >= top.value() - search_rounding * std::abs(top.value());
+    return {top.value(), as_high ? place : -top.place()};
+}
 
 class Search {
  public:
     Search(const FigureAlong& figure, double begin) : figure_(figure), best_{-infinity, begin} {}
 
     /// One after the other; samples + 1 make a piece.
-    void add(const Sample& sample) {
+    void add(const Extremum& sample) {
         samples_.push_back(sample);
-        see({sample.value, sample.at});
+        see(sample);
     }
-    [[nodiscard]] CamExtreme finish() {
+    [[nodiscard]] Extremum finish() {
         constexpr std::size_t size = samples + 1;
         for (std::size_t first = 0; first + size <= samples_.size(); first += size) {
             const Piece piece(&samples_[first], size);
@@ -58,9 +73,9 @@ class Search {
     }
 
  private:
-    using Piece = std::span<const Sample>;
+    using Piece = std::span<const Extremum>;
 
-    void see(const CamExtreme& found) {
+    void see(const Extremum& found) {
         if (found.value > best_.value) best_ = found;
     }
     void golden_top(double left, double right) {
@@ -81,10 +96,10 @@ class Search {
         const double rise = mistrust * std::max(bend(piece, k), bend(piece, k + 1));
         return largest + rise > best_.value;
     }
-    void dig(const Sample& left, const Sample& right, int halvings) {
+    void dig(const Extremum& left, const Extremum& right, int halvings) {
         const double x = 0.5 * (left.at + right.at);
-        const Sample middle{x, figure_(x, Side::right)};
-        see({middle.value, x});
+        const Extremum middle{figure_(x, Side::right), x};
+        see(middle);
         const double bend = std::abs(left.value - 2.0 * middle.value + right.value);
         const double largest = std::max({left.value, middle.value, right.value});
         if (!std::isfinite(bend)) return;  // nothing to say there, or as large as can be
@@ -96,8 +111,8 @@ class Search {
     }
 
     const FigureAlong& figure_;
-    CamExtreme best_;
-    std::vector<Sample> samples_;
+    Extremum best_;
+    std::vector<Extremum> samples_;
 };
 
 }  // namespace
@@ -114,21 +129,21 @@ std::vector<SamplePlace> sample_places(const std::vector<double>& points) {
     return places;
 }
 
-CamExtreme largest_along(const std::vector<double>& points, const FigureAlong& figure,
-                         const FigureAtSample& at_sample) {
+Extremum largest_along(const std::vector<double>& points, const FigureAlong& figure,
+                       const FigureAtSample& at_sample) {
     const std::vector<SamplePlace> places = sample_places(points);
     Search search(figure, points.front());
-    for (std::size_t k = 0; k < places.size(); ++k) search.add({places[k].at, at_sample(k)});
+    for (std::size_t k = 0; k < places.size(); ++k) search.add({at_sample(k), places[k].at, places[k].side});
     return search.finish();
 }
 
-CamExtreme largest_along(const std::vector<double>& points, const FigureAlong& figure) {
+Extremum largest_along(const std::vector<double>& points, const FigureAlong& figure) {
     const std::vector<SamplePlace> places = sample_places(points);
     return largest_along(points, figure, [&](std::size_t k) { return figure(places[k].at, places[k].side); });
 }
 
-CamExtreme least_along(const std::vector<double>& breakpoints, const FigureAlong& figure) {
-    CamExtreme found = largest_along(breakpoints, [&](double x, Side side) { return -figure(x, side); });
+Extremum least_along(const std::vector<double>& breakpoints, const FigureAlong& figure) {
+    Extremum found = largest_along(breakpoints, [&](double x, Side side) { return -figure(x, side); });
     found.value = -found.value;
     return found;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "splines/polynomial.hpp"
+#include "core/numbers/polynomial.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace camopt {
 
@@ -26,6 +27,24 @@ double bracketed_root(const Eigen::Ref<const Eigen::VectorXd>& coefficients, dou
         t = next;
     }
     return t;
+}
+
+/// Of bounded size: nothing is allocated where a maximum is ruled out.
+using Bernstein = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 28, 1>;
+
+/// b_j = Σ_{k<=j} C(j,k) / C(n,k) c_k.
+Bernstein bernstein(const Eigen::Ref<const Eigen::VectorXd>& power) {
+    const Eigen::Index n = power.size() - 1;
+    Bernstein table = power;
+    // By differences: scale to c_k / C(n,k), then sum up n times.
+    double binomial = 1.0;
+    for (Eigen::Index k = 0; k <= n; ++k) {
+        table[k] /= binomial;
+        binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+    }
+    for (Eigen::Index i = 1; i <= n; ++i)
+        for (Eigen::Index j = n; j >= i; --j) table[j] += table[j - 1];
+    return table;
 }
 
 }  // namespace
@@ -78,6 +97,25 @@ std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coeffi
         }
     }
     return changes;
+}
+
+std::optional<Extremum> maximum_above(const Eigen::Ref<const Eigen::VectorXd>& coefficients, double floor) {
+    const Bernstein range = bernstein(coefficients);
+    if (!(range.maxCoeff() > floor)) return std::nullopt;
+    Extremum best{coefficients[0], 0.0};
+    const auto see = [&](double t) {
+        const double value = evaluate_polynomial(coefficients, t);
+        if (value > best.value) best = {value, t};
+    };
+    const auto is_sorted = [&](auto order) {
+        return std::is_sorted(range.data(), range.data() + range.size(), order);
+    };
+    const bool monotone = is_sorted(std::less<>()) || is_sorted(std::greater<>());
+    if (!monotone)
+        for (const double t : sign_changes(differentiated(coefficients), 0.0, 1.0)) see(t);
+    see(1.0);
+    if (!(best.value > floor)) return std::nullopt;
+    return best;
 }
 
 }  // namespace camopt

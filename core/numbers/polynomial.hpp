@@ -2,8 +2,11 @@
 // Polynomials in one variable, p(t) = Σ_m c_m t^m: coefficients ascending, as Eigen vectors of size >= 1.
 #pragma once
 
+#include "core/extremum.hpp"
+
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -20,5 +23,11 @@ namespace camopt {
 /// changes of p' (recursively), so none is missed; a root where p only touches zero is not a sign change.
 [[nodiscard]] std::vector<double> sign_changes(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
                                                double lower, double upper);
+
+/// The largest value on [0, 1] and the first place of it, to round-off; empty where the polynomial is nowhere
+/// above `floor`, which for most is seen without a root: in Bernstein form it never leaves the range of its
+/// coefficients. At most 28 coefficients.
+[[nodiscard]] std::optional<Extremum> maximum_above(const Eigen::Ref<const Eigen::VectorXd>& coefficients,
+                                                    double floor);
 
 }  // namespace camopt
