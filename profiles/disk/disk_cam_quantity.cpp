@@ -41,27 +41,27 @@ QuantityValue flat_regularity(const QuantityValue& radius, double base) {
 constexpr auto curvature = [](const auto& roller) { return roller.pitch().curvature(); };
 
 /// What a translating and an oscillating roller (or knife) have alike; `expand` gives a formula its partials.
-QuantityValue roller_quantity(const DiskCam& cam, Quantity which, const auto& expand) {
+QuantityValue roller_quantity(const DiskCam& cam, MechanismQuantity which, const auto& expand) {
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return expand([](const auto& roller) { return roller.pressure_numerator(); });
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return expand([](const auto& roller) { return roller.pressure_denominator(); });
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             return expand(curvature);
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             if (cam.follower == FollowerType::translating_knife) return constant_quantity(1.0);
             return roller_regularity(expand(curvature), surface_offset(cam, 0));
-        case Quantity::normal_lever:
+        case MechanismQuantity::normal_lever:
             return expand([](const auto& roller) { return roller.normal_lever(); });
-        case Quantity::cam_radius:
-        case Quantity::contact_offset:
+        case MechanismQuantity::cam_radius:
+        case MechanismQuantity::contact_offset:
             break;
     }
-    refuse_quantity(cam.follower);
+    refuse_quantity(name_of(cam.follower));
 }
 
-QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     const double sense = sense_of(cam.rotation);
     const auto expand = [&](const auto& formula) {
         const std::array<Local, 3> locals = {
@@ -69,14 +69,14 @@ QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerStat
         return Expander(cam, state).expand<formulas::TranslatingRoller>(locals, formula);
     };
     // Linear in the motion: exact, and cheaper than the expansion.
-    if (which == Quantity::pressure_numerator)
+    if (which == MechanismQuantity::pressure_numerator)
         return linear(state.velocity - sense * cam[offset],
                       std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
-    if (which == Quantity::pressure_denominator) return Expander(cam, state).position();
+    if (which == MechanismQuantity::pressure_denominator) return Expander(cam, state).position();
     return roller_quantity(cam, which, expand);
 }
 
-QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     const auto expand = [&](const auto& formula) {
         const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
                                               {acceleration_column},
@@ -92,29 +92,29 @@ QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& s
                   std::array<Term, 3>{{{0, 1.0}, {acceleration_column, 1.0}, {column_of(base_radius), 1.0}}});
 }
 
-QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     const double sense = sense_of(cam.rotation);
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return constant_quantity(0.0);
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return linear(cam[base_radius] + state.s,
                           std::array<Term, 2>{{{0, 1.0}, {column_of(base_radius), 1.0}}});
-        case Quantity::cam_radius:
+        case MechanismQuantity::cam_radius:
             return translating_flat_radius(cam, state);
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             return flat_regularity(translating_flat_radius(cam, state), cam[base_radius]);
-        case Quantity::contact_offset:
+        case MechanismQuantity::contact_offset:
             return linear(sense * state.velocity, std::array<Term, 1>{{{velocity_column, sense}}});
-        case Quantity::normal_lever:
+        case MechanismQuantity::normal_lever:
             return constant_quantity(1.0);
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             break;
     }
-    refuse_quantity(cam.follower);
+    refuse_quantity(name_of(cam.follower));
 }
 
-QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     const auto expand = [&](const auto& formula) {
         const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
                                               {acceleration_column},
@@ -123,27 +123,27 @@ QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState&
         return Expander(cam, state).expand<formulas::OscillatingFlat>(locals, formula);
     };
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return expand([](const auto& flat) { return flat.pressure_numerator(); });
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return expand([](const auto& flat) { return flat.pressure_denominator(); });
-        case Quantity::cam_radius:
+        case MechanismQuantity::cam_radius:
             return expand([](const auto& flat) { return flat.cam_radius(); });
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             return flat_regularity(expand([](const auto& flat) { return flat.turned_radius(); }),
                                    cam[base_radius]);
-        case Quantity::contact_offset:
-        case Quantity::normal_lever:
+        case MechanismQuantity::contact_offset:
+        case MechanismQuantity::normal_lever:
             return expand([](const auto& flat) { return flat.contact_offset(); });
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             break;
     }
-    refuse_quantity(cam.follower);
+    refuse_quantity(name_of(cam.follower));
 }
 
 }  // namespace
 
-QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     switch (cam.follower) {
         case FollowerType::translating_roller:
         case FollowerType::translating_knife:

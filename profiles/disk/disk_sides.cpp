@@ -106,11 +106,11 @@ StateAlong second_along(const StateAlong& state) {
 
 /// Of the outer flank, whose pitch curvature is −κ.
 template <class State>
-auto outer_quantity(const DiskCam& cam, const State& state, Quantity which) {
-    if (which == Quantity::pitch_curvature) return scaled(quantity(cam, state, which), -1.0);
-    if (which != Quantity::regularity) return quantity(cam, state, which);
+auto outer_quantity(const DiskCam& cam, const State& state, MechanismQuantity which) {
+    if (which == MechanismQuantity::pitch_curvature) return scaled(quantity(cam, state, which), -1.0);
+    if (which != MechanismQuantity::regularity) return quantity(cam, state, which);
     const auto offset_radius = shifted(dimension(cam, state, roller_radius), 0.5 * cam.form.groove_clearance);
-    return shifted(product(offset_radius, quantity(cam, state, Quantity::pitch_curvature)), 1.0);
+    return shifted(product(offset_radius, quantity(cam, state, MechanismQuantity::pitch_curvature)), 1.0);
 }
 
 }  // namespace
@@ -179,13 +179,13 @@ ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState
     return point;
 }
 
-QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which, int side) {
+QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which, int side) {
     if (is_outer_flank(cam, side)) return outer_quantity(cam, state, which);
     if (side == 0 || !cam.form.is_conjugate()) return quantity(cam, state, which);
     return carried_over(quantity(second_disk(cam), second_state(state), which), second_dimensions(cam));
 }
 
-RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which, int side) {
+RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which, int side) {
     if (is_outer_flank(cam, side)) return outer_quantity(cam, state, which);
     if (side == 0 || !cam.form.is_conjugate()) return quantity(cam, state, which);
     return quantity(second_disk(cam), second_along(state), which);

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/quantity_algebra.hpp"
 
-#include "core/errors.hpp"
-
-#include <string>
-
 namespace camopt {
-
-void refuse_quantity(FollowerType follower) {
-    throw ModelError(std::string("quantity: a ") + name_of(follower) + " follower has no such quantity");
-}
 
 QuantityValue constant_quantity(double value) {
     QuantityValue result{value, {}, {}};

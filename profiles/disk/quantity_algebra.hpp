@@ -11,9 +11,6 @@ namespace camopt {
     return 3 + static_cast<int>(dimension);
 }
 
-/// Throws ModelError: this follower has not the quantity that was asked for.
-[[noreturn]] void refuse_quantity(FollowerType follower);
-
 [[nodiscard]] QuantityValue constant_quantity(double value);
 /// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
 [[nodiscard]] QuantityValue variable_quantity(double value, int index);

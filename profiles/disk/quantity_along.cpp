@@ -7,7 +7,7 @@
 namespace camopt {
 using enum DimensionIndex;
 
-RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which) {
+RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which) {
     const double sense = sense_of(cam.rotation);
     switch (cam.follower) {
         case FollowerType::translating_roller:

@@ -14,7 +14,7 @@ namespace camopt {
 
 /// Everything where the formula may divide by zero somewhere in the stretch. Throws ModelError where the
 /// follower has no such quantity.
-[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which);
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which);
 
 [[nodiscard]] inline RangeAlong sum(double factor_a, const RangeAlong& a, double factor_b,
                                     const RangeAlong& b) {

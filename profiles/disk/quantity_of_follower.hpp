@@ -16,69 +16,69 @@ namespace camopt::formulas {
 /// surface.
 template <class Number, class Roller, class Offset>
 [[nodiscard]] Number quantity_of_roller(FollowerType follower, const Roller& roller,
-                                        const Offset& flank_offset, Quantity which) {
+                                        const Offset& flank_offset, MechanismQuantity which) {
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return roller.pressure_numerator();
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return roller.pressure_denominator();
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             return roller.pitch().curvature();
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             if (!has_roller(follower)) return Number(1.0);
             return Number(1.0) - flank_offset * roller.pitch().curvature();
-        case Quantity::normal_lever:
+        case MechanismQuantity::normal_lever:
             return roller.normal_lever();
-        case Quantity::cam_radius:
-        case Quantity::contact_offset:
+        case MechanismQuantity::cam_radius:
+        case MechanismQuantity::contact_offset:
             break;
     }
-    refuse_quantity(follower);
+    refuse_quantity(name_of(follower));
 }
 
 /// Of a flat face that slides: the height of the face, base radius + s, and the derivatives of s.
 template <class Number>
 [[nodiscard]] Number quantity_of_face(const Number& base_radius, const Number& height, const Number& velocity,
-                                      const Number& acceleration, Quantity which) {
+                                      const Number& acceleration, MechanismQuantity which) {
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return Number(0.0);
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return height;
-        case Quantity::cam_radius:
+        case MechanismQuantity::cam_radius:
             return height + acceleration;
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             return (height + acceleration) / base_radius;
-        case Quantity::contact_offset:
+        case MechanismQuantity::contact_offset:
             return velocity;
-        case Quantity::normal_lever:
+        case MechanismQuantity::normal_lever:
             return Number(1.0);
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             break;
     }
-    refuse_quantity(FollowerType::translating_flat);
+    refuse_quantity(name_of(FollowerType::translating_flat));
 }
 
 /// Of a flat face on an arm.
 template <class Number>
 [[nodiscard]] Number quantity_of_face_arm(const Number& base_radius, const OscillatingFlat<Number>& face,
-                                          Quantity which) {
+                                          MechanismQuantity which) {
     switch (which) {
-        case Quantity::pressure_numerator:
+        case MechanismQuantity::pressure_numerator:
             return face.pressure_numerator();
-        case Quantity::pressure_denominator:
+        case MechanismQuantity::pressure_denominator:
             return face.pressure_denominator();
-        case Quantity::cam_radius:
+        case MechanismQuantity::cam_radius:
             return face.cam_radius();
-        case Quantity::regularity:
+        case MechanismQuantity::regularity:
             return face.turned_radius() / base_radius;
-        case Quantity::contact_offset:
-        case Quantity::normal_lever:
+        case MechanismQuantity::contact_offset:
+        case MechanismQuantity::normal_lever:
             return face.contact_offset();
-        case Quantity::pitch_curvature:
+        case MechanismQuantity::pitch_curvature:
             break;
     }
-    refuse_quantity(FollowerType::oscillating_flat);
+    refuse_quantity(name_of(FollowerType::oscillating_flat));
 }
 
 }  // namespace camopt::formulas

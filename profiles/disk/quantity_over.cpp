@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/quantity_over.hpp"
 
+#include "core/errors.hpp"
 #include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_of_follower.hpp"
 
@@ -61,7 +62,7 @@ RangeOver open_excess(const DiskCam& cam, const StateOver& state, const RangeOve
         case FollowerType::oscillating_flat:
             break;
     }
-    refuse_quantity(cam.follower);
+    refuse_quantity(name_of(cam.follower));
 }
 
 bool is_second_disk(const DiskCam& cam, int side) {
@@ -100,15 +101,15 @@ StateOver second_over(const DiskCam& cam, const StateOver& state) {
 }
 
 /// Of the outer flank, whose pitch curvature is −κ.
-RangeOver outer_flank_over(const DiskCam& cam, const StateOver& state, Quantity which) {
-    if (which == Quantity::pitch_curvature) return -quantity(cam, state, which);
-    if (which != Quantity::regularity) return quantity(cam, state, which);
-    return RangeOver(1.0) + flank_offset(cam, state) * quantity(cam, state, Quantity::pitch_curvature);
+RangeOver outer_flank_over(const DiskCam& cam, const StateOver& state, MechanismQuantity which) {
+    if (which == MechanismQuantity::pitch_curvature) return -quantity(cam, state, which);
+    if (which != MechanismQuantity::regularity) return quantity(cam, state, which);
+    return RangeOver(1.0) + flank_offset(cam, state) * quantity(cam, state, MechanismQuantity::pitch_curvature);
 }
 
 }  // namespace
 
-RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which) {
+RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which) {
     switch (cam.follower) {
         case FollowerType::translating_roller:
         case FollowerType::translating_knife:
@@ -122,13 +123,13 @@ RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which) {
             return formulas::quantity_of_roller<RangeOver>(cam.follower, oscillating_roller_over(cam, state),
                                                            flank_offset(cam, state), which);
         case FollowerType::oscillating_flat:
-            break;
+            return formulas::quantity_of_face_arm<RangeOver>(state[base_radius],
+                                                             oscillating_flat_over(cam, state), which);
     }
-    return formulas::quantity_of_face_arm<RangeOver>(state[base_radius], oscillating_flat_over(cam, state),
-                                                     which);
+    throw ModelError("quantity: a follower of no known type");
 }
 
-RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side) {
+RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which, int side) {
     if (is_second_disk(cam, side)) return quantity(second_disk(cam), second_over(cam, state), which);
     return side == 0 ? quantity(cam, state, which) : outer_flank_over(cam, state, which);
 }

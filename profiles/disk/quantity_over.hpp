@@ -25,10 +25,10 @@ struct StateOver {
 
 /// Everything where the formula may divide by zero somewhere in the box. Throws ModelError where the
 /// follower has no such quantity.
-[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which);
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which);
 
 /// As those of disk_sides.hpp.
-[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side);
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which, int side);
 [[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
 
 /// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch

@@ -25,9 +25,13 @@ T formula(const RemoteEvaluation<T>& own, const std::array<T, 3>& output, Mechan
         case MechanismQuantity::pitch_curvature:
             return roller.curvature();
         case MechanismQuantity::regularity:
+            return own.regularity(roller);
+        case MechanismQuantity::cam_radius:
+        case MechanismQuantity::contact_offset:
+        case MechanismQuantity::normal_lever:
             break;
     }
-    return own.regularity(roller);
+    refuse_quantity(remote_type);
 }
 
 struct Request {
