@@ -38,7 +38,8 @@ enum class MechanismQuantity {
     cam_radius,            ///< signed radius of the cam, m; followers with a flat face
     regularity,            ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
     contact_offset,        ///< where a flat face is touched, m
-    normal_lever  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); direct cams
+    normal_lever  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); direct
+                  ///< cams
 };
 
 /// Throws ModelError: the mechanism has not the quantity that was asked for.

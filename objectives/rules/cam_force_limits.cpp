@@ -43,8 +43,8 @@ struct Force {
 
 void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& force) {
     const double least = limit.value;
-    const double unit = std::max({std::abs(least), force.spec.preload,
-                                  force.swing(limits.variables().scale), least_scale});
+    const double unit =
+        std::max({std::abs(least), force.spec.preload, force.swing(limits.variables().scale), least_scale});
     CamFormula formula =
         cam_formula(limit.key, [=](const auto& call) { return -1.0 / unit * (force(call) + -least); });
     formula.linear = true;
@@ -77,8 +77,8 @@ void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, cons
 /// In a groove with a clearance the roller touches a surface that is not quite its pitch curve's offset by
 /// its own radius: F (1 − (R − r) κ) <= r (1 − R κ) · lever · … of disk_sides.hpp.
 void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& force, int station) {
-    const double carried = force.spec.compliance() * std::numbers::pi * *force.spec.contact_width *
-                           limit.value * limit.value;
+    const double carried =
+        force.spec.compliance() * std::numbers::pi * *force.spec.contact_width * limit.value * limit.value;
     const double unit = std::max(
         {force.spec.preload, least_force_share * force.swing(limits.variables().scale), least_scale});
     const double sense = station == 0 ? 1.0 : -1.0;  // a cam that drives both ways is pressed on either side

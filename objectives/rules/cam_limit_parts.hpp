@@ -32,14 +32,17 @@ class Limits {
     [[nodiscard]] double length() const { return cam().length(dimensions()); }
     /// Of the roller at a station, m; 0 without one.
     [[nodiscard]] double roller(int station) const;
-    /// The surface lies this much farther from the roller's centre than its radius: half a groove's clearance.
+    /// The surface lies this much farther from the roller's centre than its radius: half a groove's
+    /// clearance.
     [[nodiscard]] double wider_by(int station) const;
     /// The shape of a quantity.
     [[nodiscard]] bool is_linear(MechanismQuantity which) const {
         return cam().shape(which, setting()) == Curvature::linear;
     }
 
-    void add(CamFormula formula) { rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula))); }
+    void add(CamFormula formula) {
+        rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula)));
+    }
     /// Of a rule that holds at one station of several.
     void add_at(CamFormula formula, int station);
     [[nodiscard]] Rules taken() { return std::move(rules_); }

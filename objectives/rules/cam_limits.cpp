@@ -45,9 +45,8 @@ void add_regularity(Limits& limits, const WrittenLimit& limit, int station) {
         formula.linear = true;
         return limits.add(std::move(formula));
     }
-    CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
-        return -1.0 * call.quantity(regularity, station) + margin;
-    });
+    CamFormula formula = cam_formula(
+        limit.key, [=](const auto& call) { return -1.0 * call.quantity(regularity, station) + margin; });
     formula.figure = regularity;
     formula.over = [=](const CamCallOver& call) {
         return call.cam.regularity_over(margin, call.state, station);
@@ -104,9 +103,8 @@ void add_flat_radius(Limits& limits) {
     const auto& limit = limit_on(limits.scene().limits, LimitedFigure::convex_radius);
     if (!limit) return;
     const double base = *limits.cam().base_radius(limits.dimensions()), least = limit->value;
-    CamFormula formula = cam_formula(limit->key, [=](const auto& call) {
-        return -1.0 / base * (call.quantity(cam_radius, 0) + -least);
-    });
+    CamFormula formula = cam_formula(
+        limit->key, [=](const auto& call) { return -1.0 / base * (call.quantity(cam_radius, 0) + -least); });
     formula.linear = limits.is_linear(cam_radius);
     formula.scale = least > 0.0 ? std::max(least_scale, least / base) : 1.0;
     limits.add(std::move(formula));

@@ -17,8 +17,8 @@ using enum MechanismQuantity;
 /// sign · N cos φm − D sin φm over L, with s' = 0 put in.
 MechanismValue excess_at_rest(CamCall call, const PressureSide& side, double length) {
     call.state.output.velocity = 0.0;
-    MechanismValue value = 1.0 / length * call.cam.pressure_excess(side.limit, side.sign, call.state,
-                                                                   side.station, call.active);
+    MechanismValue value =
+        1.0 / length * call.cam.pressure_excess(side.limit, side.sign, call.state, side.station, call.active);
     value.gradient[1] = 0.0;
     value.hessian.row(1).setZero();
     value.hessian.col(1).setZero();
@@ -54,7 +54,7 @@ void add_side(Limits& limits, const WrittenLimit& limit, PressureSide side, bool
         return 1.0 / length * *excess;
     };
     const auto shape = [cam = limits.variables().cam, active = limits.active(), side](double least,
-                                                                                       double most) {
+                                                                                      double most) {
         return cam.formulas->pressure_shape(side, {cam.dimensions, active}, least, most);
     };
     formula.linear = shape(-infinity, infinity) == Curvature::linear;

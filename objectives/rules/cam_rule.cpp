@@ -57,8 +57,8 @@ std::optional<RangeAlong> CamRule::range_along(const Interval& x, const std::arr
     };
     const Interval angle(cam_->scale.unit_angle);
     const std::vector<double> dimensions = cam_->dimensions_for(q);
-    const MechanismStateAlong state{
-        dimensions, along(0), along(1), along(2), RangeAlong(angle * x, angle, Interval(0.0))};
+    const MechanismStateAlong state{dimensions, along(0), along(1), along(2),
+                                    RangeAlong(angle * x, angle, Interval(0.0))};
     return formula_.along({*cam_->cam.formulas, state});
 }
 
@@ -66,10 +66,10 @@ std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, doub
     if (!formula_.over || box.size() > RangeOver::most) return {};
     ++*cam_->profile_points;
     const std::array<double, 3> unit = units();
-    MechanismStateOver state{
-        std::vector<RangeOver>(cam_->cam.dimensions.begin(), cam_->cam.dimensions.end()),
-        RangeOver::variable(box[0], 0, unit[0]), RangeOver::variable(box[1], 1, unit[1]),
-        RangeOver::variable(box[2], 2, unit[2]), Interval(cam_->scale.unit_angle) * Interval(at)};
+    MechanismStateOver state{std::vector<RangeOver>(cam_->cam.dimensions.begin(), cam_->cam.dimensions.end()),
+                             RangeOver::variable(box[0], 0, unit[0]), RangeOver::variable(box[1], 1, unit[1]),
+                             RangeOver::variable(box[2], 2, unit[2]),
+                             Interval(cam_->scale.unit_angle) * Interval(at)};
     for (std::size_t k = 0; k < active_.size(); ++k)
         state.dimensions[static_cast<std::size_t>(active_[k])] =
             RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference);

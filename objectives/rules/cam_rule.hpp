@@ -38,7 +38,7 @@ struct CamFormula {
     std::function<std::optional<RangeAlong>(const CamCallAlong&)> along = {};
     /// Over all s from `least` to `most`; none: general.
     std::function<Curvature(double least, double most)> shape = {};
-    bool linear = false;  ///< linear over all of them
+    bool linear = false;                       ///< linear over all of them
     Interval slopes = Interval::everything();  ///< of s' by the cam angle that it allows at all
 };
 

@@ -6,7 +6,6 @@
 #include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 #include "profiles/disk/quantity_along.hpp"
-#include "profiles/disk/quantity_over.hpp"
 
 #include <fmt/format.h>
 
@@ -193,7 +192,9 @@ std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const
     for (const auto& sum : reach_of(follower_)) {
         std::vector<SignedIndex>& own = all.emplace_back();
         own.reserve(sum.size());
-        for (const auto& [dimension, sign] : sum) own.push_back({place_of(dimension), sign});
+        // A dimension that the follower has not is 0.
+        for (const auto& [dimension, sign] : sum)
+            if (has_dimension(follower_, dimension)) own.push_back({place_of(dimension), sign});
     }
     return all;
 }
@@ -209,14 +210,15 @@ int DiskMechanism::roller_radius_at(int station) const {
 /// where the cosine is concave for the upper side, where it is convex for the lower one.
 /// The second disk is the same in ψ2 = γ − ψ; translating it has +s0 where the first has −s0, which is
 /// concave in the dimensions unless it is linear in them.
-Curvature DiskMechanism::pressure_shape(const PressureSide& side, const MechanismSetting& setting, double least,
-                                        double most) const {
+Curvature DiskMechanism::pressure_shape(const PressureSide& side, const MechanismSetting& setting,
+                                        double least, double most) const {
     constexpr double right_angle = 0.5 * std::numbers::pi;
     const DiskCam own = cam(setting.dimensions);
     const bool second = side.station == 1;
     if (!swings()) {
         // Nothing variable but base and roller, no offset: N = s', D = base + roller + s.
-        const bool straight = !is_active(setting, DimensionIndex::offset) && own[DimensionIndex::offset] == 0.0;
+        const bool straight =
+            !is_active(setting, DimensionIndex::offset) && own[DimensionIndex::offset] == 0.0;
         if (setting.active.empty() || straight) return Curvature::linear;
         return second ? Curvature::general : Curvature::convex;
     }
@@ -225,9 +227,8 @@ Curvature DiskMechanism::pressure_shape(const PressureSide& side, const Mechanis
     const double low = start + (second ? -most : least), high = start + (second ? -least : most);
     const double limit = side.limit;
     const bool convex = has_turning_face(follower_) ? low >= -right_angle && high <= right_angle
-                        : side.sign > 0
-                            ? low >= limit - right_angle && high <= limit + right_angle
-                            : low >= right_angle - limit && high <= 3.0 * right_angle - limit;
+                        : side.sign > 0 ? low >= limit - right_angle && high <= limit + right_angle
+                                        : low >= right_angle - limit && high <= 3.0 * right_angle - limit;
     return convex ? Curvature::convex : Curvature::general;
 }
 
@@ -261,7 +262,8 @@ bool DiskMechanism::upper_side_rises(int station) const {
 bool DiskMechanism::leans_at_rest(int station, const MechanismSetting& setting) const {
     if (swings()) return true;
     if (station == 1 && form_.second_offset) return *form_.second_offset != 0.0;
-    return cam(setting.dimensions)[DimensionIndex::offset] != 0.0 || is_active(setting, DimensionIndex::offset);
+    return cam(setting.dimensions)[DimensionIndex::offset] != 0.0 ||
+           is_active(setting, DimensionIndex::offset);
 }
 
 Curvature DiskMechanism::shape(MechanismQuantity which, const MechanismSetting& setting) const {
@@ -284,15 +286,14 @@ std::optional<RangeOver> DiskMechanism::regularity_over(double margin, const Mec
     const DiskCam own = form();
     const StateOver box = over(state);
     const double wider = form_.is_grooved() ? 0.5 * form_.groove_clearance : 0.0;
-    return curvature_excess(own, box, shifted(roller_on(own, box, station), wider), 1.0 - margin, station);
+    return curvature_excess(own, box, roller_on(own, box, station) + wider, 1.0 - margin, station);
 }
 
 std::optional<RangeOver> DiskMechanism::radius_over(double shift, const MechanismStateOver& state,
                                                     int station) const {
     const DiskCam own = form();
     const StateOver box = over(state);
-    const RangeOver factor =
-        has_roller(follower_) ? shifted(roller_on(own, box, station), shift) : RangeOver(shift);
+    const RangeOver factor = has_roller(follower_) ? roller_on(own, box, station) + shift : RangeOver(shift);
     return curvature_excess(own, box, factor, 1.0, station);
 }
 
@@ -303,8 +304,7 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
         const double none = std::numeric_limits<double>::quiet_NaN();
         return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
     }
-    const QuantityValue all =
-        camopt::quantity(cam(state.dimensions), state.output, which, station);
+    const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
     // The form's numbers are no variables of a quantity.
     std::array<int, quantity_variables> columns = {0, 1, 2};
     for (std::size_t k = 0; k < active.size(); ++k)

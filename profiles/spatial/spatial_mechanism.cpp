@@ -40,7 +40,10 @@ Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, 
             break;
         case SpatialNumber::axial_offset:
             break;
-        default:
+        case SpatialNumber::roller_radius:
+        case SpatialNumber::arm_length:
+        case SpatialNumber::center_distance:
+        case SpatialNumber::lateral_offset:
             direction(3 + number) = 1.0;
     }
     return direction;

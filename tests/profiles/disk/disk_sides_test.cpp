@@ -184,9 +184,9 @@ TEST_P(DiskSides, PressureAngleAndRadiusAreThoseOfThePath) {
     });
 }
 
-constexpr Quantity side_quantities[] = {MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
-                                        MechanismQuantity::pitch_curvature, MechanismQuantity::regularity,
-                                        MechanismQuantity::normal_lever};
+constexpr MechanismQuantity side_quantities[] = {
+    MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
+    MechanismQuantity::pitch_curvature, MechanismQuantity::regularity, MechanismQuantity::normal_lever};
 
 struct Situation {
     DiskCam cam;

@@ -17,14 +17,16 @@ namespace disk_quantity_test {
 using namespace test;
 using enum DimensionIndex;
 
-constexpr Quantity every_quantity[] = {MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
-                                       MechanismQuantity::pitch_curvature,    MechanismQuantity::cam_radius,
-                                       MechanismQuantity::regularity,         MechanismQuantity::contact_offset,
-                                       MechanismQuantity::normal_lever};
+constexpr MechanismQuantity every_quantity[] = {
+    MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
+    MechanismQuantity::pitch_curvature,    MechanismQuantity::cam_radius,
+    MechanismQuantity::regularity,         MechanismQuantity::contact_offset,
+    MechanismQuantity::normal_lever};
 
 bool has_quantity(FollowerType follower, MechanismQuantity which) {
     if (which == MechanismQuantity::pitch_curvature) return !has_flat_face(follower);
-    if (which == MechanismQuantity::cam_radius || which == MechanismQuantity::contact_offset) return has_flat_face(follower);
+    if (which == MechanismQuantity::cam_radius || which == MechanismQuantity::contact_offset)
+        return has_flat_face(follower);
     return true;
 }
 
@@ -97,11 +99,13 @@ TEST_P(QuantityOf, AgreesWithThePoint) {
     repeat([](const Situation& situation) {
         const ProfilePoint point = profile_point(situation.cam, 0.3, situation.state);
         const auto value = [&](MechanismQuantity which) { return value_of(situation, which).value; };
-        EXPECT_NEAR(value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
-                    std::tan(point.pressure_angle), 1e-14);
+        EXPECT_NEAR(
+            value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
+            std::tan(point.pressure_angle), 1e-14);
         EXPECT_NEAR(value(MechanismQuantity::regularity), point.regularity, 1e-14);
         if (has_flat_face(situation.cam.follower)) {
-            EXPECT_NEAR(value(MechanismQuantity::cam_radius), point.cam_radius, 1e-14 * std::abs(point.cam_radius));
+            EXPECT_NEAR(value(MechanismQuantity::cam_radius), point.cam_radius,
+                        1e-14 * std::abs(point.cam_radius));
             EXPECT_NEAR(value(MechanismQuantity::contact_offset), point.contact_offset, 1e-16);
         } else {
             EXPECT_NEAR(value(MechanismQuantity::pitch_curvature), point.pitch_curvature, 1e-12);
@@ -118,7 +122,8 @@ TEST_P(QuantityOf, LeverIsTheVelocityOfTheContactAlongTheNormal) {
             const Eigen::Vector2d arm = point.contact - Eigen::Vector2d(situation.cam[center_distance], 0.0);
             velocity = Eigen::Vector2d(arm.y(), -arm.x());
         }
-        EXPECT_NEAR(value_of(situation, MechanismQuantity::normal_lever).value, point.normal.dot(velocity), 1e-15);
+        EXPECT_NEAR(value_of(situation, MechanismQuantity::normal_lever).value, point.normal.dot(velocity),
+                    1e-15);
     });
 }
 

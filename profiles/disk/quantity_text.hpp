@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which formula of disk_cam_formulas.hpp each quantity of a follower is, for numbers that enclose: RangeAlong
-// (over a stretch of the cam angle) and RangeOver (over a box of the motion's state and the dimensions).
+// Which formula of disk_cam_formulas.hpp each quantity of a follower is: one text for every number that a
+// formula may be of: double, automatic differentiation (disk_cam_expansion.hpp), RangeAlong (over a stretch
+// of the cam angle), RangeOver (over a box of the motion's state and the dimensions).
 //
 // Lengths in m, curvatures in 1/m, the regularity without unit; velocities and accelerations by the cam angle
 // in the turning sense of the cam. Throws ModelError where the follower has no such quantity.
 #pragma once
 
+#include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
 
 namespace camopt::formulas {
 
@@ -26,7 +27,7 @@ template <class Number, class Roller, class Offset>
             return roller.pitch().curvature();
         case MechanismQuantity::regularity:
             if (!has_roller(follower)) return Number(1.0);
-            return Number(1.0) - flank_offset * roller.pitch().curvature();
+            return Number(1.0) - Number(flank_offset * roller.pitch().curvature());
         case MechanismQuantity::normal_lever:
             return roller.normal_lever();
         case MechanismQuantity::cam_radius:
@@ -48,7 +49,7 @@ template <class Number>
         case MechanismQuantity::cam_radius:
             return height + acceleration;
         case MechanismQuantity::regularity:
-            return (height + acceleration) / base_radius;
+            return Number(height + acceleration) / base_radius;
         case MechanismQuantity::contact_offset:
             return velocity;
         case MechanismQuantity::normal_lever:
@@ -79,6 +80,51 @@ template <class Number>
             break;
     }
     refuse_quantity(name_of(FollowerType::oscillating_flat));
+}
+
+/// Of the side that an open cam of the same dimensions has. `Source` has the members s, velocity and
+/// acceleration, rest() (what s is added to), flank_offset() and number(dimension).
+template <class Number, class Source>
+[[nodiscard]] Number quantity_of_first_side(const DiskCam& cam, const Source& source,
+                                            MechanismQuantity which) {
+    using enum DimensionIndex;
+    const double sense = sense_of(cam.rotation);
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return quantity_of_roller<Number>(
+                cam.follower,
+                TranslatingRoller<Number>{source.rest() + source.s, source.velocity, source.acceleration,
+                                          sense * source.number(offset)},
+                source.flank_offset(), which);
+        case FollowerType::translating_flat:
+            return quantity_of_face<Number>(source.number(base_radius), source.number(base_radius) + source.s,
+                                            sense * source.velocity, source.acceleration, which);
+        case FollowerType::oscillating_roller:
+            return quantity_of_roller<Number>(
+                cam.follower,
+                OscillatingRoller<Number>{source.rest() + source.s, sense * source.velocity,
+                                          source.acceleration, source.number(center_distance),
+                                          source.number(arm_length)},
+                source.flank_offset(), which);
+        case FollowerType::oscillating_flat:
+            return quantity_of_face_arm<Number>(
+                source.number(base_radius),
+                {source.rest() + source.s, sense * source.velocity, source.acceleration,
+                 source.number(center_distance), source.number(face_offset)},
+                which);
+    }
+    throw ModelError("quantity: a follower of no known type");
+}
+
+/// Of the outer flank of a groove, whose pitch curvature is −κ; `offset`: from the pitch curve to it;
+/// `first`: the quantities of the inner flank.
+template <class Offset, class First>
+[[nodiscard]] auto quantity_of_outer_flank(const Offset& offset, const First& first,
+                                           MechanismQuantity which) {
+    if (which == MechanismQuantity::pitch_curvature) return -1.0 * first(which);
+    if (which != MechanismQuantity::regularity) return first(which);
+    return offset * first(MechanismQuantity::pitch_curvature) + 1.0;
 }
 
 }  // namespace camopt::formulas
