@@ -5,7 +5,8 @@
 # time goes: compiled with -O1 in Release, in four fifths of the time.
 
 add_library(camopt_warnings INTERFACE)
-target_compile_options(camopt_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
+# A switch that lacks a kind or a follower is an error of every build.
+target_compile_options(camopt_warnings INTERFACE -Werror=switch -Wall -Wextra -Wpedantic -Wconversion
   -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(NOT CAMOPT_UNITY_BUILD)  # the names of one file are no shadows of those of the next
   target_compile_options(camopt_warnings INTERFACE -Wshadow)

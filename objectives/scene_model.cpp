@@ -8,7 +8,6 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
-#include "objectives/rules/mechanism_rule.hpp"
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
@@ -318,16 +317,6 @@ void add_magnitude(CamModel& model, int of, double weight) {
     }
 }
 
-/// The rules of its kind.
-void add_cam_rules(CamModel& model, const Scene& scene) {
-    if (scene.cam) {
-        add_reach_rows(model, *scene.cam);
-        for (const auto& rule : cam_limits(scene, *model.cam)) model.rules.emplace_back(rule);
-        return;
-    }
-    for (const auto& rule : mechanism_limits(scene, model.cam)) model.rules.emplace_back(rule);
-}
-
 void add_cam(CamModel& model, const Scene& scene) {
     const std::optional<MechanismSpec> spec = cam_of(scene);
     if (!spec) return;
@@ -357,7 +346,8 @@ void add_cam(CamModel& model, const Scene& scene) {
         cam->variables.push_back({static_cast<int>(d), index, reference});
     }
     model.cam = cam;
-    add_cam_rules(model, scene);
+    add_reach_rows(model, *spec);
+    for (const auto& rule : cam_limits(scene, *cam)) model.rules.emplace_back(rule);
 }
 
 }  // namespace

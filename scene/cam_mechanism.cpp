@@ -1,22 +1,76 @@
 // SPDX-License-Identifier: MIT
 #include "scene/cam_mechanism.hpp"
 
+#include "core/errors.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace camopt {
 
-MechanismValue combined(double factor_a, const MechanismValue& a, double factor_b, const MechanismValue& b) {
-    return {factor_a * a.value + factor_b * b.value, factor_a * a.gradient + factor_b * b.gradient,
-            factor_a * a.hessian + factor_b * b.hessian, factor_a * a.by_angle + factor_b * b.by_angle};
+void refuse_quantity(std::string_view mechanism) {
+    throw ModelError(fmt::format("quantity: a {} cam or follower has no such quantity", mechanism));
+}
+
+MechanismValue operator+(MechanismValue a, const MechanismValue& b) {
+    a.value += b.value;
+    a.gradient += b.gradient;
+    a.hessian += b.hessian;
+    a.by_angle += b.by_angle;
+    return a;
+}
+
+MechanismValue operator+(MechanismValue a, double by) {
+    a.value += by;
+    return a;
+}
+
+MechanismValue operator*(double factor, MechanismValue a) {
+    a.value *= factor;
+    a.gradient *= factor;
+    a.hessian *= factor;
+    a.by_angle *= factor;
+    return a;
+}
+
+MechanismValue operator*(const MechanismValue& a, const MechanismValue& b) {
+    MechanismValue result{a.value * b.value, a.value * b.gradient + b.value * a.gradient,
+                          a.value * b.hessian + b.value * a.hessian,
+                          a.value * b.by_angle + b.value * a.by_angle};
+    result.hessian += a.gradient.lazyProduct(b.gradient.transpose());
+    result.hessian += b.gradient.lazyProduct(a.gradient.transpose());
+    return result;
 }
 
 MechanismValue CamMechanism::pressure_excess(double limit, int sign, const MechanismState& state, int station,
                                              std::span<const int> active) const {
-    return combined(sign * std::cos(limit),
-                    quantity(MechanismQuantity::pressure_numerator, state, station, active), -std::sin(limit),
-                    quantity(MechanismQuantity::pressure_denominator, state, station, active));
+    return sign * std::cos(limit) * quantity(MechanismQuantity::pressure_numerator, state, station, active) +
+           -std::sin(limit) * quantity(MechanismQuantity::pressure_denominator, state, station, active);
+}
+
+std::optional<RangeOver> CamMechanism::pressure_over(double limit, int sign, const MechanismStateOver& state,
+                                                     int station) const {
+    const auto numerator = quantity_over(MechanismQuantity::pressure_numerator, state, station);
+    const auto denominator = quantity_over(MechanismQuantity::pressure_denominator, state, station);
+    if (!numerator || !denominator) return {};
+    return sign * std::cos(limit) * *numerator - std::sin(limit) * *denominator;
+}
+
+std::optional<RangeOver> CamMechanism::regularity_over(double margin, const MechanismStateOver& state,
+                                                       int station) const {
+    const auto regularity = quantity_over(MechanismQuantity::regularity, state, station);
+    if (!regularity) return {};
+    return RangeOver(margin) - *regularity;
+}
+
+std::optional<RangeOver> CamMechanism::radius_over(double shift, const MechanismStateOver& state,
+                                                   int station) const {
+    const auto curvature = quantity_over(MechanismQuantity::pitch_curvature, state, station);
+    const int roller = roller_radius_at(station);
+    if (!curvature) return {};
+    const RangeOver radius = roller < 0 ? RangeOver(0.0) : state.dimensions[static_cast<std::size_t>(roller)];
+    return (radius + RangeOver(shift)) * *curvature - RangeOver(1.0);
 }
 
 std::optional<RangeAlong> CamMechanism::pressure_along(double limit, int sign,

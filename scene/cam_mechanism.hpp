@@ -24,28 +24,57 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camopt {
 
+/// What limits are made of. Each is smooth wherever the mechanism moves (a flat face on an arm: and
+/// 1 + σψ' ≠ 0). A mechanism has the first two and the regularity; the others where it says so.
 enum class MechanismQuantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< > 0 where the mechanism moves; m
     pitch_curvature,       ///< of the roller centre's path, 1/m, > 0 where the cam is convex; planar cams
-    regularity             ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
+    cam_radius,            ///< signed radius of the cam, m; followers with a flat face
+    regularity,            ///< <= 0: undercut. Planar: 1 − r κ; spatial: g of the flank
+    contact_offset,        ///< where a flat face is touched, m
+    normal_lever  ///< force along the normal = F / lever (pushed: cos φ) or M / lever (swinging, m); direct
+                  ///< cams
 };
+
+/// Throws ModelError: the mechanism has not the quantity that was asked for.
+[[noreturn]] void refuse_quantity(std::string_view mechanism);
 
 /// Value with first and second partials by (s, s', s'', the active dimensions in their order).
 struct MechanismValue {
+    static constexpr int most_active = 24;  ///< dimensions that may move at once
+    using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 + most_active, 1>;
+    using Hessian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3 + most_active,
+                                  3 + most_active>;
     double value = 0.0;
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd hessian;
+    Gradient gradient;
+    Hessian hessian;
     double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
 };
 
-/// factor_a a + factor_b b.
-[[nodiscard]] MechanismValue combined(double factor_a, const MechanismValue& a, double factor_b,
-                                      const MechanismValue& b);
+/// Sums and products with their partials.
+[[nodiscard]] MechanismValue operator+(MechanismValue a, const MechanismValue& b);
+[[nodiscard]] MechanismValue operator+(MechanismValue a, double by);
+[[nodiscard]] MechanismValue operator*(double factor, MechanismValue a);
+[[nodiscard]] MechanismValue operator*(const MechanismValue& a, const MechanismValue& b);
+
+/// One side of a limit on the pressure angle, at one station.
+struct PressureSide {
+    double limit = 0.0;  ///< φm, rad
+    int sign = 1;
+    int station = 0;
+};
+
+/// A mechanism whose active dimensions the optimizer moves; the others keep these numbers.
+struct MechanismSetting {
+    std::span<const double> dimensions;
+    std::span<const int> active;
+};
 
 /// One state of one mechanism.
 struct MechanismState {
@@ -126,6 +155,11 @@ class CamMechanism {
     }
     /// Where in the dimensions the roller's radius stands; -1: there is no roller.
     [[nodiscard]] virtual int roller_radius() const = 0;
+    /// The same of the roller that runs at a station.
+    [[nodiscard]] virtual int roller_radius_at(int station) const {
+        static_cast<void>(station);
+        return roller_radius();
+    }
     /// From the roller's centre to the cam's surface at a station, m: the roller's radius, but in a groove.
     [[nodiscard]] virtual double surface_offset(std::span<const double> dimensions, int station) const {
         static_cast<void>(station);
@@ -143,11 +177,21 @@ class CamMechanism {
     [[nodiscard]] virtual bool is_direct() const { return false; }
     /// The radii of the cam follow from those of a pitch curve; a flat face has none.
     [[nodiscard]] virtual bool has_pitch_curve() const { return planar(); }
-    /// Of the cam, m, where it is one of the dimensions; none: it follows from them and the motion.
-    [[nodiscard]] virtual std::optional<double> base_radius(std::span<const double> dimensions) const {
-        static_cast<void>(dimensions);
-        return std::nullopt;
+    /// Where in the dimensions the base radius of the cam stands; -1: it follows from them and the motion.
+    [[nodiscard]] virtual int base_radius_index() const { return -1; }
+    /// m; none where it is no dimension.
+    [[nodiscard]] std::optional<double> base_radius(std::span<const double> dimensions) const {
+        const int index = base_radius_index();
+        if (index < 0) return std::nullopt;
+        return dimensions[static_cast<std::size_t>(index)];
     }
+    /// A dimension in a sum: sign · d.
+    struct SignedIndex {
+        int dimension = 0;
+        double sign = 1.0;
+    };
+    /// The cam can be built at rest where each of these sums is below 0.
+    [[nodiscard]] virtual std::vector<std::vector<SignedIndex>> reach() const { return {}; }
     /// What happens where it undercuts, and what helps: "the cam crosses itself there, … . A smaller roller
     /// helps"; empty: nothing undercuts.
     [[nodiscard]] virtual std::string undercut_words() const;
@@ -167,41 +211,65 @@ class CamMechanism {
     /// keeps the limit to both sides at every cam angle.
     [[nodiscard]] virtual MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
                                                          int station, std::span<const int> active) const;
-    /// The shape of pressure_excess over all s and s', and the active dimensions.
-    [[nodiscard]] virtual Curvature pressure_shape(std::span<const int> active) const {
-        static_cast<void>(active);
+    /// The shape of pressure_excess over all s from `least` to `most` (±infinity: nothing is known), all s'
+    /// and the active dimensions.
+    [[nodiscard]] virtual Curvature pressure_shape(const PressureSide& side, const MechanismSetting& setting,
+                                                   double least, double most) const {
+        static_cast<void>(side);
+        static_cast<void>(setting);
+        static_cast<void>(least);
+        static_cast<void>(most);
         return Curvature::general;
     }
-    /// What encloses the three limits below over a box, or that times something positive: the mechanism's own
-    /// choice, one that leaves little that is curved. Everything where it may be out of reach somewhere in
-    /// the box. Returns nullopt if no enclosure is implemented.
+    /// The s' that pressure_excess <= 0 allows at all, whatever s.
+    [[nodiscard]] virtual Interval pressure_slopes(const PressureSide& side,
+                                                   std::span<const double> dimensions) const {
+        static_cast<void>(side);
+        static_cast<void>(dimensions);
+        return Interval::everything();
+    }
+    /// The side sign > 0 of the pressure angle belongs to the rise, the other to the return.
+    [[nodiscard]] virtual bool upper_side_rises(int station) const {
+        static_cast<void>(station);
+        return true;
+    }
+    /// The pressure angle at standstill need not be 0.
+    [[nodiscard]] virtual bool leans_at_rest(int station, const MechanismSetting& setting) const {
+        static_cast<void>(station);
+        static_cast<void>(setting);
+        return false;
+    }
+    /// The shape of a quantity over all states and the active dimensions.
+    [[nodiscard]] virtual Curvature shape(MechanismQuantity which, const MechanismSetting& setting) const {
+        static_cast<void>(which);
+        static_cast<void>(setting);
+        return Curvature::general;
+    }
+    /// σ where 1 + σ s' must stay above 0 for a face on an arm to touch anything; 0: nothing turns back.
+    [[nodiscard]] virtual double face_turn() const { return 0.0; }
+    /// What encloses a quantity over a box, with its partials. Everything where it may be out of reach
+    /// somewhere in the box. Returns nullopt if no enclosure is implemented.
+    [[nodiscard]] virtual std::optional<RangeOver> quantity_over(MechanismQuantity which,
+                                                                 const MechanismStateOver& state,
+                                                                 int station) const {
+        static_cast<void>(which);
+        static_cast<void>(state);
+        static_cast<void>(station);
+        return {};
+    }
+    /// The same of the three limits below, or of that times something positive: the mechanism's own choice,
+    /// one that leaves little that is curved.
     /// pressure_excess.
     [[nodiscard]] virtual std::optional<RangeOver> pressure_over(double limit, int sign,
                                                                  const MechanismStateOver& state,
-                                                                 int station) const {
-        static_cast<void>(limit);
-        static_cast<void>(sign);
-        static_cast<void>(state);
-        static_cast<void>(station);
-        return {};
-    }
+                                                                 int station) const;
     /// margin − regularity.
     [[nodiscard]] virtual std::optional<RangeOver> regularity_over(double margin,
                                                                    const MechanismStateOver& state,
-                                                                   int station) const {
-        static_cast<void>(margin);
-        static_cast<void>(state);
-        static_cast<void>(station);
-        return {};
-    }
-    /// (roller radius + shift) κ − 1, of planar cams.
+                                                                   int station) const;
+    /// (roller radius + shift) κ − 1, of cams with a pitch curve; without a roller shift κ − 1.
     [[nodiscard]] virtual std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
-                                                               int station) const {
-        static_cast<void>(shift);
-        static_cast<void>(state);
-        static_cast<void>(station);
-        return {};
-    }
+                                                               int station) const;
     /// What encloses a quantity along a stretch of a motion, with its first and second derivative by the
     /// variable of the motion. Everything where it may be out of reach somewhere in the stretch. Returns
     /// nullopt if no enclosure is implemented.

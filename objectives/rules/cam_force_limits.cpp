@@ -13,6 +13,8 @@ namespace camopt::cam_limit_parts {
 
 namespace {
 
+using enum MechanismQuantity;
+
 // Torque and pressure speak of a follower that touches a regular cam. Where no limit of the scene says so,
 // its regularity (1 − r κ; flat: radius/base radius) and the height of its contact over the cam centre (in
 // units of the cam) stay above this: any cam that a machine can make is far inside, and no rounding reaches
@@ -25,143 +27,121 @@ constexpr double least_force_share = 1e-2;
 constexpr double pressure_scale = 2.0;
 
 /// F = m ω² s'' + k s + F_0 (or the moment of an arm).
-template <class State>
-auto force_of(const ForceSpec& force, double speed, const State& state) {
-    return shifted(
-        sum(force.mass * speed * speed, acceleration(state), force.spring_rate, displacement(state)),
-        force.preload);
-}
+struct Force {
+    const ForceSpec spec;
+    const double speed;
 
-/// The size of the inertia's force.
-double swing_of(const ForceSpec& force, double speed, const MotionScale& scale) {
-    return force.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
-}
+    [[nodiscard]] auto operator()(const auto& call) const {
+        return spec.mass * speed * speed * call.acceleration() + spec.spring_rate * call.displacement() +
+               spec.preload;
+    }
+    /// The size of the inertia's force.
+    [[nodiscard]] double swing(const MotionScale& scale) const {
+        return spec.mass * speed * speed * scale.lift / (scale.unit_angle * scale.unit_angle);
+    }
+};
 
-void add_contact_force(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
-                       const Shared& cam) {
+void add_contact_force(Limits& limits, const WrittenLimit& limit, const Force& force) {
+    const double least = limit.value;
     const double unit =
-        std::max({std::abs(limit.value), force.preload, swing_of(force, speed, cam->scale), least_scale});
+        std::max({std::abs(least), force.spec.preload, force.swing(limits.variables().scale), least_scale});
     CamFormula formula =
-        cam_formula(limit.key, [force, speed, unit, least = limit.value](const DiskCam&, const auto& state) {
-            return scaled(shifted(force_of(force, speed, state), -least), -1.0 / unit);
-        });
+        cam_formula(limit.key, [=](const auto& call) { return -1.0 / unit * (force(call) + -least); });
     formula.linear = true;
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+    limits.add(std::move(formula));
 }
 
-void add_torque(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
-                const Shared& cam) {
+void add_torque(Limits& limits, const WrittenLimit& limit, const Force& force) {
     for (const int sign : {1, -1}) {
-        rules.push_back(std::make_shared<CamRule>(
-            cam, cam_formula(limit.key, [force, speed, sign, most = limit.value](const DiskCam&,
-                                                                                 const auto& state) {
-                return shifted(scaled(product(force_of(force, speed, state), velocity(state)), sign / most),
-                               -1.0);
-            })));
+        limits.add(cam_formula(limit.key, [=, most = limit.value](const auto& call) {
+            return sign / most * (force(call) * call.velocity()) + -1.0;
+        }));
+    }
+}
+
+void refuse_hertz_pressure(const Limits& limits, const WrittenLimit& limit, const ForceSpec& forces) {
+    if (limits.cam().has_pitch_curve() && limits.cam().roller_radius() < 0) {
+        throw InputError(limit.key +
+                         ": found a limit on the Hertz pressure of a knife edge; allowed: a roller "
+                         "or a flat face");
+    }
+    if (!forces.contact_width) {
+        throw InputError(limit.key +
+                         ": found no contact width; allowed: together with forces.contact_width_mm");
     }
 }
 
 /// p² = F/(lever π b R c) <= p_max², c the compliance, as F <= R · lever · π b p_max² c: no division, so that
 /// nothing flips where the cam's radius or the lever passes through zero. Where F is not positive nothing
-/// presses.
+/// presses. 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
 /// In a groove with a clearance the roller touches a surface that is not quite its pitch curve's offset by
 /// its own radius: F (1 − (R − r) κ) <= r (1 − R κ) · lever · … of disk_sides.hpp.
-struct Pressed {
-    double carried = 0.0, unit = 1.0;
-    int side = 0;
-};
-
-template <class State>
-auto pressure_excess_on(const DiskCam& own, const State& state, const Pressed& pressed, const auto& press) {
-    const int side = pressed.side;
-    const auto radius =
-        product(quantity(own, state, Quantity::regularity, side), roller_on(own, state, side));
-    const double wider = surface_offset(own, side) - roller_radius_of(own, side);
-    const auto curvature = quantity(own, state, Quantity::pitch_curvature, side);
-    const auto pressing = wider > 0.0 ? product(press, shifted(scaled(curvature, -wider), 1.0)) : press;
-    return sum(1.0, pressing, -pressed.carried / pressed.unit,
-               product(radius, quantity(own, state, Quantity::normal_lever, side)));
-}
-
-void add_pressure_in_contact(Rules& rules, const WrittenLimit& limit, const ForceSpec& force, double speed,
-                             const Shared& cam, int side) {
-    const auto follower = cam->cam.follower;
-    if (has_edge(follower)) {
-        throw InputError(limit.key +
-                         ": found a limit on the Hertz pressure of a knife edge; allowed: a roller "
-                         "or a flat face");
-    }
-    if (!force.contact_width) {
-        throw InputError(limit.key +
-                         ": found no contact width; allowed: together with forces.contact_width_mm");
-    }
+void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& force, int station) {
     const double carried =
-        force.compliance() * std::numbers::pi * *force.contact_width * limit.value * limit.value;
-    const double unit =
-        std::max({force.preload, least_force_share * swing_of(force, speed, cam->scale), least_scale});
-    CamFormula formula =
-        cam_formula(limit.key, [force, speed, carried, unit, side](const DiskCam& own, const auto& state) {
-            const auto press = scaled(force_of(force, speed, state), pressing_sense(side) / unit);
-            const double factor = -carried / unit;
-            // 1/R = 1/ρ_cam + 1/r = 1/(r · regularity) for a roller.
-            if (!has_roller(own.follower)) {
-                const auto radius = quantity(own, state, Quantity::cam_radius);
-                if (has_pushed_face(own.follower)) return sum(1.0, press, factor, radius);
-                return sum(1.0, press, factor, product(radius, quantity(own, state, Quantity::normal_lever)));
-            }
-            return pressure_excess_on(own, state, {carried, unit, side}, press);
-        });
-    formula.linear = has_pushed_face(follower);
+        force.spec.compliance() * std::numbers::pi * *force.spec.contact_width * limit.value * limit.value;
+    const double unit = std::max(
+        {force.spec.preload, least_force_share * force.swing(limits.variables().scale), least_scale});
+    const double sense = station == 0 ? 1.0 : -1.0;  // a cam that drives both ways is pressed on either side
+    const double factor = -carried / unit, wider = limits.wider_by(station);
+    const int roller = limits.cam().roller_radius_at(station);
+    CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
+        const auto press = sense / unit * force(call);
+        const auto lever = call.quantity(normal_lever, station);
+        if (roller < 0) return press + factor * (call.quantity(cam_radius, station) * lever);
+        const auto radius = call.quantity(regularity, station) * call.dimension(roller);
+        if (!(wider > 0.0)) return press + factor * (radius * lever);
+        return press * (-wider * call.quantity(pitch_curvature, station) + 1.0) + factor * (radius * lever);
+    });
+    formula.linear = limits.is_linear(cam_radius);
     formula.scale = pressure_scale;
-    add_on_side(rules, cam, std::move(formula), side);
+    limits.add_at(std::move(formula), station);
 }
 
 /// The contact lies above the cam's centre, so that the force along the normal lifts the follower.
-void add_height(Rules& rules, const Shared& cam, const std::string& key, int side) {
-    const auto follower = cam->cam.follower;
-    if (has_pushed_face(follower)) return;
-    const double length = length_of(cam->cam);
-    CamFormula formula = cam_formula(key, [length, side](const DiskCam& own, const auto& state) {
-        return shifted(scaled(quantity(own, state, Quantity::pressure_denominator, side), -1.0 / length),
-                       least_contact);
+void add_height(Limits& limits, const std::string& key, int station) {
+    const double length = limits.length();
+    CamFormula formula = cam_formula(key, [=](const auto& call) {
+        return -1.0 / length * call.quantity(pressure_denominator, station) + least_contact;
     });
     formula.highest_order = 0;
-    formula.linear = !is_oscillating(follower) && cam->variables.empty();
-    add_on_side(rules, cam, std::move(formula), side);
+    formula.linear = limits.is_linear(pressure_denominator);
+    limits.add_at(std::move(formula), station);
 }
 
-void add_contact(Rules& rules, const Scene& scene, const Shared& cam, const std::string& key) {
-    const LimitSpec& limits = scene.limits;
+void add_contact(Limits& limits, const std::string& key) {
+    const LimitSpec& written = limits.scene().limits;
     // A limit of 0 leaves a cusp, on which nothing can press.
-    const auto& radius = limit_on(limits, LimitedFigure::convex_radius);
-    const auto& margin = limit_on(limits, LimitedFigure::regularity);
+    const auto& radius = limit_on(written, LimitedFigure::convex_radius);
+    const auto& margin = limit_on(written, LimitedFigure::regularity);
     const bool regular = (radius && radius->value > 0.0) || (margin && margin->value >= least_contact);
-    const PressureLimits pressure = pressure_limits(limits);
-    for (int side = 0; side < side_count(cam->cam); ++side) {
-        if (!regular) add_regularity(rules, cam, {least_contact, key + " (undercut)"}, side);
-        // |N| cos φm <= D sin φm to both sides holds the height up too; in a groove both flanks have one.
-        const bool held = pressure.rise && pressure.back;
-        if (!held && (side == 0 || cam->cam.form.is_conjugate()))
-            add_height(rules, cam, key + " (contact below the cam's centre)", side);
+    const PressureLimits pressure = pressure_limits(written);
+    // |N| cos φm <= D sin φm to both sides holds the height up too.
+    const bool held = pressure.rise && pressure.back;
+    for (int station = 0; station < limits.cam().stations(); ++station) {
+        if (!regular) add_regularity(limits, {least_contact, key + " (undercut)"}, station);
+        if (!held && limits.cam().binds(pressure_numerator, station))
+            add_height(limits, key + " (contact below the cam's centre)", station);
     }
 }
 
 }  // namespace
 
-void add_forces(Rules& rules, const Scene& scene, const Shared& cam) {
+void add_forces(Limits& limits) {
+    const Scene& scene = limits.scene();
     if (!scene.forces || !scene.motion.speed) return;
-    const ForceSpec& force = *scene.forces;
-    const double speed = *scene.motion.speed;
-    const auto& least_force = limit_on(scene.limits, LimitedFigure::contact_force);
+    const Force force{*scene.forces, *scene.motion.speed};
+    if (const auto& least = limit_on(scene.limits, LimitedFigure::contact_force))
+        add_contact_force(limits, *least, force);
     const auto& torque = limit_on(scene.limits, LimitedFigure::torque);
+    if (torque) add_torque(limits, *torque, force);
     const auto& pressure = limit_on(scene.limits, LimitedFigure::hertz_pressure);
-    if (least_force) add_contact_force(rules, *least_force, force, speed, cam);
-    if (torque) add_torque(rules, *torque, force, speed, cam);
-    if (pressure)
-        for (int side = 0; side < side_count(cam->cam); ++side)
-            add_pressure_in_contact(rules, *pressure, force, speed, cam, side);
+    if (pressure) {
+        refuse_hertz_pressure(limits, *pressure, *scene.forces);
+        for (int station = 0; station < limits.cam().stations(); ++station)
+            add_hertz_pressure(limits, *pressure, force, station);
+    }
     const auto& of_contact = pressure ? pressure : torque;
-    if (of_contact) add_contact(rules, scene, cam, of_contact->key);
+    if (of_contact) add_contact(limits, of_contact->key);
 }
 
 }  // namespace camopt::cam_limit_parts

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "objectives/rules/cam_rule.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "scene/scene.hpp"
 
 #include <memory>
@@ -14,25 +13,50 @@
 namespace camopt::cam_limit_parts {
 
 using Rules = std::vector<std::shared_ptr<const CamRule>>;
-using Shared = std::shared_ptr<const DiskVariables>;
 
 // A relative violation of something near zero says nothing: scales stay above this part of the whole.
 inline constexpr double least_scale = 1e-3;
 
-/// A length by which geometry is made dimensionless: the prime radius, or for an arm its pivot's distance.
-[[nodiscard]] double length_of(const DiskCam& cam);
+/// Collects the rules of one cam.
+class Limits {
+ public:
+    Limits(const Scene& scene, const CamVariables& variables);
 
-/// Of a rule that holds on one side of the cam (profiles/disk/disk_sides.hpp).
-inline void add_on_side(Rules& rules, const Shared& cam, CamFormula formula, int side) {
-    formula.remark = side_name(cam->cam.form, side);
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
-}
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const CamMechanism& cam() const { return *variables_->cam.formulas; }
+    [[nodiscard]] const CamVariables& variables() const { return *variables_; }
+    [[nodiscard]] const std::vector<double>& dimensions() const { return variables_->cam.dimensions; }
+    [[nodiscard]] MechanismSetting setting() const { return {dimensions(), active_}; }
+    [[nodiscard]] const std::vector<int>& active() const { return active_; }
+    /// A length by which geometry is made dimensionless, m.
+    [[nodiscard]] double length() const { return cam().length(dimensions()); }
+    /// Of the roller at a station, m; 0 without one.
+    [[nodiscard]] double roller(int station) const;
+    /// The surface lies this much farther from the roller's centre than its radius: half a groove's
+    /// clearance.
+    [[nodiscard]] double wider_by(int station) const;
+    /// The shape of a quantity.
+    [[nodiscard]] bool is_linear(MechanismQuantity which) const {
+        return cam().shape(which, setting()) == Curvature::linear;
+    }
 
-/// regularity >= margin on one side; nothing for a knife edge.
-void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, int side);
-/// 1 + σψ' of an oscillating flat face stays positive: where it vanishes the face touches nothing.
-void add_face_turn(Rules& rules, const Shared& cam, const std::string& key);
-void add_pressure(Rules& rules, const Scene& scene, const Shared& cam);
-void add_forces(Rules& rules, const Scene& scene, const Shared& cam);
+    void add(CamFormula formula) {
+        rules_.push_back(std::make_shared<CamRule>(variables_, std::move(formula)));
+    }
+    /// Of a rule that holds at one station of several.
+    void add_at(CamFormula formula, int station);
+    [[nodiscard]] Rules taken() { return std::move(rules_); }
+
+ private:
+    const Scene& scene_;
+    std::shared_ptr<const CamVariables> variables_;
+    std::vector<int> active_;
+    Rules rules_;
+};
+
+/// regularity >= margin at one station; nothing where nothing undercuts.
+void add_regularity(Limits& limits, const WrittenLimit& limit, int station);
+void add_pressure(Limits& limits);
+void add_forces(Limits& limits);
 
 }  // namespace camopt::cam_limit_parts

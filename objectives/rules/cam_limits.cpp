@@ -11,56 +11,47 @@ namespace camopt {
 
 namespace cam_limit_parts {
 
-namespace {
-
-// A flat oscillating face turns back on itself where 1 + ψ' vanishes; it stays this far away.
-constexpr double least_face_turn = 1e-3;
-
-/// The surface lies this much farther from the roller's centre than its radius: half a groove's clearance.
-double wider_by(const DiskCam& cam, int side) {
-    return surface_offset(cam, side) - roller_radius_of(cam, side);
+Limits::Limits(const Scene& scene, const CamVariables& variables)
+    : scene_(scene), variables_(std::make_shared<const CamVariables>(variables)) {
+    active_.reserve(variables.variables.size());
+    for (const CamVariables::Variable& variable : variables.variables) active_.push_back(variable.dimension);
 }
 
-}  // namespace
-
-void add_face_turn(Rules& rules, const Shared& cam, const std::string& key) {
-    if (!has_turning_face(cam->cam.follower)) return;
-    CamFormula formula = cam_formula(key, [](const DiskCam& own, const auto& state) {
-        return shifted(scaled(velocity(state), -sense_of(own.rotation)), least_face_turn - 1.0);
-    });
-    formula.remark = "face turns back";
-    formula.highest_order = 1;
-    formula.linear = true;
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+double Limits::roller(int station) const {
+    const int index = cam().roller_radius_at(station);
+    return index < 0 ? 0.0 : dimensions()[static_cast<std::size_t>(index)];
 }
 
-void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, int side) {
-    if (has_edge(cam->cam.follower)) return;
-    const std::string& key = limit.key;
+double Limits::wider_by(int station) const {
+    return cam().surface_offset(dimensions(), station) - roller(station);
+}
+
+void Limits::add_at(CamFormula formula, int station) {
+    if (cam().is_direct()) formula.remark = cam().station_name(station);
+    add(std::move(formula));
+}
+
+void add_regularity(Limits& limits, const WrittenLimit& limit, int station) {
+    using enum MechanismQuantity;
+    if (!limits.cam().binds(regularity, station)) return;
     const double margin = limit.value;
-    // Flat and translating: (base + s + s'')/base >= margin times base is linear in the base radius too.
-    const bool linear = has_pushed_face(cam->cam.follower);
-    if (linear) {
-        const double base = cam->cam[DimensionIndex::base_radius];
-        CamFormula formula = cam_formula(key, [base, margin](const DiskCam& own, const auto& state) {
-            return sum(margin / base, dimension(own, state, DimensionIndex::base_radius), -1.0 / base,
-                       quantity(own, state, Quantity::cam_radius));
+    const int base = limits.cam().base_radius_index();
+    // Of a pushed flat face (base + s + s'')/base >= margin times base is linear in the base radius too.
+    if (base >= 0 && limits.is_linear(cam_radius)) {
+        const double unit = limits.dimensions()[static_cast<std::size_t>(base)];
+        CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
+            return margin / unit * call.dimension(base) + -1.0 / unit * call.quantity(cam_radius, station);
         });
         formula.linear = true;
-        rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
-        return;
+        return limits.add(std::move(formula));
     }
-    CamFormula formula = cam_formula(key, [margin, side](const DiskCam& own, const auto& state) {
-        return shifted(scaled(quantity(own, state, Quantity::regularity, side), -1.0), margin);
-    });
-    if (has_roller(cam->cam.follower)) {
-        formula.over = [margin, side, wider = wider_by(cam->cam, side)](const DiskCam& own,
-                                                                        const StateOver& state) {
-            const RangeOver surface = shifted(roller_on(own, state, side), wider);
-            return curvature_excess(own, state, surface, 1.0 - margin, side);
-        };
-    }
-    add_on_side(rules, cam, std::move(formula), side);
+    CamFormula formula = cam_formula(
+        limit.key, [=](const auto& call) { return -1.0 * call.quantity(regularity, station) + margin; });
+    formula.figure = regularity;
+    formula.over = [=](const CamCallOver& call) {
+        return call.cam.regularity_over(margin, call.state, station);
+    };
+    limits.add_at(std::move(formula), station);
 }
 
 }  // namespace cam_limit_parts
@@ -68,82 +59,81 @@ void add_regularity(Rules& rules, const Shared& cam, const WrittenLimit& limit, 
 namespace {
 
 using namespace cam_limit_parts;
+using enum MechanismQuantity;
 
-/// What a radius of one side is held to.
-struct RadiusShift {
-    double shift = 0.0, scale = 1.0;
-    int side = 0;
-};
+// A flat oscillating face turns back on itself where 1 + σψ' vanishes; it stays this far away.
+constexpr double least_face_turn = 1e-3;
 
-/// (R + shift) κ − 1 with the curvature of the side: the convex radius stays above shift, the concave one
-/// above −shift. R: the roller's radius, in a groove half the clearance more.
-void add_roller_radius(Rules& rules, const Shared& cam, const WrittenLimit& limit, const RadiusShift& held) {
-    const double wider = wider_by(cam->cam, held.side);
-    CamFormula formula = cam_formula(
-        limit.key, [shift = held.shift, side = held.side, wider](const DiskCam& own, const auto& state) {
-            const auto curvature = quantity(own, state, Quantity::pitch_curvature, side);
-            if (!has_roller(own.follower)) return shifted(scaled(curvature, shift), -1.0);
-            const auto roller = roller_on(own, state, side);
-            return shifted(product(shifted(roller, shift + wider), curvature), -1.0);
-        });
-    formula.over = [shift = held.shift, side = held.side, wider](const DiskCam& own, const StateOver& state) {
-        const RangeOver factor =
-            has_roller(own.follower) ? shifted(roller_on(own, state, side), shift + wider) : RangeOver(shift);
-        return curvature_excess(own, state, factor, 1.0, side);
-    };
-    formula.scale = held.scale;
-    add_on_side(rules, cam, std::move(formula), held.side);
+/// (r + shift) κ − 1 with the curvature of the station: the convex radius stays above shift, the concave one
+/// above −shift; in a groove shift is half the clearance more.
+void add_radius(Limits& limits, const WrittenLimit& limit, double shift, double scale, int station) {
+    const int roller = limits.cam().roller_radius_at(station);
+    CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
+        const auto curvature = call.quantity(pitch_curvature, station);
+        if (roller < 0) return shift * curvature + -1.0;
+        return (call.dimension(roller) + shift) * curvature + -1.0;
+    });
+    formula.over = [=](const CamCallOver& call) { return call.cam.radius_over(shift, call.state, station); };
+    formula.figure = pitch_curvature;
+    formula.scale = scale;
+    limits.add_at(std::move(formula), station);
 }
 
-/// The roller of this side is a dimension that moves.
-bool is_roller_variable(const DiskVariables& cam, int side) {
-    const bool own = side == 1 && cam.cam.form.is_conjugate() && cam.cam.form.second_roller_radius;
-    return !own && cam.is_variable(DimensionIndex::roller_radius);
-}
-
-void add_roller_radii(Rules& rules, const Scene& scene, const Shared& cam, int side) {
-    const bool roller = has_roller(cam->cam.follower);
-    const double nominal = roller ? surface_offset(cam->cam, side) : 0.0;
-    if (const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius);
+void add_radii(Limits& limits, int station) {
+    const LimitSpec& written = limits.scene().limits;
+    const bool roller = limits.cam().roller_radius_at(station) >= 0;
+    const double wider = limits.wider_by(station), nominal = limits.roller(station) + wider;
+    if (const auto& limit = limit_on(written, LimitedFigure::convex_radius);
         limit && (roller || limit->value > 0.0)) {
         const double least = limit->value;
         const double scale = least > 0.0 ? std::max(least_scale, least / (nominal + least)) : 1.0;
-        add_roller_radius(rules, cam, *limit, {least, scale, side});
+        add_radius(limits, *limit, least + wider, scale, station);
     }
-    const auto& concave = limit_on(scene.limits, LimitedFigure::concave_radius);
-    const bool may_bite = concave && (is_roller_variable(*cam, side) || concave->value > nominal);
-    if (may_bite) {
+    // The roller itself fits into any hollow larger than it.
+    const auto& concave = limit_on(written, LimitedFigure::concave_radius);
+    const bool moves = limits.variables().is_variable(limits.cam().roller_radius_at(station));
+    if (concave && (moves || concave->value > nominal)) {
         const double least = concave->value;
         const double scale = std::clamp(least / std::max(least - nominal, least_scale * least), 1.0, 1e3);
-        add_roller_radius(rules, cam, *concave, {-least, scale, side});
+        add_radius(limits, *concave, wider - least, scale, station);
     }
 }
 
-void add_flat_radius(Rules& rules, const Scene& scene, const Shared& cam) {
-    const auto& limit = limit_on(scene.limits, LimitedFigure::convex_radius);
+void add_flat_radius(Limits& limits) {
+    const auto& limit = limit_on(limits.scene().limits, LimitedFigure::convex_radius);
     if (!limit) return;
-    const double base = cam->cam[DimensionIndex::base_radius];
-    const double least = limit->value;
-    CamFormula formula = cam_formula(limit->key, [base, least](const DiskCam& own, const auto& state) {
-        return scaled(shifted(quantity(own, state, Quantity::cam_radius), -least), -1.0 / base);
-    });
-    formula.linear = has_pushed_face(cam->cam.follower);
+    const double base = *limits.cam().base_radius(limits.dimensions()), least = limit->value;
+    CamFormula formula = cam_formula(
+        limit->key, [=](const auto& call) { return -1.0 / base * (call.quantity(cam_radius, 0) + -least); });
+    formula.linear = limits.is_linear(cam_radius);
     formula.scale = least > 0.0 ? std::max(least_scale, least / base) : 1.0;
-    rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+    limits.add(std::move(formula));
 }
 
-void add_face_width(Rules& rules, const Scene& scene, const Shared& cam) {
-    if (!scene.cam->face_half_width) return;
-    const double width = *scene.cam->face_half_width;
+/// 1 + σψ' of an oscillating flat face stays positive: where it vanishes the face touches nothing.
+void add_face_turn(Limits& limits, const std::string& key) {
+    const double sense = limits.cam().face_turn();
+    if (sense == 0.0) return;
+    CamFormula formula = cam_formula(
+        key, [sense](const auto& call) { return -sense * call.velocity() + (least_face_turn - 1.0); });
+    formula.remark = "face turns back";
+    formula.highest_order = 1;
+    formula.linear = true;
+    limits.add(std::move(formula));
+}
+
+void add_face_width(Limits& limits) {
+    const std::optional<CamSpec>& cam = limits.scene().cam;
+    if (!cam || !cam->face_half_width) return;
+    const double width = *cam->face_half_width;
     for (const int sign : {1, -1}) {
-        CamFormula formula =
-            cam_formula("cam.face_half_width", [sign, width](const DiskCam&, const auto& state) {
-                return shifted(scaled(velocity(state), sign / width), -1.0);
-            });
+        CamFormula formula = cam_formula("cam.face_half_width", [sign, width](const auto& call) {
+            return sign / width * call.velocity() + -1.0;
+        });
         formula.sign = sign;
         formula.highest_order = 1;
         formula.linear = true;
-        rules.push_back(std::make_shared<CamRule>(cam, std::move(formula)));
+        limits.add(std::move(formula));
     }
 }
 
@@ -160,21 +150,19 @@ const WrittenLimit* limit_of_contact(const Scene& scene) {
 
 }  // namespace
 
-Rules cam_limits(const Scene& scene, const CamVariables& variables) {
-    const auto cam = std::make_shared<const DiskVariables>(variables);
-    Rules rules;
-    add_pressure(rules, scene, cam);
-    if (has_flat_face(cam->cam.follower)) {
-        add_flat_radius(rules, scene, cam);
-    } else {
-        for (int side = 0; side < side_count(cam->cam); ++side) add_roller_radii(rules, scene, cam, side);
-    }
+std::vector<std::shared_ptr<const CamRule>> cam_limits(const Scene& scene, const CamVariables& variables) {
+    Limits limits(scene, variables);
+    const CamMechanism& cam = limits.cam();
+    add_pressure(limits);
+    if (cam.planar() && !cam.has_pitch_curve()) add_flat_radius(limits);
+    for (int station = 0; cam.has_pitch_curve() && station < cam.stations(); ++station)
+        add_radii(limits, station);
     if (const auto& limit = limit_on(scene.limits, LimitedFigure::regularity))
-        for (int side = 0; side < side_count(cam->cam); ++side) add_regularity(rules, cam, *limit, side);
-    if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(rules, cam, limit->key);
-    add_face_width(rules, scene, cam);
-    add_forces(rules, scene, cam);
-    return rules;
+        for (int station = 0; station < cam.stations(); ++station) add_regularity(limits, *limit, station);
+    if (const WrittenLimit* limit = limit_of_contact(scene)) add_face_turn(limits, limit->key);
+    add_face_width(limits);
+    if (cam.is_direct()) add_forces(limits);
+    return limits.taken();
 }
 
 }  // namespace camopt

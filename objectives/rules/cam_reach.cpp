@@ -12,19 +12,20 @@ namespace {
 // Of the longest dimension: a cam nearer than this to where it stops being one has no digits left.
 constexpr double least_reach = 1e-6;
 
-void add_inequality(CamModel& model, const DiskVariables& cam, const CamSpec& spec,
-                    std::span<const SignedDimension> inequality) {
+void add_inequality(CamModel& model, const MechanismSpec& spec,
+                    std::span<const CamMechanism::SignedIndex> inequality) {
     ParameterRow row{"cam.base_radius", {}, {}, 0.0, true, 1.0};
     double most = 0.0, longest = 0.0;
     for (const auto& [which, sign] : inequality) {
-        const Dimension& dimension = spec[which];
+        const Dimension& dimension = spec.dimensions[static_cast<std::size_t>(which)].value;
         most += std::max(sign * dimension.low, sign * dimension.high);
         longest = std::max({longest, std::abs(dimension.low), std::abs(dimension.high)});
         if (!dimension.is_variable()) {
             row.upper -= sign * dimension.low;
             continue;
         }
-        const auto variable = std::ranges::find(cam.variables, which, &DiskVariables::Variable::dimension);
+        const auto variable =
+            std::ranges::find(model.cam->variables, which, &CamVariables::Variable::dimension);
         row.parameters.push_back(variable->parameter);
         row.weights.push_back(sign * variable->reference);
     }
@@ -39,9 +40,8 @@ void add_inequality(CamModel& model, const DiskVariables& cam, const CamSpec& sp
 
 }  // namespace
 
-void add_reach_rows(CamModel& model, const CamSpec& spec) {
-    const DiskVariables cam(*model.cam);
-    for (const auto& inequality : reach_of(spec.follower)) add_inequality(model, cam, spec, inequality);
+void add_reach_rows(CamModel& model, const MechanismSpec& spec) {
+    for (const auto& inequality : spec.formulas->reach()) add_inequality(model, spec, inequality);
 }
 
 }  // namespace camopt

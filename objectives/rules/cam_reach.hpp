@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// That the cam can be built at rest, where its dimensions move: each sum of reach_of(follower) is a linear
+// That the cam can be built at rest, where its dimensions move: each sum of CamMechanism::reach is a linear
 // row of its own, where the ranges do not keep it anyhow.
 #pragma once
 
 #include "objectives/model.hpp"
-#include "scene/cam_spec.hpp"
+#include "scene/mechanism_spec.hpp"
 
 namespace camopt {
 
 /// After the cam's variables are in the model.
-void add_reach_rows(CamModel& model, const CamSpec& spec);
+void add_reach_rows(CamModel& model, const MechanismSpec& spec);
 
 }  // namespace camopt

@@ -1,73 +1,105 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/cam_rule.hpp"
 
-#include "profiles/disk/quantity_algebra.hpp"
+#include "core/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
 
 namespace camopt {
 
-CamRule::CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula)
-    : LimitRule(static_cast<const LimitFrame&>(formula), cam->scale),
-      cam_(std::move(cam)),
-      formula_(std::move(formula)) {
-    for (const DiskVariables::Variable& variable : cam_->variables)
-        add_variable(column_of(variable.dimension), variable.parameter, variable.reference);
+CamRule::CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula)
+    : cam_(std::move(cam)), formula_(std::move(formula)) {
+    parameters_.reserve(cam_->variables.size());
+    active_.reserve(cam_->variables.size());
+    for (const CamVariables::Variable& variable : cam_->variables) {
+        parameters_.push_back(variable.parameter);
+        active_.push_back(variable.dimension);
+    }
+    if (active_.size() > MechanismValue::most_active)
+        throw ModelError(fmt::format("cam: found {} dimensions that are ranges; allowed: at most {}",
+                                     active_.size(), MechanismValue::most_active));
+}
+
+RowOrigin CamRule::origin() const {
+    RowOrigin origin = with_sign(PointRule::origin(), formula_.sign);
+    origin.remark = formula_.remark;
+    return origin;
 }
 
 Curvature CamRule::curvature(double least, double most) const {
     if (formula_.linear) return Curvature::linear;
-    return formula_.convex && formula_.convex(least, most) ? Curvature::convex : Curvature::general;
+    const double lift = cam_->scale.lift;
+    return formula_.shape ? formula_.shape(lift * least, lift * most) : Curvature::general;
 }
 
 SlopeRange CamRule::slope_range() const {
     if (!parameters().empty()) return {};
     const double unit = cam_->scale.lift / cam_->scale.unit_angle;
-    return {formula_.slope.least / unit, formula_.slope.most / unit};
+    return {formula_.slopes.lower / unit, formula_.slopes.upper / unit};
 }
 
-DiskCam CamRule::cam_at(const Eigen::VectorXd& q) const {
-    DiskCam cam = cam_->cam;
-    for (std::size_t k = 0; k < cam_->variables.size(); ++k) {
-        cam.dimensions[static_cast<std::size_t>(cam_->variables[k].dimension)] =
-            cam_->variables[k].reference * q[static_cast<Eigen::Index>(k)];
-    }
-    return cam;
+std::array<double, 3> CamRule::units() const {
+    const double lift = cam_->scale.lift, angle = cam_->scale.unit_angle;
+    return {lift, lift / angle, lift / angle / angle};
 }
 
-std::optional<RangeAlong> CamRule::range_along(const Interval&, const std::array<Interval, 5>& derivatives,
+std::optional<RangeAlong> CamRule::range_along(const Interval& x, const std::array<Interval, 5>& derivatives,
                                                const Eigen::VectorXd& q) const {
-    if (!formula_.range) return {};
+    if (!formula_.along) return {};
     ++*cam_->profile_points;
     // By x, as the rule's slope along the motion is: only s', s'' themselves are by the cam angle.
-    const auto along = [&](double unit, std::size_t order) {
-        const Interval by(unit);
+    const std::array<double, 3> unit = units();
+    const auto along = [&](std::size_t order) {
+        const Interval by(unit[order]);
         return RangeAlong(by * derivatives[order], by * derivatives[order + 1], by * derivatives[order + 2]);
     };
-    const double lift = cam_->scale.lift, slope = lift / cam_->scale.unit_angle;
-    return formula_.range(cam_at(q),
-                          {along(lift, 0), along(slope, 1), along(slope / cam_->scale.unit_angle, 2)});
+    const Interval angle(cam_->scale.unit_angle);
+    const std::vector<double> dimensions = cam_->dimensions_for(q);
+    const MechanismStateAlong state{dimensions, along(0), along(1), along(2),
+                                    RangeAlong(angle * x, angle, Interval(0.0))};
+    return formula_.along({*cam_->cam.formulas, state});
 }
 
-std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, double) const {
+std::optional<RangeOver> CamRule::range_over(std::span<const Interval> box, double at) const {
     if (!formula_.over || box.size() > RangeOver::most) return {};
     ++*cam_->profile_points;
-    const double lift = cam_->scale.lift, slope = lift / cam_->scale.unit_angle;
-    StateOver state{RangeOver::variable(box[0], 0, lift),
-                    RangeOver::variable(box[1], 1, slope),
-                    RangeOver::variable(box[2], 2, slope / cam_->scale.unit_angle),
-                    {}};
-    for (std::size_t k = 0; k < state.dimensions.size(); ++k) state.dimensions[k] = cam_->cam.dimensions[k];
-    int column = 4;
-    for (const DiskVariables::Variable& variable : cam_->variables) {
-        state.dimensions[static_cast<std::size_t>(variable.dimension)] =
-            RangeOver::variable(box[static_cast<std::size_t>(column)], column, variable.reference);
-        ++column;
+    const std::array<double, 3> unit = units();
+    MechanismStateOver state{std::vector<RangeOver>(cam_->cam.dimensions.begin(), cam_->cam.dimensions.end()),
+                             RangeOver::variable(box[0], 0, unit[0]), RangeOver::variable(box[1], 1, unit[1]),
+                             RangeOver::variable(box[2], 2, unit[2]),
+                             Interval(cam_->scale.unit_angle) * Interval(at)};
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        state.dimensions[static_cast<std::size_t>(active_[k])] =
+            RangeOver::variable(box[4 + k], 4 + static_cast<int>(k), cam_->variables[k].reference);
+    return formula_.over({*cam_->cam.formulas, state});
+}
+
+RuleValue CamRule::normalised(const MechanismValue& physical) const {
+    const auto size = static_cast<Eigen::Index>(4 + active_.size());
+    RuleValue rule{physical.value, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
+    const std::array<double, 3> unit = units();
+    const auto unit_of = [&](Eigen::Index i) {
+        const auto place = static_cast<std::size_t>(i);
+        return i < 3 ? unit[place] : cam_->variables[place - 3].reference;
+    };
+    // y''' stands between y'' and the parameters, and no quantity depends on it.
+    const auto place_of = [](Eigen::Index i) { return i < 3 ? i : i + 1; };
+    for (Eigen::Index i = 0; i + 1 < size; ++i) {
+        rule.gradient[place_of(i)] = unit_of(i) * physical.gradient[i];
+        for (Eigen::Index j = 0; j + 1 < size; ++j)
+            rule.hessian(place_of(i), place_of(j)) = unit_of(i) * unit_of(j) * physical.hessian(i, j);
     }
-    return formula_.over(cam_->cam, state);
+    rule.by_place = cam_->scale.unit_angle * physical.by_angle;
+    return rule;
 }
 
 RuleValue CamRule::evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const {
     ++*cam_->profile_points;
-    return normalised(formula_.value(cam_at(q), state_of(point, cam_->scale)));
+    const std::vector<double> dimensions = cam_->dimensions_for(q);
+    const MechanismState state{dimensions, state_of(point, cam_->scale), cam_->scale.unit_angle * point.x};
+    return normalised(formula_.value({*cam_->cam.formulas, state, active_}));
 }
 
 }  // namespace camopt

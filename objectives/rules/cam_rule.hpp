@@ -1,48 +1,74 @@
 // SPDX-License-Identifier: MIT
-// A limit of a disk cam at one cam angle: a formula of (s, s', s'', dimensions) with an algebra of fixed
-// size, and what encloses it along a stretch.
+// A limit of a cam of any kind at one cam angle and one station: a formula of (s, s', s'', dimensions), in
+// three algebras: values with partials, enclosures over boxes, enclosures along a stretch of a motion. Knows
+// the cam by its interface (scene/cam_mechanism.hpp) alone.
+//
+// A formula is in SI. The rule brings it to the normalised (y, y', y'', y'''; q) of the optimizer by the
+// chain rule: s^{(r)} = lift / unit_angle^r · y^{(r)}, each variable dimension = reference · q.
 #pragma once
 
+#include "objectives/rules/cam_call.hpp"
 #include "objectives/rules/cam_variables.hpp"
-#include "objectives/rules/limit_rule.hpp"
-#include "profiles/disk/quantity_along.hpp"
-#include "profiles/disk/quantity_over.hpp"
+#include "objectives/rules/point_rule.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace camopt {
 
-struct CamFormula : LimitFrame {
+struct CamFormula {
+    std::string name;         ///< the key of the limit, as the user wrote it
+    std::string remark = {};  ///< which part of the limit it is, where there are several
+    int sign = 0;             ///< ±1: which of its two sides
+    int highest_order = 2;
+    double scale = 1.0;               ///< a value of this is a violation of 100 %
+    std::vector<double> places = {};  ///< x where alone it holds; empty: everywhere
+    MechanismQuantity figure = MechanismQuantity::pressure_numerator;  ///< what the limit is on
+
     /// <= 0 is kept; dimensionless, of order one.
-    std::function<QuantityValue(const DiskCam&, const FollowerState&)> value;
-    /// The same over a stretch of the cam angle.
-    std::function<RangeAlong(const DiskCam&, const StateAlong&)> range;
+    std::function<MechanismValue(const CamCall&)> value = {};
     /// The same over a box of states and dimensions, or that times something positive.
-    std::function<RangeOver(const DiskCam&, const StateOver&)> over = {};
-    bool linear = false;
-    std::function<bool(double least, double most)> convex = {};  ///< none: never proved convex
-    SlopeRange slope = {};  ///< of s' by the cam angle, m/rad or rad/rad, that it allows at all
+    std::function<std::optional<RangeOver>(const CamCallOver&)> over = {};
+    /// The same along a stretch of the cam angle.
+    std::function<std::optional<RangeAlong>(const CamCallAlong&)> along = {};
+    /// Over all s from `least` to `most`; none: general.
+    std::function<Curvature(double least, double most)> shape = {};
+    bool linear = false;                       ///< linear over all of them
+    Interval slopes = Interval::everything();  ///< of s' by the cam angle that it allows at all
 };
 
-/// All from one text, generic over the state.
+/// All three from one text, generic over the call.
 template <class Formula>
 [[nodiscard]] CamFormula cam_formula(std::string name, const Formula& formula) {
     CamFormula result;
     result.name = std::move(name);
     result.value = formula;
-    result.range = formula;
-    result.over = formula;
+    result.over = [formula](const CamCallOver& call) { return call.known(formula(call)); };
+    result.along = [formula](const CamCallAlong& call) { return call.known(formula(call)); };
     return result;
 }
 
-class CamRule final : public LimitRule {
+class CamRule final : public PointRule {
  public:
-    CamRule(std::shared_ptr<const DiskVariables> cam, CamFormula formula);
+    /// Throws ModelError where more dimensions move than a MechanismValue has room for.
+    CamRule(std::shared_ptr<const CamVariables> cam, CamFormula formula);
 
+    /// Whether its stations are all places of the cam that the limit speaks of; else it holds at them alone.
+    [[nodiscard]] bool at_every_station() const {
+        return cam_->cam.formulas->has_all_stations(formula_.figure);
+    }
+    [[nodiscard]] std::string name() const override { return formula_.name; }
+    [[nodiscard]] RowOrigin origin() const override;
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] int highest_order() const override { return formula_.highest_order; }
+    [[nodiscard]] bool limit() const override { return true; }
+    [[nodiscard]] const std::vector<double>& places() const override { return formula_.places; }
+    [[nodiscard]] double scale() const override { return formula_.scale; }
     [[nodiscard]] bool linear() const override { return formula_.linear; }
     [[nodiscard]] Curvature curvature(double least, double most) const override;
     [[nodiscard]] SlopeRange slope_range() const override;
@@ -54,11 +80,13 @@ class CamRule final : public LimitRule {
     [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
 
  private:
-    /// The cam for the rule's own parameters.
-    [[nodiscard]] DiskCam cam_at(const Eigen::VectorXd& q) const;
+    /// m in one unit of y, y', y''.
+    [[nodiscard]] std::array<double, 3> units() const;
+    [[nodiscard]] RuleValue normalised(const MechanismValue& physical) const;
 
-    std::shared_ptr<const DiskVariables> cam_;
+    std::shared_ptr<const CamVariables> cam_;
     CamFormula formula_;
+    std::vector<int> parameters_, active_;
 };
 
 }  // namespace camopt

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "objectives/rules/cam_variables.hpp"
 
-#include "core/errors.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-
 #include <algorithm>
-#include <optional>
 
 namespace camopt {
 
@@ -17,17 +13,15 @@ std::vector<double> CamVariables::dimensions_at(const Eigen::VectorXd& parameter
     return own;
 }
 
-DiskVariables::DiskVariables(const CamVariables& all) : scale(all.scale), profile_points(all.profile_points) {
-    const std::optional<DiskCam> disk = disk_cam(all.cam);
-    if (!disk) throw ModelError("rules of a disk cam for a cam of another kind");
-    cam = *disk;
-    const std::vector<DimensionIndex> which = dimensions_of(cam.follower);
-    for (const CamVariables::Variable& variable : all.variables)
-        variables.push_back(
-            {which[static_cast<std::size_t>(variable.dimension)], variable.parameter, variable.reference});
+std::vector<double> CamVariables::dimensions_for(const Eigen::VectorXd& q) const {
+    std::vector<double> own = cam.dimensions;
+    for (std::size_t k = 0; k < variables.size(); ++k)
+        own[static_cast<std::size_t>(variables[k].dimension)] =
+            variables[k].reference * q[static_cast<Eigen::Index>(k)];
+    return own;
 }
 
-bool DiskVariables::is_variable(DimensionIndex dimension) const {
+bool CamVariables::is_variable(int dimension) const {
     return std::ranges::find(variables, dimension, &Variable::dimension) != variables.end();
 }
 

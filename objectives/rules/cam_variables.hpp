@@ -3,7 +3,6 @@
 // their numbers.
 #pragma once
 
-#include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 
@@ -30,24 +29,10 @@ struct CamVariables {
 
     /// The dimensions for all parameters of a problem.
     [[nodiscard]] std::vector<double> dimensions_at(const Eigen::VectorXd& parameters) const;
-};
-
-/// The same of a disk cam, whose rules have an algebra of fixed size.
-struct DiskVariables {
-    DiskCam cam;
-    MotionScale scale;
-    struct Variable {
-        DimensionIndex dimension = DimensionIndex::base_radius;
-        int parameter = 0;
-        double reference = 1.0;
-    };
-    std::vector<Variable> variables;
-    std::shared_ptr<std::atomic<long>> profile_points;
-
-    /// Throws ModelError where the cam is no disk cam.
-    explicit DiskVariables(const CamVariables& all);
-
-    [[nodiscard]] bool is_variable(DimensionIndex dimension) const;
+    /// The dimensions for a rule's own parameters q, one for each of the variables.
+    [[nodiscard]] std::vector<double> dimensions_for(const Eigen::VectorXd& q) const;
+    /// The dimension moves.
+    [[nodiscard]] bool is_variable(int dimension) const;
 };
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_cam.hpp"
 
+#include "core/errors.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/disk_sides.hpp"
 
@@ -127,11 +128,11 @@ double rest_position(const DiskCam& cam) {
         case FollowerType::oscillating_flat:
             return formulas::oscillating_flat_start(cam[base_radius], cam[center_distance], cam[face_offset]);
         case FollowerType::translating_roller:
+            return formulas::translating_roller_start(cam[base_radius] + cam[roller_radius], cam[offset]);
         case FollowerType::translating_knife:
-            break;
+            return formulas::translating_roller_start(cam[base_radius], cam[offset]);
     }
-    const double roller = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
-    return formulas::translating_roller_start(cam[base_radius] + roller, cam[offset]);
+    throw ModelError("a follower of no known type");
 }
 
 }  // namespace camopt

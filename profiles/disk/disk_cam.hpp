@@ -26,6 +26,7 @@
 #pragma once
 
 #include "core/follower_state.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>
@@ -79,17 +80,6 @@ struct ProfilePoint {
 
 [[nodiscard]] ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState& state);
 
-/// What limits are made of. Each is smooth wherever the mechanism moves (oscillating flat: and 1 + σψ' ≠ 0).
-enum class Quantity {
-    pressure_numerator,    ///< tan φ = numerator / denominator; m
-    pressure_denominator,  ///< > 0 where the mechanism moves; m
-    pitch_curvature,       ///< roller, knife: κ, 1/m
-    cam_radius,            ///< flat: signed radius of the cam, m
-    regularity,            ///< as in ProfilePoint
-    contact_offset,        ///< flat, m
-    normal_lever  ///< force along the normal = F / lever (translating: cos φ) or M / lever (oscillating, m)
-};
-
 /// Variables of the partials: (s, s', s'', six dimensions by DimensionIndex).
 inline constexpr int quantity_variables = 3 + dimension_count;
 
@@ -101,6 +91,6 @@ struct QuantityValue {
 };
 
 /// Throws ModelError where the follower has no such quantity. 0.1 to 2 µs.
-[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which);
+[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which);
 
 }  // namespace camopt

@@ -50,10 +50,11 @@ struct Expansion {
 /// Columns of the partials.
 inline constexpr int velocity_column = 1, acceleration_column = 2;
 
-/// A variable of a formula that is a global variable or its negative.
+/// A variable of a formula that is a global variable or its negative, and a number that is added.
 struct Local {
     int column = 0;
     double sign = 1.0;
+    double shift = 0.0;
 };
 
 /// The start of the follower (what s is added to) with its partials.
@@ -71,8 +72,8 @@ class Expander {
 
     [[nodiscard]] const QuantityValue& position() const { return position_; }
 
-    /// `formula` of a follower made of the position and `locals`, in the order of its members.
-    template <template <class> class Follower, std::size_t count, class Formula>
+    /// `formula` of the position and `locals`.
+    template <std::size_t count, class Formula>
     [[nodiscard]] QuantityValue expand(const std::array<Local, count>& locals, const Formula& formula) const {
         constexpr int n = static_cast<int>(count) + 1;
         std::array<SecondOrder<n>, count + 1> variables;
@@ -81,13 +82,10 @@ class Expander {
         jacobian.row(0) = position_.gradient.transpose();
         for (std::size_t i = 0; i < count; ++i) {
             const int row = static_cast<int>(i) + 1;
-            variables[i + 1] = variable<n>(locals[i].sign * values_(locals[i].column), row);
+            variables[i + 1] = variable<n>(locals[i].sign * values_(locals[i].column) + locals[i].shift, row);
             jacobian(row, locals[i].column) = locals[i].sign;
         }
-        const auto of_members = [&](const auto&... member) {
-            return formula(Follower<SecondOrder<n>>{member...});
-        };
-        const Expansion<n> local(std::apply(of_members, variables));
+        const Expansion<n> local(SecondOrder<n>(std::apply(formula, variables)));
         QuantityValue result = local.substituted(jacobian);
         result.hessian += local.gradient(0) * position_.hessian;
         return result;

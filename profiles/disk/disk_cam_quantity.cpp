@@ -4,7 +4,9 @@
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
+#include "profiles/disk/quantity_text.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace camopt {
@@ -27,123 +29,79 @@ QuantityValue linear(double value, const std::array<Term, count>& terms) {
     return result;
 }
 
-/// 1 - R times curvature, R the distance of the surface from the roller's centre.
-QuantityValue roller_regularity(const QuantityValue& pitch_curvature, double radius) {
-    const QuantityValue roller = variable_quantity(radius, column_of(roller_radius));
-    return shifted(scaled(product(roller, pitch_curvature), -1.0), 1.0);
+/// The surface's distance from the roller's centre: the roller's radius, in a groove half the clearance more.
+Local flank_offset(const DiskCam& cam) {
+    return {column_of(roller_radius), 1.0, surface_offset(cam, 0) - cam[roller_radius]};
 }
 
-/// A radius as a share of the base radius.
-QuantityValue flat_regularity(const QuantityValue& radius, double base) {
-    return quotient(radius, variable_quantity(base, column_of(base_radius)));
+/// Of the arm: σψ', ψ'', and two of its dimensions.
+std::array<Local, 4> arm_locals(const DiskCam& cam, DimensionIndex first, DimensionIndex second) {
+    return {{{velocity_column, sense_of(cam.rotation)},
+             {acceleration_column},
+             {column_of(first)},
+             {column_of(second)}}};
 }
 
-constexpr auto curvature = [](const auto& roller) { return roller.pitch().curvature(); };
-
-/// What a translating and an oscillating roller (or knife) have alike; `expand` gives a formula its partials.
-QuantityValue roller_quantity(const DiskCam& cam, Quantity which, const auto& expand) {
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return expand([](const auto& roller) { return roller.pressure_numerator(); });
-        case Quantity::pressure_denominator:
-            return expand([](const auto& roller) { return roller.pressure_denominator(); });
-        case Quantity::pitch_curvature:
-            return expand(curvature);
-        case Quantity::regularity:
-            if (cam.follower == FollowerType::translating_knife) return constant_quantity(1.0);
-            return roller_regularity(expand(curvature), surface_offset(cam, 0));
-        case Quantity::normal_lever:
-            return expand([](const auto& roller) { return roller.normal_lever(); });
-        case Quantity::cam_radius:
-        case Quantity::contact_offset:
-            break;
-    }
-    refuse_quantity(cam.follower);
+/// `locals` make the roller with its position; the regularity needs the surface's offset besides.
+template <template <class> class Roller, std::size_t count>
+QuantityValue roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
+                              const std::array<Local, count>& locals) {
+    const Expander expander(cam, state);
+    if (which != MechanismQuantity::regularity || !has_roller(cam.follower))
+        return expander.expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+            return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, T(0.0), which);
+        });
+    std::array<Local, count + 1> all;
+    all[0] = flank_offset(cam);
+    std::ranges::copy(locals, all.begin() + 1);
+    return expander.expand(all, [&]<class T>(const T& position, const T& offset, const auto&... rest) {
+        return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, offset, which);
+    });
 }
 
-QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state,
+                                          MechanismQuantity which) {
     const double sense = sense_of(cam.rotation);
-    const auto expand = [&](const auto& formula) {
-        const std::array<Local, 3> locals = {
-            {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
-        return Expander(cam, state).expand<formulas::TranslatingRoller>(locals, formula);
-    };
     // Linear in the motion: exact, and cheaper than the expansion.
-    if (which == Quantity::pressure_numerator)
+    if (which == MechanismQuantity::pressure_numerator)
         return linear(state.velocity - sense * cam[offset],
                       std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
-    if (which == Quantity::pressure_denominator) return Expander(cam, state).position();
-    return roller_quantity(cam, which, expand);
+    if (which == MechanismQuantity::pressure_denominator) return Expander(cam, state).position();
+    const std::array<Local, 3> locals = {
+        {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
+    return roller_quantity<formulas::TranslatingRoller>(cam, state, which, locals);
 }
 
-QuantityValue oscillating_roller_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const auto expand = [&](const auto& formula) {
-        const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
-                                              {acceleration_column},
-                                              {column_of(center_distance)},
-                                              {column_of(arm_length)}}};
-        return Expander(cam, state).expand<formulas::OscillatingRoller>(locals, formula);
-    };
-    return roller_quantity(cam, which, expand);
+QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state,
+                                        MechanismQuantity which) {
+    const std::array<Local, 3> locals = {
+        {{velocity_column, sense_of(cam.rotation)}, {acceleration_column}, {column_of(base_radius)}}};
+    return Expander(cam, state)
+        .expand(locals,
+                [&]<class T>(const T& height, const T& velocity, const T& acceleration, const T& base) {
+                    return formulas::quantity_of_face<T>(base, height, velocity, acceleration, which);
+                });
 }
 
-QuantityValue translating_flat_radius(const DiskCam& cam, const FollowerState& state) {
-    return linear(cam[base_radius] + state.s + state.acceleration,
-                  std::array<Term, 3>{{{0, 1.0}, {acceleration_column, 1.0}, {column_of(base_radius), 1.0}}});
-}
-
-QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const double sense = sense_of(cam.rotation);
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return constant_quantity(0.0);
-        case Quantity::pressure_denominator:
-            return linear(cam[base_radius] + state.s,
-                          std::array<Term, 2>{{{0, 1.0}, {column_of(base_radius), 1.0}}});
-        case Quantity::cam_radius:
-            return translating_flat_radius(cam, state);
-        case Quantity::regularity:
-            return flat_regularity(translating_flat_radius(cam, state), cam[base_radius]);
-        case Quantity::contact_offset:
-            return linear(sense * state.velocity, std::array<Term, 1>{{{velocity_column, sense}}});
-        case Quantity::normal_lever:
-            return constant_quantity(1.0);
-        case Quantity::pitch_curvature:
-            break;
-    }
-    refuse_quantity(cam.follower);
-}
-
-QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
-    const auto expand = [&](const auto& formula) {
-        const std::array<Local, 4> locals = {{{velocity_column, sense_of(cam.rotation)},
-                                              {acceleration_column},
-                                              {column_of(center_distance)},
-                                              {column_of(face_offset)}}};
-        return Expander(cam, state).expand<formulas::OscillatingFlat>(locals, formula);
-    };
-    switch (which) {
-        case Quantity::pressure_numerator:
-            return expand([](const auto& flat) { return flat.pressure_numerator(); });
-        case Quantity::pressure_denominator:
-            return expand([](const auto& flat) { return flat.pressure_denominator(); });
-        case Quantity::cam_radius:
-            return expand([](const auto& flat) { return flat.cam_radius(); });
-        case Quantity::regularity:
-            return flat_regularity(expand([](const auto& flat) { return flat.turned_radius(); }),
-                                   cam[base_radius]);
-        case Quantity::contact_offset:
-        case Quantity::normal_lever:
-            return expand([](const auto& flat) { return flat.contact_offset(); });
-        case Quantity::pitch_curvature:
-            break;
-    }
-    refuse_quantity(cam.follower);
+QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state,
+                                        MechanismQuantity which) {
+    const Expander expander(cam, state);
+    const auto locals = arm_locals(cam, center_distance, face_offset);
+    if (which != MechanismQuantity::regularity)
+        return expander.expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+            return formulas::quantity_of_face_arm<T>(T(1.0), {position, rest...}, which);
+        });
+    std::array<Local, 5> all;
+    all[0] = {column_of(base_radius)};
+    std::ranges::copy(locals, all.begin() + 1);
+    return expander.expand(all, [&]<class T>(const T& position, const T& base, const auto&... rest) {
+        return formulas::quantity_of_face_arm<T>(base, {position, rest...}, which);
+    });
 }
 
 }  // namespace
 
-QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which) {
+QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
     switch (cam.follower) {
         case FollowerType::translating_roller:
         case FollowerType::translating_knife:
@@ -151,11 +109,12 @@ QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity 
         case FollowerType::translating_flat:
             return translating_flat_quantity(cam, state, which);
         case FollowerType::oscillating_roller:
-            return oscillating_roller_quantity(cam, state, which);
+            return roller_quantity<formulas::OscillatingRoller>(cam, state, which,
+                                                                arm_locals(cam, center_distance, arm_length));
         case FollowerType::oscillating_flat:
-            break;
+            return oscillating_flat_quantity(cam, state, which);
     }
-    return oscillating_flat_quantity(cam, state, which);
+    throw ModelError("quantity: a follower of no known type");
 }
 
 }  // namespace camopt

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the follower stands on the base circle, by the dimensions.
+#include "core/errors.hpp"
 #include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
@@ -56,9 +57,9 @@ QuantityValue start_of(const DiskCam& cam) {
         case FollowerType::oscillating_roller:
             return oscillating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
         case FollowerType::oscillating_flat:
-            break;
+            return oscillating_flat_start(cam);
     }
-    return oscillating_flat_start(cam);
+    throw ModelError("quantity: a follower of no known type");
 }
 
 }  // namespace camopt::expansion

@@ -5,33 +5,22 @@
 #include "profiles/disk/disk_kind.hpp"
 #include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
+#include "profiles/disk/quantity_along.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace camopt {
 namespace {
 
 constexpr double stem_length = 1.2;  // of a drawn stem, by the larger of base and roller radius
-
-Quantity quantity_of(MechanismQuantity which) {
-    switch (which) {
-        case MechanismQuantity::pressure_numerator:
-            return Quantity::pressure_numerator;
-        case MechanismQuantity::pressure_denominator:
-            return Quantity::pressure_denominator;
-        case MechanismQuantity::pitch_curvature:
-            return Quantity::pitch_curvature;
-        case MechanismQuantity::regularity:
-            break;
-    }
-    return Quantity::regularity;
-}
 
 class DiskMechanism final : public CamMechanism {
  public:
@@ -57,15 +46,23 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] int roller_radius() const override {
         return has_roller(follower_) ? place_of(DimensionIndex::roller_radius) : -1;
     }
+    [[nodiscard]] int roller_radius_at(int station) const override;
     [[nodiscard]] bool planar() const override { return true; }
     [[nodiscard]] bool is_direct() const override { return true; }
     [[nodiscard]] bool has_pitch_curve() const override { return !has_flat_face(follower_); }
-    [[nodiscard]] std::optional<double> base_radius(std::span<const double> dimensions) const override {
-        return cam(dimensions)[DimensionIndex::base_radius];
-    }
-    /// What a swing is multiplied by to be a length.
+    [[nodiscard]] int base_radius_index() const override { return place_of(DimensionIndex::base_radius); }
+    [[nodiscard]] std::vector<std::vector<SignedIndex>> reach() const override;
+    /// The pivot's distance, or the prime radius.
     [[nodiscard]] double length(std::span<const double> dimensions) const override {
-        return cam(dimensions)[swings() ? DimensionIndex::center_distance : DimensionIndex::base_radius];
+        const DiskCam own = cam(dimensions);
+        if (swings()) return own[DimensionIndex::center_distance];
+        return own[DimensionIndex::base_radius] + own[DimensionIndex::roller_radius];
+    }
+    /// Both flanks of a groove have one normal; a pushed face and a knife edge have limits of their own.
+    [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
+        if (which == MechanismQuantity::regularity) return !has_edge(follower_);
+        if (which != MechanismQuantity::pressure_numerator) return true;
+        return !has_pushed_face(follower_) && (station == 0 || form_.is_conjugate());
     }
     [[nodiscard]] std::string fault(std::span<const double> dimensions, double least,
                                     double most) const override {
@@ -78,8 +75,33 @@ class DiskMechanism final : public CamMechanism {
         if (form_.is_conjugate()) return fmt::format("each roller run over {} points of its disk", points);
         return fmt::format("a follower run over {} points of the cam", points);
     }
+    [[nodiscard]] Curvature pressure_shape(const PressureSide& side, const MechanismSetting& setting,
+                                           double least, double most) const override;
+    [[nodiscard]] Interval pressure_slopes(const PressureSide& side,
+                                           std::span<const double> dimensions) const override;
+    [[nodiscard]] bool upper_side_rises(int station) const override;
+    [[nodiscard]] bool leans_at_rest(int station, const MechanismSetting& setting) const override;
+    [[nodiscard]] Curvature shape(MechanismQuantity which, const MechanismSetting& setting) const override;
+    [[nodiscard]] double face_turn() const override {
+        return has_turning_face(follower_) ? sense_of(rotation_) : 0.0;
+    }
     [[nodiscard]] MechanismValue quantity(MechanismQuantity which, const MechanismState& state, int station,
                                           std::span<const int> active) const override;
+    [[nodiscard]] std::optional<RangeOver> quantity_over(MechanismQuantity which,
+                                                         const MechanismStateOver& state,
+                                                         int station) const override {
+        return camopt::quantity(form(), over(state), which, station);
+    }
+    [[nodiscard]] std::optional<RangeOver> regularity_over(double margin, const MechanismStateOver& state,
+                                                           int station) const override;
+    [[nodiscard]] std::optional<RangeOver> radius_over(double shift, const MechanismStateOver& state,
+                                                       int station) const override;
+    [[nodiscard]] std::optional<RangeAlong> quantity_along(MechanismQuantity which,
+                                                           const MechanismStateAlong& state,
+                                                           int station) const override {
+        return camopt::quantity(cam(state.dimensions), {state.s, state.velocity, state.acceleration}, which,
+                                station);
+    }
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state,
                                        int station) const override {
         return mechanism_point(profile_point(cam(state.dimensions), theta, state.output, station));
@@ -92,6 +114,12 @@ class DiskMechanism final : public CamMechanism {
  private:
     void add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
                            const FollowerState& output, const Eigen::Vector2d& first) const;
+    /// The cam without its dimensions, for boxes of them.
+    [[nodiscard]] DiskCam form() const { return {follower_, rotation_, {}, form_}; }
+    [[nodiscard]] StateOver over(const MechanismStateOver& state) const;
+    [[nodiscard]] bool is_active(const MechanismSetting& setting, DimensionIndex dimension) const {
+        return std::ranges::find(setting.active, place_of(dimension)) != setting.active.end();
+    }
     [[nodiscard]] int place_of(DimensionIndex dimension) const {
         return static_cast<int>(std::ranges::find(which_, dimension) - which_.begin());
     }
@@ -159,6 +187,116 @@ std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) c
     return shapes;
 }
 
+std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const {
+    std::vector<std::vector<SignedIndex>> all;
+    for (const auto& sum : reach_of(follower_)) {
+        std::vector<SignedIndex>& own = all.emplace_back();
+        own.reserve(sum.size());
+        // A dimension that the follower has not is 0.
+        for (const auto& [dimension, sign] : sum)
+            if (has_dimension(follower_, dimension)) own.push_back({place_of(dimension), sign});
+    }
+    return all;
+}
+
+/// That of a second roller of its own stands last among the numbers of the form.
+int DiskMechanism::roller_radius_at(int station) const {
+    if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
+    return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
+}
+
+/// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):
+/// docs/theory/pressure_angle.md. For an oscillating roller it is l(1 + σψ') cos φm − a cos(ψ ∓ φm): convex
+/// where the cosine is concave for the upper side, where it is convex for the lower one.
+/// The second disk is the same in ψ2 = γ − ψ; translating it has +s0 where the first has −s0, which is
+/// concave in the dimensions unless it is linear in them.
+Curvature DiskMechanism::pressure_shape(const PressureSide& side, const MechanismSetting& setting,
+                                        double least, double most) const {
+    constexpr double right_angle = 0.5 * std::numbers::pi;
+    const DiskCam own = cam(setting.dimensions);
+    const bool second = side.station == 1;
+    if (!swings()) {
+        // Nothing variable but base and roller, no offset: N = s', D = base + roller + s.
+        const bool straight =
+            !is_active(setting, DimensionIndex::offset) && own[DimensionIndex::offset] == 0.0;
+        if (setting.active.empty() || straight) return Curvature::linear;
+        return second ? Curvature::general : Curvature::convex;
+    }
+    if (!setting.active.empty() || !std::isfinite(least) || !std::isfinite(most)) return Curvature::general;
+    const double start = second ? second_rest_position(own) : rest_position(own);
+    const double low = start + (second ? -most : least), high = start + (second ? -least : most);
+    const double limit = side.limit;
+    const bool convex = has_turning_face(follower_) ? low >= -right_angle && high <= right_angle
+                        : side.sign > 0 ? low >= limit - right_angle && high <= limit + right_angle
+                                        : low >= right_angle - limit && high <= 3.0 * right_angle - limit;
+    return convex ? Curvature::convex : Curvature::general;
+}
+
+/// sign · N cos φm <= D sin φm bounds the arm's velocity whatever its angle: σψ' <= a/(l cos φm) − 1 for the
+/// upper side of a roller, >= −a/(l cos φm) − 1 for the lower one; f(1 + σψ') <= a tan φm for a face.
+Interval DiskMechanism::pressure_slopes(const PressureSide& side, std::span<const double> dimensions) const {
+    using enum DimensionIndex;
+    if (!swings()) return Interval::everything();
+    const bool second = side.station == 1;
+    const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
+    const bool roller = has_roller(follower_);
+    const double lever = roller ? own[arm_length] : std::abs(own[face_offset]);
+    if (lever == 0.0) return Interval::everything();
+    const double reach =
+        own[center_distance] / lever * (roller ? 1.0 / std::cos(side.limit) : std::tan(side.limit));
+    const Interval all = Interval::everything();
+    // With the face on the other side of the arm the sides change places.
+    const bool upper = (side.sign > 0) == (roller || own[face_offset] > 0.0);
+    const Interval turned = upper ? Interval(all.lower, reach - 1.0) : Interval(-reach - 1.0, all.upper);
+    const bool as_seen = (sense_of(own.rotation) > 0.0) != second;  // the second disk's ψ' is −ψ'
+    return as_seen ? turned : Interval(-turned.upper, -turned.lower);
+}
+
+/// An arm's rise turns the cam's way clockwise. The mirror of the second disk turns the other way, and it
+/// falls where the follower rises.
+bool DiskMechanism::upper_side_rises(int station) const {
+    return swings() ? sense_of(rotation_) > 0.0 : station == 0;
+}
+
+/// The follower's contact may lie beside the line that it is pushed along.
+bool DiskMechanism::leans_at_rest(int station, const MechanismSetting& setting) const {
+    if (swings()) return true;
+    if (station == 1 && form_.second_offset) return *form_.second_offset != 0.0;
+    return cam(setting.dimensions)[DimensionIndex::offset] != 0.0 ||
+           is_active(setting, DimensionIndex::offset);
+}
+
+Curvature DiskMechanism::shape(MechanismQuantity which, const MechanismSetting& setting) const {
+    using enum MechanismQuantity;
+    const bool height = which == pressure_denominator && !swings() && setting.active.empty();
+    const bool face = which == cam_radius && has_pushed_face(follower_);
+    return height || face ? Curvature::linear : Curvature::general;
+}
+
+StateOver DiskMechanism::over(const MechanismStateOver& state) const {
+    StateOver own{state.s, state.velocity, state.acceleration, {}};
+    for (std::size_t i = 0; i < which_.size(); ++i)
+        own.dimensions[static_cast<std::size_t>(which_[i])] = state.dimensions[i];
+    return own;
+}
+
+std::optional<RangeOver> DiskMechanism::regularity_over(double margin, const MechanismStateOver& state,
+                                                        int station) const {
+    if (!has_roller(follower_)) return CamMechanism::regularity_over(margin, state, station);
+    const DiskCam own = form();
+    const StateOver box = over(state);
+    const double wider = form_.is_grooved() ? 0.5 * form_.groove_clearance : 0.0;
+    return curvature_excess(own, box, roller_on(own, box, station) + wider, 1.0 - margin, station);
+}
+
+std::optional<RangeOver> DiskMechanism::radius_over(double shift, const MechanismStateOver& state,
+                                                    int station) const {
+    const DiskCam own = form();
+    const StateOver box = over(state);
+    const RangeOver factor = has_roller(follower_) ? roller_on(own, box, station) + shift : RangeOver(shift);
+    return curvature_excess(own, box, factor, 1.0, station);
+}
+
 MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismState& state, int station,
                                        std::span<const int> active) const {
     const auto size = static_cast<Eigen::Index>(3 + active.size());
@@ -166,12 +304,19 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
         const double none = std::numeric_limits<double>::quiet_NaN();
         return {none, Eigen::VectorXd::Constant(size, none), Eigen::MatrixXd::Constant(size, size, none)};
     }
-    const QuantityValue all =
-        camopt::quantity(cam(state.dimensions), state.output, quantity_of(which), station);
-    std::vector<int> columns = {0, 1, 2};
-    for (const int dimension : active)
-        columns.push_back(column_of(which_[static_cast<std::size_t>(dimension)]));
-    return {all.value, all.gradient(columns), all.hessian(columns, columns)};
+    const QuantityValue all = camopt::quantity(cam(state.dimensions), state.output, which, station);
+    // The form's numbers are no variables of a quantity.
+    std::array<int, quantity_variables> columns = {0, 1, 2};
+    for (std::size_t k = 0; k < active.size(); ++k)
+        columns[3 + k] = column_of(which_[static_cast<std::size_t>(active[k])]);
+    MechanismValue value{all.value, MechanismValue::Gradient(size), MechanismValue::Hessian(size, size)};
+    for (Eigen::Index i = 0; i < size; ++i) {
+        value.gradient[i] = all.gradient[columns[static_cast<std::size_t>(i)]];
+        for (Eigen::Index j = 0; j < size; ++j)
+            value.hessian(i, j) =
+                all.hessian(columns[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+    }
+    return value;
 }
 
 }  // namespace

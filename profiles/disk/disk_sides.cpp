@@ -2,7 +2,9 @@
 #include "profiles/disk/disk_sides.hpp"
 
 #include "profiles/disk/disk_cam_expansion.hpp"
+#include "profiles/disk/quantity_algebra.hpp"
 #include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/quantity_text.hpp"
 
 #include <array>
 #include <cmath>
@@ -57,13 +59,13 @@ SecondDimensions second_dimensions(const DiskCam& cam) {
         const QuantityValue &a = at(center_distance), &l = at(arm_length);
         const double angle = cam.form.arm_angle - start.value, c = std::cos(angle), s = std::sin(angle);
         const QuantityValue cosine = function_of(start, c, s, -c);  // of γ − ψ0, by ψ0
-        squared = sum(1.0, sum(1.0, product(a, a), 1.0, product(l, l)), -2.0, product(product(a, l), cosine));
+        squared = a * a + l * l + -2.0 * (a * l * cosine);
     } else {
         at(offset) = given_or_first(cam.form.second_offset, cam, offset);
-        const QuantityValue rest = shifted(scaled(start, -1.0), cam.form.roller_distance);
-        squared = sum(1.0, product(rest, rest), 1.0, product(at(offset), at(offset)));
+        const QuantityValue rest = -1.0 * start + cam.form.roller_distance;
+        squared = rest * rest + at(offset) * at(offset);
     }
-    at(base_radius) = sum(1.0, square_root(squared), -1.0, at(roller_radius));
+    at(base_radius) = square_root(squared) + -1.0 * at(roller_radius);
     return own;
 }
 
@@ -102,15 +104,6 @@ ProfilePoint second_point(const DiskCam& cam, double theta, const FollowerState&
 
 StateAlong second_along(const StateAlong& state) {
     return {-1.0 * state.s, -1.0 * state.velocity, -1.0 * state.acceleration};
-}
-
-/// Of the outer flank, whose pitch curvature is −κ.
-template <class State>
-auto outer_quantity(const DiskCam& cam, const State& state, Quantity which) {
-    if (which == Quantity::pitch_curvature) return scaled(quantity(cam, state, which), -1.0);
-    if (which != Quantity::regularity) return quantity(cam, state, which);
-    const auto offset_radius = shifted(dimension(cam, state, roller_radius), 0.5 * cam.form.groove_clearance);
-    return shifted(product(offset_radius, quantity(cam, state, Quantity::pitch_curvature)), 1.0);
 }
 
 }  // namespace
@@ -179,26 +172,23 @@ ProfilePoint profile_point(const DiskCam& cam, double theta, const FollowerState
     return point;
 }
 
-QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which, int side) {
-    if (is_outer_flank(cam, side)) return outer_quantity(cam, state, which);
-    if (side == 0 || !cam.form.is_conjugate()) return quantity(cam, state, which);
+QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which, int side) {
+    const auto first = [&](MechanismQuantity of) { return quantity(cam, state, of); };
+    if (is_outer_flank(cam, side)) {
+        const double radius = surface_offset(cam, 0);
+        return formulas::quantity_of_outer_flank(variable_quantity(radius, column_of(roller_radius)), first,
+                                                 which);
+    }
+    if (side == 0 || !cam.form.is_conjugate()) return first(which);
     return carried_over(quantity(second_disk(cam), second_state(state), which), second_dimensions(cam));
 }
 
-RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which, int side) {
-    if (is_outer_flank(cam, side)) return outer_quantity(cam, state, which);
-    if (side == 0 || !cam.form.is_conjugate()) return quantity(cam, state, which);
+RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which, int side) {
+    const auto first = [&](MechanismQuantity of) { return quantity(cam, state, of); };
+    if (is_outer_flank(cam, side))
+        return formulas::quantity_of_outer_flank(RangeAlong(surface_offset(cam, 0)), first, which);
+    if (side == 0 || !cam.form.is_conjugate()) return first(which);
     return quantity(second_disk(cam), second_along(state), which);
-}
-
-QuantityValue roller_on(const DiskCam& cam, const FollowerState& state, int side) {
-    if (side == 1 && cam.form.is_conjugate())
-        return given_or_first(cam.form.second_roller_radius, cam, roller_radius);
-    return dimension(cam, state, roller_radius);
-}
-
-RangeAlong roller_on(const DiskCam& cam, const StateAlong&, int side) {
-    return {roller_radius_of(cam, side)};
 }
 
 }  // namespace camopt

@@ -49,12 +49,9 @@ namespace camopt {
 
 /// As quantity() of disk_cam.hpp and quantity_along.hpp, of one side; partials by the variables of the whole
 /// cam. Of the second disk the pressure angle is signed as in its mirror.
-[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, Quantity which,
+[[nodiscard]] QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
                                      int side);
-[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which, int side);
-
-/// roller_radius_of with its partials, and with its enclosure.
-[[nodiscard]] QuantityValue roller_on(const DiskCam& cam, const FollowerState& state, int side);
-[[nodiscard]] RangeAlong roller_on(const DiskCam& cam, const StateAlong& state, int side);
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which,
+                                  int side);
 
 }  // namespace camopt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether one cam can be built: at rest, and over the whole range of its motion. Every distance below grows
 // with s as long as the conditions before it hold, so the two extremes of s decide.
+#include "core/errors.hpp"
 #include "profiles/disk/disk_cam.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/disk_sides.hpp"
@@ -103,9 +104,9 @@ std::string one_disk_fault(const DiskCam& cam, double least, double most) {
         case FollowerType::oscillating_roller:
             return oscillating_roller_fault(cam, least, most);
         case FollowerType::oscillating_flat:
-            break;
+            return oscillating_flat_fault(cam, least, most);
     }
-    return oscillating_flat_fault(cam, least, most);
+    throw ModelError("a follower of no known type");
 }
 
 /// Inside the groove, and on the cam's other side.

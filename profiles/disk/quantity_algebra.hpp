@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums, products and quotients of quantities of a cam, with their first and second partials.
+// Sums, products and quotients of quantities of a disk cam, with their first and second partials: a
+// QuantityValue is written in formulas as a RangeAlong and a RangeOver are.
 #pragma once
 
 #include "profiles/disk/disk_cam.hpp"
@@ -11,23 +12,13 @@ namespace camopt {
     return 3 + static_cast<int>(dimension);
 }
 
-/// Throws ModelError: this follower has not the quantity that was asked for.
-[[noreturn]] void refuse_quantity(FollowerType follower);
-
 [[nodiscard]] QuantityValue constant_quantity(double value);
 /// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
 [[nodiscard]] QuantityValue variable_quantity(double value, int index);
 
-[[nodiscard]] QuantityValue sum(double factor_a, const QuantityValue& a, double factor_b,
-                                const QuantityValue& b);
-[[nodiscard]] QuantityValue product(const QuantityValue& a, const QuantityValue& b);
-[[nodiscard]] QuantityValue quotient(const QuantityValue& a, const QuantityValue& b);
-[[nodiscard]] inline QuantityValue shifted(QuantityValue a, double by) {
-    a.value += by;
-    return a;
-}
-[[nodiscard]] inline QuantityValue scaled(const QuantityValue& a, double factor) {
-    return {factor * a.value, factor * a.gradient, factor * a.hessian};
-}
+[[nodiscard]] QuantityValue operator+(QuantityValue a, const QuantityValue& b);
+[[nodiscard]] QuantityValue operator+(QuantityValue a, double by);
+[[nodiscard]] QuantityValue operator*(double factor, QuantityValue a);
+[[nodiscard]] QuantityValue operator*(const QuantityValue& a, const QuantityValue& b);
 
 }  // namespace camopt

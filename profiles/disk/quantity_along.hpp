@@ -1,59 +1,43 @@
 // SPDX-License-Identifier: MIT
-// Quantities of a disk cam over a stretch of the cam angle: enclosures of their values, slopes and second
-// derivatives, by the formulas of disk_cam.hpp.
-//
-// The functions here stand beside those of quantity_algebra.hpp under the same names, so that one generic
-// text of a formula of (cam, state) gives its partials (FollowerState) and its enclosure (StateAlong).
+// Quantities of a disk cam over a stretch of the cam angle, and over a box of motions and dimensions:
+// enclosures of their values and derivatives, by the formulas of disk_cam.hpp (quantity_text.hpp).
 #pragma once
 
 #include "core/numbers/range_along.hpp"
+#include "core/numbers/range_over.hpp"
 #include "profiles/disk/disk_cam.hpp"
-#include "profiles/disk/quantity_algebra.hpp"
+
+#include <array>
 
 namespace camopt {
 
-/// Everything where the formula may divide by zero somewhere in the stretch. Throws ModelError where the
-/// follower has no such quantity.
-[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, Quantity which);
+/// Slopes and second derivatives by the cam angle. Everything where the formula may divide by zero somewhere
+/// in the stretch. Throws ModelError where the follower has no such quantity.
+[[nodiscard]] RangeAlong quantity(const DiskCam& cam, const StateAlong& state, MechanismQuantity which);
 
-[[nodiscard]] inline RangeAlong sum(double factor_a, const RangeAlong& a, double factor_b,
-                                    const RangeAlong& b) {
-    return factor_a * a + factor_b * b;
-}
-[[nodiscard]] inline RangeAlong product(const RangeAlong& a, const RangeAlong& b) {
-    return a * b;
-}
-[[nodiscard]] inline RangeAlong shifted(const RangeAlong& a, double by) {
-    return a + RangeAlong(by);
-}
-[[nodiscard]] inline RangeAlong scaled(const RangeAlong& a, double factor) {
-    return factor * a;
-}
+/// s, s', s'' and the dimensions, each a number, a box of its own, or a function of what a box is of.
+struct StateOver {
+    RangeOver s, velocity, acceleration;
+    std::array<RangeOver, dimension_count> dimensions;
 
-// What a formula is made of besides the quantities.
-[[nodiscard]] inline QuantityValue displacement(const FollowerState& state) {
-    return variable_quantity(state.s, 0);
-}
-[[nodiscard]] inline QuantityValue velocity(const FollowerState& state) {
-    return variable_quantity(state.velocity, 1);
-}
-[[nodiscard]] inline QuantityValue acceleration(const FollowerState& state) {
-    return variable_quantity(state.acceleration, 2);
-}
-[[nodiscard]] inline QuantityValue dimension(const DiskCam& cam, const FollowerState&, DimensionIndex which) {
-    return variable_quantity(cam[which], column_of(which));
-}
-[[nodiscard]] inline const RangeAlong& displacement(const StateAlong& state) {
-    return state.s;
-}
-[[nodiscard]] inline const RangeAlong& velocity(const StateAlong& state) {
-    return state.velocity;
-}
-[[nodiscard]] inline const RangeAlong& acceleration(const StateAlong& state) {
-    return state.acceleration;
-}
-[[nodiscard]] inline RangeAlong dimension(const DiskCam& cam, const StateAlong&, DimensionIndex which) {
-    return {cam[which]};
-}
+    [[nodiscard]] const RangeOver& operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// With first and second partials by what the box is of; everything and errors as above. The dimensions of
+/// `cam` do not matter.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which);
+
+/// As those of disk_sides.hpp.
+[[nodiscard]] RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which,
+                                 int side);
+[[nodiscard]] RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side);
+
+/// (factor κ − share)(speed of the roller centre)³ over the coefficient of s'', of followers with a pitch
+/// curve and with the curvature κ of a side: >= 0 where factor κ >= share, and linear in s''. Everything
+/// where that coefficient may vanish.
+[[nodiscard]] RangeOver curvature_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor,
+                                         double share, int side);
 
 }  // namespace camopt

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/quantity_over.hpp"
-
+#include "core/errors.hpp"
 #include "profiles/disk/disk_sides.hpp"
-#include "profiles/disk/quantity_of_follower.hpp"
+#include "profiles/disk/quantity_along.hpp"
+#include "profiles/disk/quantity_text.hpp"
 
 namespace camopt {
 namespace {
@@ -16,27 +16,36 @@ RangeOver prime_radius_over(const DiskCam& cam, const StateOver& state) {
 /// From the roller's centre to either flank of a groove, or to the surface of an open cam.
 RangeOver flank_offset(const DiskCam& cam, const StateOver& state) {
     const double clearance = cam.form.is_grooved() ? cam.form.groove_clearance : 0.0;
-    return shifted(state[roller_radius], 0.5 * clearance);
+    return state[roller_radius] + RangeOver(0.5 * clearance);
 }
 
-formulas::TranslatingRoller<RangeOver> translating_roller_over(const DiskCam& cam, const StateOver& state) {
-    const RangeOver start = formulas::translating_roller_start(prime_radius_over(cam, state), state[offset]);
-    return {start + state.s, state.velocity, state.acceleration, sense_of(cam.rotation) * state[offset]};
+/// What s is added to.
+RangeOver rest_over(const DiskCam& cam, const StateOver& state) {
+    const RangeOver& distance = state[center_distance];
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return formulas::translating_roller_start(prime_radius_over(cam, state), state[offset]);
+        case FollowerType::oscillating_roller:
+            return formulas::oscillating_roller_start(prime_radius_over(cam, state), distance,
+                                                      state[arm_length]);
+        case FollowerType::translating_flat:
+            return state[base_radius];
+        case FollowerType::oscillating_flat:
+            return formulas::oscillating_flat_start(state[base_radius], distance, state[face_offset]);
+    }
+    throw ModelError("quantity: a follower of no known type");
 }
 
-formulas::OscillatingRoller<RangeOver> oscillating_roller_over(const DiskCam& cam, const StateOver& state) {
-    const RangeOver start = formulas::oscillating_roller_start(prime_radius_over(cam, state),
-                                                               state[center_distance], state[arm_length]);
-    return {start + state.s, sense_of(cam.rotation) * state.velocity, state.acceleration,
-            state[center_distance], state[arm_length]};
-}
+struct SourceOver {
+    const DiskCam& cam;
+    const StateOver& state;
+    const RangeOver &s = state.s, &velocity = state.velocity, &acceleration = state.acceleration;
 
-formulas::OscillatingFlat<RangeOver> oscillating_flat_over(const DiskCam& cam, const StateOver& state) {
-    const RangeOver start =
-        formulas::oscillating_flat_start(state[base_radius], state[center_distance], state[face_offset]);
-    return {start + state.s, sense_of(cam.rotation) * state.velocity, state.acceleration,
-            state[center_distance], state[face_offset]};
-}
+    [[nodiscard]] RangeOver rest() const { return rest_over(cam, state); }
+    [[nodiscard]] RangeOver flank_offset() const { return camopt::flank_offset(cam, state); }
+    [[nodiscard]] const RangeOver& number(DimensionIndex which) const { return state[which]; }
+};
 
 /// κ v³ = v² + drift across − along push with push = lever s'': the excess of factor κ over `share`, times
 /// v³ / (along lever).
@@ -49,19 +58,26 @@ RangeOver excess_of(const formulas::PitchMotion<RangeOver>& pitch, const RangeOv
 }
 
 RangeOver open_excess(const DiskCam& cam, const StateOver& state, const RangeOver& factor, double share) {
+    const double sense = sense_of(cam.rotation);
+    const RangeOver position = rest_over(cam, state) + state.s;
     switch (cam.follower) {
         case FollowerType::translating_roller:
-        case FollowerType::translating_knife:
-            return excess_of(translating_roller_over(cam, state).pitch(), {1.0}, state.acceleration, factor,
-                             share);
-        case FollowerType::oscillating_roller:
-            return excess_of(oscillating_roller_over(cam, state).pitch(), state[arm_length],
-                             state.acceleration, factor, share);
+        case FollowerType::translating_knife: {
+            const formulas::TranslatingRoller<RangeOver> roller{position, state.velocity, state.acceleration,
+                                                                sense * state[offset]};
+            return excess_of(roller.pitch(), {1.0}, state.acceleration, factor, share);
+        }
+        case FollowerType::oscillating_roller: {
+            const formulas::OscillatingRoller<RangeOver> roller{position, sense * state.velocity,
+                                                                state.acceleration, state[center_distance],
+                                                                state[arm_length]};
+            return excess_of(roller.pitch(), state[arm_length], state.acceleration, factor, share);
+        }
         case FollowerType::translating_flat:
         case FollowerType::oscillating_flat:
             break;
     }
-    refuse_quantity(cam.follower);
+    refuse_quantity(name_of(cam.follower));
 }
 
 bool is_second_disk(const DiskCam& cam, int side) {
@@ -84,53 +100,28 @@ StateOver second_over(const DiskCam& cam, const StateOver& state) {
     if (is_oscillating(cam.follower)) {
         const RangeOver& a = at(center_distance) = state[center_distance];
         const RangeOver& l = at(arm_length) = given_or_own(cam.form.second_arm_length, state[arm_length]);
-        const RangeOver angle = RangeOver(cam.form.arm_angle) -
-                                formulas::oscillating_roller_start(prime_radius_over(cam, state),
-                                                                   state[center_distance], state[arm_length]);
-        prime_squared = square(a) + square(l) - 2.0 * (a * l * cos(angle));
+        prime_squared = square(a) + square(l) -
+                        2.0 * (a * l * cos(RangeOver(cam.form.arm_angle) - rest_over(cam, state)));
     } else {
         at(offset) = given_or_own(cam.form.second_offset, state[offset]);
-        const RangeOver rest =
-            RangeOver(cam.form.roller_distance) -
-            formulas::translating_roller_start(prime_radius_over(cam, state), state[offset]);
+        const RangeOver rest = RangeOver(cam.form.roller_distance) - rest_over(cam, state);
         prime_squared = square(rest) + square(at(offset));
     }
     at(base_radius) = sqrt(prime_squared) - at(roller_radius);
     return second;
 }
 
-/// Of the outer flank, whose pitch curvature is −κ.
-RangeOver outer_flank_over(const DiskCam& cam, const StateOver& state, Quantity which) {
-    if (which == Quantity::pitch_curvature) return -quantity(cam, state, which);
-    if (which != Quantity::regularity) return quantity(cam, state, which);
-    return RangeOver(1.0) + flank_offset(cam, state) * quantity(cam, state, Quantity::pitch_curvature);
-}
-
 }  // namespace
 
-RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which) {
-    switch (cam.follower) {
-        case FollowerType::translating_roller:
-        case FollowerType::translating_knife:
-            return formulas::quantity_of_roller<RangeOver>(cam.follower, translating_roller_over(cam, state),
-                                                           flank_offset(cam, state), which);
-        case FollowerType::translating_flat:
-            return formulas::quantity_of_face<RangeOver>(state[base_radius], state[base_radius] + state.s,
-                                                         sense_of(cam.rotation) * state.velocity,
-                                                         state.acceleration, which);
-        case FollowerType::oscillating_roller:
-            return formulas::quantity_of_roller<RangeOver>(cam.follower, oscillating_roller_over(cam, state),
-                                                           flank_offset(cam, state), which);
-        case FollowerType::oscillating_flat:
-            break;
-    }
-    return formulas::quantity_of_face_arm<RangeOver>(state[base_radius], oscillating_flat_over(cam, state),
-                                                     which);
+RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which) {
+    return formulas::quantity_of_first_side<RangeOver>(cam, SourceOver{cam, state}, which);
 }
 
-RangeOver quantity(const DiskCam& cam, const StateOver& state, Quantity which, int side) {
+RangeOver quantity(const DiskCam& cam, const StateOver& state, MechanismQuantity which, int side) {
     if (is_second_disk(cam, side)) return quantity(second_disk(cam), second_over(cam, state), which);
-    return side == 0 ? quantity(cam, state, which) : outer_flank_over(cam, state, which);
+    const auto first = [&](MechanismQuantity of) { return quantity(cam, state, of); };
+    return side == 0 ? first(which)
+                     : formulas::quantity_of_outer_flank(flank_offset(cam, state), first, which);
 }
 
 RangeOver roller_on(const DiskCam& cam, const StateOver& state, int side) {

@@ -64,6 +64,7 @@ T value_of(MechanismQuantity which, const std::array<T, inverse_number_count>& n
     if (which == MechanismQuantity::pressure_numerator) return -T(roller.distance * body.velocity);
     const T curvature = wall.side * inverse::guide_curvature<T>(roller, body);
     if (which == MechanismQuantity::pitch_curvature) return curvature;
+    if (which != MechanismQuantity::regularity) refuse_quantity(inverse_type);
     return T(1.0) - T(of(roller_radius) * curvature);
 }
 

@@ -14,17 +14,10 @@ using namespace spellings;
 
 /// What a scene need not say.
 std::optional<double> default_of(RemoteDimension which) {
-    switch (which) {
-        case RemoteDimension::center_x:
-        case RemoteDimension::center_y:
-        case RemoteDimension::lever_angle:
-        case RemoteDimension::rocker_angle:
-            return 0.0;
-        case RemoteDimension::slider_angle:
-            return 90.0 * units::degree;
-        default:
-            return std::nullopt;
-    }
+    using enum RemoteDimension;
+    if (which == slider_angle) return 90.0 * units::degree;
+    const bool zero = which == center_x || which == center_y || which == lever_angle || which == rocker_angle;
+    return zero ? std::optional<double>(0.0) : std::nullopt;
 }
 
 // A row is read as a row.

@@ -29,9 +29,13 @@ struct QuantityFormula {
             case MechanismQuantity::pitch_curvature:
                 return roller.curvature();
             case MechanismQuantity::regularity:
+                return own.regularity(roller);
+            case MechanismQuantity::cam_radius:
+            case MechanismQuantity::contact_offset:
+            case MechanismQuantity::normal_lever:
                 break;
         }
-        return own.regularity(roller);
+        refuse_quantity(remote_type);
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/remote/remote_spec.hpp"
 
+#include "core/errors.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>
@@ -56,9 +57,15 @@ const char* name_of(RemoteDimension value) {
 }
 
 bool has_dimension(RemoteLinkage linkage, RemoteDimension dimension) {
-    if (dimension <= center_y) return true;
     const bool two_dyads = linkage == lever_coupler_lever_coupler_slider;
     switch (dimension) {
+        case roller_radius:
+        case roller_arm:
+        case lever_pivot_x:
+        case lever_pivot_y:
+        case center_x:
+        case center_y:
+            return true;
         case lever_arm:
         case lever_angle:
         case coupler:
@@ -75,9 +82,10 @@ bool has_dimension(RemoteLinkage linkage, RemoteDimension dimension) {
         case slider_y:
         case slider_angle:
             return !output_swings(linkage);
-        default:
+        case output_angle:
             return output_swings(linkage);
     }
+    throw ModelError("remote cam: no known dimension");
 }
 
 bool is_angle(RemoteDimension dimension) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/spatial/spatial_cam.hpp"
 
+#include "core/errors.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
 
 #include <Eigen/Geometry>
@@ -34,11 +35,11 @@ RollerAxis standing_axis(const SpatialCam& cam, double q) {
                     {0.0, -c, s},
                     {0.0, s, c}};
         case SpatialFollower::cylindrical_translating:
-            break;
+            return {{cam[lateral_offset], cam[center_distance], cam.axial_offset + q},
+                    -Vector3d::UnitY(),
+                    Vector3d::UnitZ()};
     }
-    return {{cam[lateral_offset], cam[center_distance], cam.axial_offset + q},
-            -Vector3d::UnitY(),
-            Vector3d::UnitZ()};
+    throw ModelError("a follower of no known type");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 // C_θθ = C'' − 2σ z × C' + z × (z × C), e_θ = e' − σ z × e.
 #pragma once
 
+#include "core/errors.hpp"
 #include "core/numbers/squared.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 
@@ -94,9 +95,9 @@ template <class T, class Height>
         case SpatialFollower::cylindrical_rotating:
             return rotating_motion(variables, sense, height);
         case SpatialFollower::cylindrical_translating:
-            break;
+            return translating_motion(variables, sense, height);
     }
-    return translating_motion(variables, sense, height);
+    throw ModelError("a follower of no known type");
 }
 
 /// Which sign makes V·b positive in a cam without fault.

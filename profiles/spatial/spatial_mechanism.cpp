@@ -40,7 +40,10 @@ Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, 
             break;
         case SpatialNumber::axial_offset:
             break;
-        default:
+        case SpatialNumber::roller_radius:
+        case SpatialNumber::arm_length:
+        case SpatialNumber::center_distance:
+        case SpatialNumber::lateral_offset:
             direction(3 + number) = 1.0;
     }
     return direction;
@@ -110,7 +113,10 @@ class SpatialMechanism final : public CamMechanism {
 
     [[nodiscard]] MechanismValue pressure_excess(double limit, int sign, const MechanismState& state,
                                                  int station, std::span<const int> active) const override;
-    [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const override;
+    [[nodiscard]] Curvature pressure_shape(const PressureSide&, const MechanismSetting& setting, double,
+                                           double) const override {
+        return pressure_shape(setting.active);
+    }
     [[nodiscard]] std::optional<RangeOver> pressure_over(double limit, int sign,
                                                          const MechanismStateOver& state,
                                                          int station) const override;
@@ -163,11 +169,14 @@ class SpatialMechanism final : public CamMechanism {
     static SpatialQuantity quantity_of(MechanismQuantity which) {
         if (which == MechanismQuantity::pressure_numerator) return SpatialQuantity::pressure_numerator;
         if (which == MechanismQuantity::pressure_denominator) return SpatialQuantity::pressure_denominator;
+        if (which != MechanismQuantity::regularity) refuse_quantity("spatial");
         return SpatialQuantity::undercut;
     }
     [[nodiscard]] SpatialCam cam(std::span<const double> numbers) const {
         return spatial_cam(follower_, rotation_, numbers);
     }
+
+    [[nodiscard]] Curvature pressure_shape(std::span<const int> active) const;
 
     SpatialFollower follower_;
     Rotation rotation_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The quantities of limits, expanded to second order by automatic differentiation. All seven variables of a
 // formula are those of the partials (q differs from s by a constant), so no chain rule is left to do.
+#include "core/errors.hpp"
 #include "core/second_order.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_formulas.hpp"
@@ -45,9 +46,9 @@ SpatialValue spatial_quantity(const SpatialCam& cam, const FollowerState& state,
         case SpatialQuantity::pressure_denominator:
             return expanded(spatial_formulas::sign_of_b(cam) * motion.along_b);
         case SpatialQuantity::undercut:
-            break;
+            return expanded(spatial_formulas::undercut(motion, variables.roller_radius, station.flank));
     }
-    return expanded(spatial_formulas::undercut(motion, variables.roller_radius, station.flank));
+    throw ModelError("spatial cam: no known quantity");
 }
 
 }  // namespace camopt

@@ -48,6 +48,8 @@ PLANTED = [
     ("checked_output", "output/b.cpp", SPDX + "void b() {\n    std::ofstream file(path);\n}\n", "output/b.cpp:3: writes unchecked"),
     ("checked_output", "apps/b.cpp", SPDX + 'void b() { std::cout << "b"; }\n', "writes unchecked"),
     ("checked_output", "apps/b.cpp", SPDX + 'void b() { std::FILE* b = std::fopen(path, "wb"); }\n', "writes unchecked"),
+    ("whole_switches", "profiles/b.cpp", SPDX + "int b(K k) {\n    switch (k) {\n        default:\n            return 1;\n    }\n}\n",
+     "profiles/b.cpp:4: a switch with a default"),
     ("spdx", "core/b.cpp", "int b() { return 1; }\n", "core/b.cpp:1: no line"),
     ("spdx", "scripts/x", "#!/bin/sh\n", "scripts/x:1: no line"),
     ("public_headers", "core/b.hpp", "#pragma once\n#ifdef HAVE_X\n#endif\n", "features select files"),

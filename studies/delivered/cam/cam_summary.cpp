@@ -198,7 +198,7 @@ std::optional<double> place_without_contact(const DiskCam& cam, const CamTurn& t
     for (int side = 0; side < side_count(cam); ++side) {
         const CamExtreme height = turn.least(
             [&](const CamPlace& place) {
-                return quantity(cam, place.state, Quantity::pressure_denominator, side).value;
+                return quantity(cam, place.state, MechanismQuantity::pressure_denominator, side).value;
             },
             side);
         if (!(height.value > 0.0)) return height.at;

@@ -3,10 +3,8 @@
 
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "objectives/rules/mechanism_rule.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace camopt {
 
@@ -22,15 +20,11 @@ EnclosedLimit along(const PointRule& rule, const Motion& motion) {
 
 std::vector<EnclosedLimit> enclosed_limits(const Scene& scene, const DrivenMechanism& cam,
                                            const Motion& motion) {
-    auto variables = std::make_shared<CamVariables>();
-    variables->cam = cam;
-    variables->scale = {scene.motion.lift, scene.motion.unit_angle()};
+    CamVariables variables;
+    variables.cam = cam;
+    variables.scale = {scene.motion.lift, scene.motion.unit_angle()};
     std::vector<EnclosedLimit> all;
-    if (scene.cam) {
-        for (const auto& rule : cam_limits(scene, *variables)) all.push_back(along(*rule, motion));
-        return all;
-    }
-    for (const auto& rule : mechanism_limits(scene, variables)) {
+    for (const auto& rule : cam_limits(scene, variables)) {
         all.push_back(along(*rule, motion));
         if (!rule->at_every_station()) all.back().complete = false;
     }

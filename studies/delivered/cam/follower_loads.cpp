@@ -14,11 +14,11 @@
 namespace camopt {
 
 double normal_force(const DiskCam& cam, const FollowerState& state, double force) {
-    return force / quantity(cam, state, Quantity::normal_lever).value;
+    return force / quantity(cam, state, MechanismQuantity::normal_lever).value;
 }
 
 double normal_force(const DiskCam& cam, const FollowerState& state, double force, int side) {
-    return pressing_sense(side) * force / quantity(cam, state, Quantity::normal_lever, side).value;
+    return pressing_sense(side) * force / quantity(cam, state, MechanismQuantity::normal_lever, side).value;
 }
 
 int carrying_side(const DiskCam& cam, double force) {

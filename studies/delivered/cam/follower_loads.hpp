@@ -3,7 +3,7 @@
 //
 //   force         F = m ω² s'' + k s + F_0 along the lift (swinging: a moment, N m)
 //   torque        F s' on the camshaft, > 0 where the cam drives
-//   normal force  F / lever, along the cam's normal (Quantity::normal_lever)
+//   normal force  F / lever, along the cam's normal (MechanismQuantity::normal_lever)
 //   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
 //
 // A cam that drives both ways carries F > 0 on its side 0, F < 0 on its side 1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Limits of a mechanism as rules: exactly the rows asked for, kept just where the point of the cam keeps the
 // limit, partials in the optimizer's own variables against differences.
-#include "objectives/rules/mechanism_rule.hpp"
+#include "objectives/rules/cam_limits.hpp"
 
 #include "core/units.hpp"
 #include "objectives/scene_model.hpp"

@@ -2,7 +2,7 @@
 // Which limits of a mechanism are linear or convex, held against the formulas themselves: chords, and where
 // the rule is continued.
 #include "core/units.hpp"
-#include "objectives/rules/mechanism_rule.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"

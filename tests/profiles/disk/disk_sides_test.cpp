@@ -184,9 +184,9 @@ TEST_P(DiskSides, PressureAngleAndRadiusAreThoseOfThePath) {
     });
 }
 
-constexpr Quantity side_quantities[] = {Quantity::pressure_numerator, Quantity::pressure_denominator,
-                                        Quantity::pitch_curvature, Quantity::regularity,
-                                        Quantity::normal_lever};
+constexpr MechanismQuantity side_quantities[] = {
+    MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
+    MechanismQuantity::pitch_curvature, MechanismQuantity::regularity, MechanismQuantity::normal_lever};
 
 struct Situation {
     DiskCam cam;
@@ -207,12 +207,12 @@ TEST_P(DiskSides, PartialsAreDifferencesAndValuesThoseOfThePoint) {
         const Situation here{cam, {size * (0.5 + 0.5 * unit()), 0.7 * size * unit(), size * unit()}};
         for (int side = 0; side < 2; ++side) {
             const ProfilePoint point = profile_point(cam, 0.4, here.state, side);
-            for (const Quantity which : side_quantities) {
+            for (const MechanismQuantity which : side_quantities) {
                 const QuantityValue value = quantity(cam, here.state, which, side);
-                if (which == Quantity::pitch_curvature) {
+                if (which == MechanismQuantity::pitch_curvature) {
                     EXPECT_NEAR(value.value, point.pitch_curvature, 1e-10);
                 }
-                if (which == Quantity::regularity) {
+                if (which == MechanismQuantity::regularity) {
                     EXPECT_NEAR(value.value, point.regularity, 1e-12);
                 }
                 const double most = std::max({std::abs(value.value), value.gradient.cwiseAbs().maxCoeff(),

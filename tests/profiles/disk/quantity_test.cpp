@@ -17,14 +17,16 @@ namespace disk_quantity_test {
 using namespace test;
 using enum DimensionIndex;
 
-constexpr Quantity every_quantity[] = {Quantity::pressure_numerator, Quantity::pressure_denominator,
-                                       Quantity::pitch_curvature,    Quantity::cam_radius,
-                                       Quantity::regularity,         Quantity::contact_offset,
-                                       Quantity::normal_lever};
+constexpr MechanismQuantity every_quantity[] = {
+    MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_denominator,
+    MechanismQuantity::pitch_curvature,    MechanismQuantity::cam_radius,
+    MechanismQuantity::regularity,         MechanismQuantity::contact_offset,
+    MechanismQuantity::normal_lever};
 
-bool has_quantity(FollowerType follower, Quantity which) {
-    if (which == Quantity::pitch_curvature) return !has_flat_face(follower);
-    if (which == Quantity::cam_radius || which == Quantity::contact_offset) return has_flat_face(follower);
+bool has_quantity(FollowerType follower, MechanismQuantity which) {
+    if (which == MechanismQuantity::pitch_curvature) return !has_flat_face(follower);
+    if (which == MechanismQuantity::cam_radius || which == MechanismQuantity::contact_offset)
+        return has_flat_face(follower);
     return true;
 }
 
@@ -89,22 +91,24 @@ class QuantityOf : public ::testing::TestWithParam<Case> {
     }
 };
 
-QuantityValue value_of(const Situation& situation, Quantity which) {
+QuantityValue value_of(const Situation& situation, MechanismQuantity which) {
     return quantity(situation.cam, situation.state, which);
 }
 
 TEST_P(QuantityOf, AgreesWithThePoint) {
     repeat([](const Situation& situation) {
         const ProfilePoint point = profile_point(situation.cam, 0.3, situation.state);
-        const auto value = [&](Quantity which) { return value_of(situation, which).value; };
-        EXPECT_NEAR(value(Quantity::pressure_numerator) / value(Quantity::pressure_denominator),
-                    std::tan(point.pressure_angle), 1e-14);
-        EXPECT_NEAR(value(Quantity::regularity), point.regularity, 1e-14);
+        const auto value = [&](MechanismQuantity which) { return value_of(situation, which).value; };
+        EXPECT_NEAR(
+            value(MechanismQuantity::pressure_numerator) / value(MechanismQuantity::pressure_denominator),
+            std::tan(point.pressure_angle), 1e-14);
+        EXPECT_NEAR(value(MechanismQuantity::regularity), point.regularity, 1e-14);
         if (has_flat_face(situation.cam.follower)) {
-            EXPECT_NEAR(value(Quantity::cam_radius), point.cam_radius, 1e-14 * std::abs(point.cam_radius));
-            EXPECT_NEAR(value(Quantity::contact_offset), point.contact_offset, 1e-16);
+            EXPECT_NEAR(value(MechanismQuantity::cam_radius), point.cam_radius,
+                        1e-14 * std::abs(point.cam_radius));
+            EXPECT_NEAR(value(MechanismQuantity::contact_offset), point.contact_offset, 1e-16);
         } else {
-            EXPECT_NEAR(value(Quantity::pitch_curvature), point.pitch_curvature, 1e-12);
+            EXPECT_NEAR(value(MechanismQuantity::pitch_curvature), point.pitch_curvature, 1e-12);
         }
     });
 }
@@ -118,13 +122,14 @@ TEST_P(QuantityOf, LeverIsTheVelocityOfTheContactAlongTheNormal) {
             const Eigen::Vector2d arm = point.contact - Eigen::Vector2d(situation.cam[center_distance], 0.0);
             velocity = Eigen::Vector2d(arm.y(), -arm.x());
         }
-        EXPECT_NEAR(value_of(situation, Quantity::normal_lever).value, point.normal.dot(velocity), 1e-15);
+        EXPECT_NEAR(value_of(situation, MechanismQuantity::normal_lever).value, point.normal.dot(velocity),
+                    1e-15);
     });
 }
 
 TEST_P(QuantityOf, FirstPartialsAreDifferencesOfTheValue) {
     repeat([](const Situation& situation) {
-        for (const Quantity which : every_quantity) {
+        for (const MechanismQuantity which : every_quantity) {
             if (!has_quantity(situation.cam.follower, which)) continue;
             const QuantityValue exact = value_of(situation, which);
             const auto value = [&](const Situation& moved) { return value_of(moved, which).value; };
@@ -143,7 +148,7 @@ TEST_P(QuantityOf, SecondPartialsAreDifferencesOfTheFirst) {
     repeat([](const Situation& situation) {
         Eigen::Matrix<double, quantity_variables, 1> sizes;
         for (int i = 0; i < quantity_variables; ++i) sizes(i) = size_of(situation, i);
-        for (const Quantity which : every_quantity) {
+        for (const MechanismQuantity which : every_quantity) {
             if (!has_quantity(situation.cam.follower, which)) continue;
             const QuantityValue exact = value_of(situation, which);
             const auto gradient = [&](const Situation& moved) { return value_of(moved, which).gradient; };
@@ -163,7 +168,7 @@ TEST_P(QuantityOf, SecondPartialsAreDifferencesOfTheFirst) {
 
 TEST_P(QuantityOf, RefusesWhatTheFollowerHasNot) {
     repeat([](const Situation& situation) {
-        for (const Quantity which : every_quantity) {
+        for (const MechanismQuantity which : every_quantity) {
             if (has_quantity(situation.cam.follower, which)) continue;
             EXPECT_THROW((void)value_of(situation, which), ModelError);
         }
@@ -180,7 +185,7 @@ TEST(ExtremeQuantities, StayFinite) {
             for (double& dimension : scaled.dimensions) dimension *= size;
             const double scaled_lift = is_oscillating(cam.cam.follower) ? cam.lift : cam.lift * lift;
             for (const double theta : angles(0.0, 7.5))
-                for (const Quantity which : every_quantity) {
+                for (const MechanismQuantity which : every_quantity) {
                     if (!has_quantity(scaled.follower, which)) continue;
                     const FollowerState state = state_of(turn.at(theta, Side::right), {scaled_lift, 1.0});
                     const QuantityValue value = quantity(scaled, state, which);
@@ -211,8 +216,8 @@ TEST_P(QuantityOf, IsTheSameOfTheMechanism) {
         for (int i = 0; i < dimension_count; ++i)
             if (has_dimension(follower, static_cast<DimensionIndex>(i))) columns.push_back(3 + i);
         for (const auto& [which, all] :
-             {std::pair(MechanismQuantity::regularity, Quantity::regularity),
-              std::pair(MechanismQuantity::pressure_numerator, Quantity::pressure_numerator)}) {
+             {std::pair(MechanismQuantity::regularity, MechanismQuantity::regularity),
+              std::pair(MechanismQuantity::pressure_numerator, MechanismQuantity::pressure_numerator)}) {
             const MechanismValue value = mechanism.formulas->quantity(which, state, 0, active);
             const QuantityValue expected = quantity(situation.cam, situation.state, all);
             EXPECT_EQ(value.value, expected.value);

@@ -226,7 +226,7 @@ TEST(BarrelPressureAngle, IsConvexByTheNumbersThatDoNotTurnIt) {
     const auto shape = [&](std::vector<SpatialNumber> moved) {
         std::vector<int> active;
         for (const SpatialNumber number : moved) active.push_back(static_cast<int>(number));
-        return barrel.mechanism->pressure_shape(active);
+        return barrel.mechanism->pressure_shape({}, {barrel.numbers, active}, -1e9, 1e9);
     };
     using enum SpatialNumber;
     EXPECT_EQ(shape({}), Curvature::convex);
