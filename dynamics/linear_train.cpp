@@ -156,9 +156,9 @@ std::optional<PolynomialMaximum> bounded_maximum(const Eigen::Ref<const Eigen::V
             continue;
         Part left = left_half(part);
         // The more promising half first, so that the other one is cut off.
-        const bool left_first = left.coefficients.maxCoeff() > part.coefficients.maxCoeff();
-        open.push_back(left_first ? std::move(part) : std::move(left));
-        open.push_back(left_first ? std::move(left) : std::move(part));
+        if (!(left.coefficients.maxCoeff() > part.coefficients.maxCoeff())) std::swap(left, part);
+        open.push_back(std::move(part));
+        open.push_back(std::move(left));
     }
     if (!(best.value > floor)) return std::nullopt;
     return best;

@@ -91,8 +91,8 @@ class NloptRuns {
 
 // What tells the algorithms of NLopt apart, without a type of NLopt. Private to this folder.
 struct NloptTraits {
-    const char* name;
-    const char* text;
+    const char* name = nullptr;
+    const char* text = nullptr;
     bool needs_derivatives = true;
     bool takes_equalities = true;
     /// Runs from where the run before ended.

@@ -131,7 +131,8 @@ void draw_legend(SvgCanvas& canvas, const PaperFigure& figure, double plot_botto
     for (std::size_t i = 0; i < figure.series.size(); ++i) {
         const std::string colour = std::to_string(i % colours);
         const double x = left + legend_column * static_cast<double>(i % legend_columns);
-        const double y = plot_bottom + margin_below + legend_row * static_cast<double>(i / legend_columns);
+        const std::size_t row = i / legend_columns;
+        const double y = plot_bottom + margin_below + legend_row * static_cast<double>(row);
         if (figure.series[i].markers)
             canvas.circle(x + 12, y - 4, 3.2, "p" + colour);
         else
@@ -192,10 +193,10 @@ PaperFigure over_angle(const TrainStudy& study, const std::string& title, const 
 }  // namespace
 
 std::string paper_figure_svg(const PaperFigure& figure) {
-    const auto legend_rows =
-        static_cast<double>((figure.series.size() + legend_columns - 1) / legend_columns);
+    const std::size_t legend_rows = (figure.series.size() + legend_columns - 1) / legend_columns;
     const PlotFrame frame = frame_of(figure);
-    const double page_height = frame.vertical.begin + margin_below + legend_row * legend_rows + 4;
+    const double page_height =
+        frame.vertical.begin + margin_below + legend_row * static_cast<double>(legend_rows) + 4;
     SvgCanvas canvas(page_width, page_height, page_style, figure.title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 34, figure.title, "title");

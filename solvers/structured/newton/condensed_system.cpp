@@ -184,7 +184,7 @@ CondensedSystem::CondensedSystem(const ConvexModel& model, const RangeRows& rang
       columns_(RowMajor(ranges.matrix.transpose())) {
     CondensedPattern pattern(model, ranges);
     assembly_ = assembly_of(pattern);
-    lower_ = std::move(pattern.lower);
+    lower_.swap(pattern.lower);
     hessian_slot_ = std::move(pattern.hessian_slot);
     width_slot_ = std::move(pattern.width_slot);
     std::vector<int> signs(static_cast<std::size_t>(lower_.rows()), 1);
