@@ -5,6 +5,7 @@
 #include "core/nlp.hpp"
 #include "core/text/printable.hpp"
 #include "core/version.hpp"
+#include "input/result/json_source.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/text/printable.hpp"
 #include "core/text/text_file.hpp"
+#include "input/result/json_source.hpp"
 #include "input/result/result_reader.hpp"
 #include "output/chart/motion_svg.hpp"
 #include "output/csv/motion_csv.hpp"

@@ -24,8 +24,8 @@ constexpr double stem_length = 1.2;  // of a drawn stem, by the larger of base a
 
 class DiskMechanism final : public CamMechanism {
  public:
-    DiskMechanism(FollowerType follower, Rotation rotation, FormSpec form)
-        : follower_(follower), rotation_(rotation), form_(std::move(form)), which_(dimensions_of(follower)) {}
+    DiskMechanism(FollowerType follower, Rotation rotation, const FormSpec& form)
+        : follower_(follower), rotation_(rotation), form_(form), which_(dimensions_of(follower)) {}
 
     /// What follows the follower's own dimensions are the form's numbers, which it has already.
     [[nodiscard]] DiskCam cam(std::span<const double> dimensions) const {

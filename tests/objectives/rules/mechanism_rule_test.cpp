@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Limits of a mechanism as rules: exactly the rows asked for, kept just where the point of the cam keeps the
 // limit, partials in the optimizer's own variables against differences.
-#include "objectives/rules/cam_limits.hpp"
-
 #include "core/units.hpp"
+#include "objectives/rules/cam_limits.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/remote/remote_cam.hpp"
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A value of a JSON document that knows where it stands, so that what is wrong with it can be said; JSON
+// values in words, for messages. Internal to input/ and to the reader of result folders.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace camopt::input {
+
+class JsonSource {
+ public:
+    /// Throws InputError for text that is no JSON.
+    JsonSource(std::string_view text, std::string_view source_name);
+
+    [[nodiscard]] JsonSource at(const char* key) const;  ///< of an object; InputError where it is not there
+    [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] bool is_null() const { return value_->is_null(); }
+    [[nodiscard]] std::vector<JsonSource> items() const;  ///< of a list
+
+    [[nodiscard]] double number() const;
+    [[nodiscard]] std::vector<double> numbers() const;
+    [[nodiscard]] long count() const;   ///< a whole number of 0 or more
+    [[nodiscard]] int integer() const;  ///< 0 to 2^31 − 1
+    [[nodiscard]] bool flag() const;
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string words() const { return is_null() ? std::string() : text(); }
+    [[nodiscard]] std::vector<std::string> texts() const;
+    /// Keys and values of an object, in its order.
+    [[nodiscard]] std::vector<std::pair<std::string, JsonSource>> members() const;
+
+    [[noreturn]] void fail(std::string_view what) const;
+    [[nodiscard]] std::string shown() const;  ///< for messages, cut where it is long
+
+ private:
+    using Json = nlohmann::ordered_json;
+    JsonSource(const JsonSource& parent, const Json& value, std::string path)
+        : document_(parent.document_), value_(&value), file_(parent.file_), path_(std::move(path)) {}
+    [[nodiscard]] std::string path_to(std::string_view key) const;
+
+    std::shared_ptr<const Json> document_;
+    const Json* value_ = nullptr;
+    std::string file_, path_;
+};
+
+/// The value as it is written, cut where it is long; an object or a list by what it is.
+[[nodiscard]] std::string json_words(const nlohmann::ordered_json& value);
+
+}  // namespace camopt::input
