@@ -80,7 +80,7 @@ constexpr int most_study_speeds = 100'000;
 
 /// "100:400:61" in rpm.
 SpeedSweep read_speeds(const std::string& text) {
-    const auto refuse = [&]() -> InputError {
+    const auto refuse = [&] {
         return InputError(
             fmt::format("--speeds: found {}; allowed: FROM:TO:COUNT in rpm, 0 < FROM <= TO, COUNT from 1 "
                         "to {}",

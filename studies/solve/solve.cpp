@@ -81,7 +81,7 @@ bool is_general(const Scene& scene, SceneModels& models) {
 }
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.
-constexpr int most_rounds_of_next = 8, most_iterations_of_next = 100;
+constexpr int most_rounds_of_next = 20, most_iterations_of_next = 200;
 
 /// A convex scene whose solver was chosen for it has a proof, unless its numbers are hard: then another
 /// backend tries from the same grid. It counts where it proves more.
