@@ -22,7 +22,7 @@ class Workspace {
     cholmod_common* get() { return &common_; }
 
  private:
-    cholmod_common common_;
+    cholmod_common common_{};
 };
 
 /// Non-owning view of `matrix` with its indices widened to SuiteSparse's.

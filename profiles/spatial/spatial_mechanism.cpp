@@ -16,9 +16,14 @@ namespace {
 
 constexpr int station_count = 2 * mechanism_heights;
 
+/// From the roller's near end, as a share of its length: two stations a height, one a flank.
+double share_of(int station) {
+    const int height = station / 2;
+    return static_cast<double>(height) / (mechanism_heights - 1);
+}
+
 RollerStation station_of(const SpatialCam& cam, int station) {
-    const double share = static_cast<double>(station / 2) / (mechanism_heights - 1);
-    return {share * cam.roller_length, station % 2 == 0 ? 1 : -1};
+    return {share_of(station) * cam.roller_length, station % 2 == 0 ? 1 : -1};
 }
 
 /// Slopes of the variables of spatial_quantity by one number of the mechanism. The station's height enters
@@ -28,7 +33,7 @@ Eigen::Matrix<double, spatial_variables, 1> direction_of(const SpatialCam& cam, 
     direction.setZero();
     switch (static_cast<SpatialNumber>(number)) {
         case SpatialNumber::roller_length: {
-            const double share = static_cast<double>(station / 2) / (mechanism_heights - 1);
+            const double share = share_of(station);
             if (cam.follower == SpatialFollower::cylindrical_rotating)
                 direction(column_of(SpatialDimension::arm_length)) = share;
             else
@@ -61,8 +66,8 @@ class SpatialMechanism final : public CamMechanism {
     [[nodiscard]] Rotation rotation() const override { return rotation_; }
     [[nodiscard]] int stations() const override { return station_count; }
     [[nodiscard]] std::string station_name(int station) const override {
-        return fmt::format("{:.0f} % of the roller, flank {}",
-                           100.0 * (station / 2) / (mechanism_heights - 1), station % 2 == 0 ? "+" : "-");
+        return fmt::format("{:.0f} % of the roller, flank {}", 100.0 * share_of(station),
+                           station % 2 == 0 ? "+" : "-");
     }
     [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
         if (which == MechanismQuantity::regularity) return true;
@@ -157,7 +162,7 @@ class SpatialMechanism final : public CamMechanism {
 
  private:
     static spatial_formulas::PlaceOnRoller place_on_roller(int station) {
-        return {static_cast<double>(station / 2) / (mechanism_heights - 1), station % 2 == 0 ? 1 : -1};
+        return {share_of(station), station % 2 == 0 ? 1 : -1};
     }
     /// What it is without its numbers.
     [[nodiscard]] SpatialCam sort() const {
