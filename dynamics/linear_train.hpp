@@ -11,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <vector>
 
 namespace camopt {
@@ -32,16 +31,5 @@ struct LinearTrain {
 
 /// Throws InputError for a chain of more than four masses or with a mass or spring that is not positive.
 [[nodiscard]] LinearTrain linear_train(const DynamicsSpec& spec);
-
-// The largest value of a polynomial on [0, 1], between bounds: in Bernstein form a polynomial never leaves
-// the range of its coefficients, and halves of the interval are looked at until the bounds meet.
-struct PolynomialMaximum {
-    double value = 0.0, at = 0.0;
-};
-
-/// Right to rounding; empty where the polynomial is nowhere above `floor`. Coefficients ascending, from one
-/// to 28 of them.
-[[nodiscard]] std::optional<PolynomialMaximum> bounded_maximum(
-    const Eigen::Ref<const Eigen::VectorXd>& polynomial, double floor);
 
 }  // namespace camopt

@@ -13,36 +13,6 @@ void refuse_quantity(std::string_view mechanism) {
     throw ModelError(fmt::format("quantity: a {} cam or follower has no such quantity", mechanism));
 }
 
-MechanismValue operator+(MechanismValue a, const MechanismValue& b) {
-    a.value += b.value;
-    a.gradient += b.gradient;
-    a.hessian += b.hessian;
-    a.by_angle += b.by_angle;
-    return a;
-}
-
-MechanismValue operator+(MechanismValue a, double by) {
-    a.value += by;
-    return a;
-}
-
-MechanismValue operator*(double factor, MechanismValue a) {
-    a.value *= factor;
-    a.gradient *= factor;
-    a.hessian *= factor;
-    a.by_angle *= factor;
-    return a;
-}
-
-MechanismValue operator*(const MechanismValue& a, const MechanismValue& b) {
-    MechanismValue result{a.value * b.value, a.value * b.gradient + b.value * a.gradient,
-                          a.value * b.hessian + b.value * a.hessian,
-                          a.value * b.by_angle + b.value * a.by_angle};
-    result.hessian += a.gradient.lazyProduct(b.gradient.transpose());
-    result.hessian += b.gradient.lazyProduct(a.gradient.transpose());
-    return result;
-}
-
 MechanismValue CamMechanism::pressure_excess(double limit, int sign, const MechanismState& state, int station,
                                              std::span<const int> active) const {
     return sign * std::cos(limit) * quantity(MechanismQuantity::pressure_numerator, state, station, active) +

@@ -15,6 +15,7 @@
 #include "core/follower_state.hpp"
 #include "core/numbers/range_along.hpp"
 #include "core/numbers/range_over.hpp"
+#include "core/partials.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>
@@ -45,7 +46,8 @@ enum class MechanismQuantity {
 /// Throws ModelError: the mechanism has not the quantity that was asked for.
 [[noreturn]] void refuse_quantity(std::string_view mechanism);
 
-/// Value with first and second partials by (s, s', s'', the active dimensions in their order).
+/// Value with first and second partials by (s, s', s'', the active dimensions in their order); its sums and
+/// products: core/partials.hpp.
 struct MechanismValue {
     static constexpr int most_active = 24;  ///< dimensions that may move at once
     using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 + most_active, 1>;
@@ -56,12 +58,6 @@ struct MechanismValue {
     Hessian hessian;
     double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
 };
-
-/// Sums and products with their partials.
-[[nodiscard]] MechanismValue operator+(MechanismValue a, const MechanismValue& b);
-[[nodiscard]] MechanismValue operator+(MechanismValue a, double by);
-[[nodiscard]] MechanismValue operator*(double factor, MechanismValue a);
-[[nodiscard]] MechanismValue operator*(const MechanismValue& a, const MechanismValue& b);
 
 /// One side of a limit on the pressure angle, at one station.
 struct PressureSide {
@@ -75,6 +71,12 @@ struct MechanismSetting {
     std::span<const double> dimensions;
     std::span<const int> active;
 };
+
+/// +1 where a force F > 0 along the lift presses on the station, −1 where F < 0 does, of cams that drive both
+/// ways.
+[[nodiscard]] constexpr double pressing_sense(int station) {
+    return station == 0 ? 1.0 : -1.0;
+}
 
 /// One state of one mechanism.
 struct MechanismState {
@@ -221,7 +223,7 @@ class CamMechanism {
         static_cast<void>(most);
         return Curvature::general;
     }
-    /// The s' that pressure_excess <= 0 allows at all, whatever s.
+    /// The s' that pressure_excess <= 0 allows at all, for any s.
     [[nodiscard]] virtual Interval pressure_slopes(const PressureSide& side,
                                                    std::span<const double> dimensions) const {
         static_cast<void>(side);

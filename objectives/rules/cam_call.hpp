@@ -47,7 +47,7 @@ struct CamCall {
     }
 };
 
-/// What CamCallOver and CamCallAlong have alike: a quantity that is not enclosed makes the whole unknown.
+/// What CamCallOver and CamCallAlong share: a quantity that is not enclosed makes the whole unknown.
 template <class Range>
 class EnclosedCall {
  public:

@@ -81,11 +81,10 @@ void add_hertz_pressure(Limits& limits, const WrittenLimit& limit, const Force& 
         force.spec.compliance() * std::numbers::pi * *force.spec.contact_width * limit.value * limit.value;
     const double unit = std::max(
         {force.spec.preload, least_force_share * force.swing(limits.variables().scale), least_scale});
-    const double sense = station == 0 ? 1.0 : -1.0;  // a cam that drives both ways is pressed on either side
     const double factor = -carried / unit, wider = limits.wider_by(station);
     const int roller = limits.cam().roller_radius_at(station);
     CamFormula formula = cam_formula(limit.key, [=](const auto& call) {
-        const auto press = sense / unit * force(call);
+        const auto press = pressing_sense(station) / unit * force(call);
         const auto lever = call.quantity(normal_lever, station);
         if (roller < 0) return press + factor * (call.quantity(cam_radius, station) * lever);
         const auto radius = call.quantity(regularity, station) * call.dimension(roller);

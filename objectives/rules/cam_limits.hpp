@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limits of a scene on its cam, of whatever kind, as rules g <= 0, at every station that binds.
+// The limits of a scene on its cam, of any kind, as rules g <= 0, at every station that binds.
 //
 //   pressure angle   (± N cos φm − D sin φm)/L,  tan φ = N/D:  linear or convex: docs/theory/
 //   convex radius    (r + ρ_min) κ − 1 where the cam has a pitch curve, (ρ_min − ρ)/base for flat faces

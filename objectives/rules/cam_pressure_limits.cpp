@@ -80,10 +80,10 @@ void add_pressure(Limits& limits) {
         const auto& lower = rises ? pressure.back : pressure.rise;
         if (upper) add_side(limits, *upper, {0.0, 1, station}, false);
         if (lower) add_side(limits, *lower, {0.0, -1, station}, false);
-        const bool alike = upper && lower && upper->value == lower->value;
+        const bool same = upper && lower && upper->value == lower->value;
         if (!cam.leans_at_rest(station, limits.setting())) continue;
         for (const int sign : {1, -1}) {
-            if (!alike) add_side(limits, *pressure.stricter(), {0.0, sign, station}, true);
+            if (!same) add_side(limits, *pressure.stricter(), {0.0, sign, station}, true);
             if (pressure.general_at_rest_alone())
                 add_side(limits, *pressure.general, {0.0, sign, station}, true, rest_places(limits.scene()));
         }

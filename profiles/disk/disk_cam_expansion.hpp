@@ -50,11 +50,10 @@ struct Expansion {
 /// Columns of the partials.
 inline constexpr int velocity_column = 1, acceleration_column = 2;
 
-/// A variable of a formula that is a global variable or its negative, and a number that is added.
+/// A variable of a formula that is a global variable or its negative.
 struct Local {
     int column = 0;
     double sign = 1.0;
-    double shift = 0.0;
 };
 
 /// The start of the follower (what s is added to) with its partials.
@@ -82,7 +81,7 @@ class Expander {
         jacobian.row(0) = position_.gradient.transpose();
         for (std::size_t i = 0; i < count; ++i) {
             const int row = static_cast<int>(i) + 1;
-            variables[i + 1] = variable<n>(locals[i].sign * values_(locals[i].column) + locals[i].shift, row);
+            variables[i + 1] = variable<n>(locals[i].sign * values_(locals[i].column), row);
             jacobian(row, locals[i].column) = locals[i].sign;
         }
         const Expansion<n> local(SecondOrder<n>(std::apply(formula, variables)));

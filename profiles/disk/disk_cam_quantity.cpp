@@ -29,11 +29,6 @@ QuantityValue linear(double value, const std::array<Term, count>& terms) {
     return result;
 }
 
-/// The surface's distance from the roller's centre: the roller's radius, in a groove half the clearance more.
-Local flank_offset(const DiskCam& cam) {
-    return {column_of(roller_radius), 1.0, surface_offset(cam, 0) - cam[roller_radius]};
-}
-
 /// Of the arm: σψ', ψ'', and two of its dimensions.
 std::array<Local, 4> arm_locals(const DiskCam& cam, DimensionIndex first, DimensionIndex second) {
     return {{{velocity_column, sense_of(cam.rotation)},
@@ -42,21 +37,21 @@ std::array<Local, 4> arm_locals(const DiskCam& cam, DimensionIndex first, Dimens
              {column_of(second)}}};
 }
 
-/// `locals` make the roller with its position; the regularity needs the surface's offset besides.
+/// `locals` make the roller with its position. The regularity follows from the curvature: expanded in the
+/// roller's radius too it would cost half as much again.
 template <template <class> class Roller, std::size_t count>
 QuantityValue roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
                               const std::array<Local, count>& locals) {
-    const Expander expander(cam, state);
-    if (which != MechanismQuantity::regularity || !has_roller(cam.follower))
-        return expander.expand(locals, [&]<class T>(const T& position, const auto&... rest) {
-            return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, T(0.0), which);
+    const bool regular = which == MechanismQuantity::regularity && has_roller(cam.follower);
+    const MechanismQuantity expanded = regular ? MechanismQuantity::pitch_curvature : which;
+    QuantityValue found =
+        Expander(cam, state).expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+            return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, T(0.0),
+                                                   expanded);
         });
-    std::array<Local, count + 1> all;
-    all[0] = flank_offset(cam);
-    std::ranges::copy(locals, all.begin() + 1);
-    return expander.expand(all, [&]<class T>(const T& position, const T& offset, const auto&... rest) {
-        return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, offset, which);
-    });
+    if (!regular) return found;
+    return formulas::regularity_of(variable_quantity(surface_offset(cam, 0), column_of(roller_radius)),
+                                   found);
 }
 
 QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state,

@@ -199,7 +199,7 @@ std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const
     return all;
 }
 
-/// That of a second roller of its own stands last among the numbers of the form.
+/// That of a separate second roller stands last among the numbers of the form.
 int DiskMechanism::roller_radius_at(int station) const {
     if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
     return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;

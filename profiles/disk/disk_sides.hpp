@@ -28,10 +28,6 @@ namespace camopt {
 [[nodiscard]] int side_count(const FormSpec& form);
 /// "inner flank", "second disk"; empty: there is but one.
 [[nodiscard]] std::string side_name(const FormSpec& form, int side);
-/// +1 where a force F > 0 presses on it, −1 where F < 0 does.
-[[nodiscard]] constexpr double pressing_sense(int side) {
-    return side == 0 ? 1.0 : -1.0;
-}
 /// Of the roller on this side, m; 0 without a roller.
 [[nodiscard]] double roller_radius_of(const DiskCam& cam, int side);
 /// From the roller's centre to the surface: R above; m.

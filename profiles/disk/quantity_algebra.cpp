@@ -16,31 +16,4 @@ QuantityValue variable_quantity(double value, int index) {
     return result;
 }
 
-QuantityValue operator+(QuantityValue a, const QuantityValue& b) {
-    a.value += b.value;
-    a.gradient += b.gradient;
-    a.hessian += b.hessian;
-    return a;
-}
-
-QuantityValue operator+(QuantityValue a, double by) {
-    a.value += by;
-    return a;
-}
-
-QuantityValue operator*(double factor, QuantityValue a) {
-    a.value *= factor;
-    a.gradient *= factor;
-    a.hessian *= factor;
-    return a;
-}
-
-QuantityValue operator*(const QuantityValue& a, const QuantityValue& b) {
-    QuantityValue result{a.value * b.value, a.value * b.gradient + b.value * a.gradient,
-                         a.value * b.hessian + b.value * a.hessian};
-    const auto cross = (a.gradient * b.gradient.transpose()).eval();
-    result.hessian += cross + cross.transpose();
-    return result;
-}
-
 }  // namespace camopt

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sums, products and quotients of quantities of a disk cam, with their first and second partials: a
-// QuantityValue is written in formulas as a RangeAlong and a RangeOver are.
+// Constants and variables as quantities of a disk cam. A QuantityValue is written in formulas as a RangeAlong
+// and a RangeOver are (core/partials.hpp).
 #pragma once
 
+#include "core/partials.hpp"
 #include "profiles/disk/disk_cam.hpp"
 
 namespace camopt {
@@ -15,10 +16,5 @@ namespace camopt {
 [[nodiscard]] QuantityValue constant_quantity(double value);
 /// value with one partial 1: a variable. index: 0 s, 1 s', 2 s'', else column_of.
 [[nodiscard]] QuantityValue variable_quantity(double value, int index);
-
-[[nodiscard]] QuantityValue operator+(QuantityValue a, const QuantityValue& b);
-[[nodiscard]] QuantityValue operator+(QuantityValue a, double by);
-[[nodiscard]] QuantityValue operator*(double factor, QuantityValue a);
-[[nodiscard]] QuantityValue operator*(const QuantityValue& a, const QuantityValue& b);
 
 }  // namespace camopt

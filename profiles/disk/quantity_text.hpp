@@ -13,11 +13,18 @@
 
 namespace camopt::formulas {
 
+/// 1 − R κ; R: from the pitch curve to the surface, whose pitch curvature is κ.
+template <class Number>
+[[nodiscard]] Number regularity_of(const Number& offset, const Number& curvature) {
+    const Number bent = offset * curvature;
+    return Number(-1.0 * bent) + 1.0;
+}
+
 /// Of followers with a pitch curve, translating or oscillating. `flank_offset`: from the pitch curve to the
 /// surface.
-template <class Number, class Roller, class Offset>
+template <class Number, class Roller>
 [[nodiscard]] Number quantity_of_roller(FollowerType follower, const Roller& roller,
-                                        const Offset& flank_offset, MechanismQuantity which) {
+                                        const Number& flank_offset, MechanismQuantity which) {
     switch (which) {
         case MechanismQuantity::pressure_numerator:
             return roller.pressure_numerator();
@@ -27,7 +34,7 @@ template <class Number, class Roller, class Offset>
             return roller.pitch().curvature();
         case MechanismQuantity::regularity:
             if (!has_roller(follower)) return Number(1.0);
-            return Number(1.0) - Number(flank_offset * roller.pitch().curvature());
+            return regularity_of<Number>(flank_offset, roller.pitch().curvature());
         case MechanismQuantity::normal_lever:
             return roller.normal_lever();
         case MechanismQuantity::cam_radius:
@@ -124,7 +131,7 @@ template <class Offset, class First>
                                            MechanismQuantity which) {
     if (which == MechanismQuantity::pitch_curvature) return -1.0 * first(which);
     if (which != MechanismQuantity::regularity) return first(which);
-    return offset * first(MechanismQuantity::pitch_curvature) + 1.0;
+    return regularity_of(offset, -1.0 * first(MechanismQuantity::pitch_curvature));
 }
 
 }  // namespace camopt::formulas
