@@ -112,7 +112,7 @@ class GroovedCam final : public FinishedCam {
         const double side = std::max(beside(tip), beside(back)) + stand.radius - body_.radius;
         const double lean = beside(stand.pose.axis);
         const double under = tip.dot(line.direction) + stand.radius * lean - body_.floor;
-        return side > 0.0 && under > 0.0 ? std::hypot(side, under) : std::max(side, under);
+        return side > 0.0 && under > 0.0 ? std::sqrt(side * side + under * under) : std::max(side, under);
     }
     /// From pose i downhill to where the roller's line is nearest.
     [[nodiscard]] std::size_t descended(const Stand& stand, std::size_t i) const {

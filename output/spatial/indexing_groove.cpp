@@ -185,12 +185,10 @@ double IndexingGroove::way_out(double towards) const {
                  end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
     for (int k = 1; k * scan_step < most_turns * units::turn; ++k) {
         const double phi = begin_ + towards * k * scan_step;
-        // The flank on the inner side passes last.
-        const double behind = towards > 0.0 ? first(phi) : last(phi);
-        bool is_out = true;
-        for (const double t : {behind, 0.5, 4.5, 1.0, 2.0, 2.5, 3.0, 4.0})
-            is_out = is_out && sign * contact(phi, t).z() > end;
-        if (is_out) return phi;
+        const auto is_out = [&](double t) { return sign * contact(phi, t).z() > end; };
+        if (!std::ranges::all_of(std::array{0.5, 4.5, 1.0, 2.0, 2.5, 3.0, 4.0}, is_out)) continue;
+        // The flank on the inner side passes last. Its end is searched for, which takes longest.
+        if (is_out(towards > 0.0 ? first(phi) : last(phi))) return phi;
     }
     throw InputError("indexing cam: a roller does not leave the cam within three turns");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
+#include "core/infinity.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/pareto/sweep_front.hpp"
 #include "studies/solve/solve_sequence.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camopt {
 
@@ -129,7 +129,7 @@ constexpr double game_rounding = 1e-12;
 constexpr double same_value = 1e-12;
 
 double least_row(std::span<const std::array<double, 3>> rows, const Eigen::Vector3d& mix) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const std::array<double, 3>& row : rows)
         least = std::min(least, row[0] * mix[0] + row[1] * mix[1] + row[2] * mix[2]);
     return least;
@@ -170,7 +170,7 @@ double bound_by(std::span<const std::array<double, 3>> rows, const std::array<st
     Eigen::Vector3d shares = Eigen::Vector3d::Zero();
     shares.head(count) = solution.head(count).cwiseMax(0.0);
     const double sum = shares.sum();
-    if (!shares.allFinite() || !(sum > 0.0)) return std::numeric_limits<double>::infinity();
+    if (!shares.allFinite() || !(sum > 0.0)) return infinity;
     return most_of_columns(rows, chosen, shares / sum);
 }
 
@@ -178,7 +178,7 @@ double bound_by(std::span<const std::array<double, 3>> rows, const std::array<st
 double least_bound(std::span<const std::array<double, 3>> rows) {
     static constexpr std::array<std::array<int, 2>, 3> pairs = {{{0, 1}, {0, 2}, {1, 2}}};
     static constexpr std::array<int, 3> all = {0, 1, 2};
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         least = std::min(least, std::ranges::max(rows[i]));
         for (std::size_t j = i + 1; j < rows.size(); ++j) {
@@ -223,7 +223,7 @@ LawLosses law_losses(const Scene& scene, const SolveControl& control, std::span<
 
 GameValue solve_game(std::span<const std::array<double, 3>> rows) {
     const std::vector<Eigen::Vector4d> faces = faces_of(rows);
-    GameValue best{{1.0, 0.0, 0.0}, -std::numeric_limits<double>::infinity(), 0.0};
+    GameValue best{{1.0, 0.0, 0.0}, -infinity, 0.0};
     Eigen::Matrix4d system;
     system.row(3) << 1.0, 1.0, 1.0, 0.0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -246,7 +246,6 @@ GameValue solve_game(std::span<const std::array<double, 3>> rows) {
 }
 
 GameValue solve_game_by_cuts(std::span<const std::array<double, 3>> rows) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     GameValue game{{1.0 / 3, 1.0 / 3, 1.0 / 3}, infinity, infinity};
     std::vector<std::array<double, 3>> chosen;
     while (true) {
