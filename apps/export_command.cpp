@@ -25,7 +25,6 @@
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -69,7 +68,7 @@ bool wants_only_motion(const ExportRequest& request) {
 
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
-    const std::optional<MechanismSpec> cam = cam_of(scene);
+    const std::optional<CamSpec>& cam = scene.cam;
     if (!cam) {
         if (wants_only_motion(request)) return;
         throw InputError(
@@ -88,7 +87,7 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
         throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
                                      request.scene, cam->type));
     }
-    const bool direct = cam->formulas->is_direct();
+    const bool direct = cam->formulas()->is_direct();
     if (direct && request.obj)
         throw InputError(fmt::format(
             "{}: of a disk cam export writes --csv, --dxf, --drawing, --picture, --stl, --step and --nc",

@@ -15,7 +15,6 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
@@ -45,7 +44,7 @@ std::string plane_types() {
 
 LoadedScene requested_scene(const SolveRequest& request) {
     LoadedScene loaded = load_scene_and_text(request.scene, with_solver(request.settings, request.solver));
-    const std::optional<MechanismSpec> cam = cam_of(loaded.scene);
+    const std::optional<CamSpec>& cam = loaded.scene.cam;
     if (request.dxf && cam && !cam_kind(cam->type)->is_plane_curve)
         throw InputError(
             fmt::format("--dxf: found with a cam of type \"{}\", which is no plane curve; allowed: with "
@@ -190,7 +189,7 @@ ExitCode check_command(const CheckRequest& request) {
     text += fmt::format("  problem: {} variables, {} rows on the first grid, {}\n", check.variables,
                         check.rows, check.convex ? "convex: an optimum is global" : "not convex");
     text += wrapped_text("Solved: " + plan_text(scene, check), "  ", line_width);
-    if (has_cam(scene)) text += limits_text(check.limits);
+    if (scene.cam) text += limits_text(check.limits);
     for (const DerivativeError& error : check.derivatives) text += derivative_line(error);
     for (const std::string& condition : check.redundant)
         text += fmt::format("  note: {} follows from others\n", condition);

@@ -8,7 +8,6 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <algorithm>
@@ -25,12 +24,11 @@ constexpr double most_seconds = 10.0;
 
 bool print_row(const std::filesystem::path& file) {
     Scene scene = input::read_scene_file(file, known_names());
-    complete_mechanism(scene);
     scene.solver.max_seconds = std::min(scene.solver.max_seconds, most_seconds);
     const Solution solution = solve_without_explaining(scene, {});
     const EvaluationCounts& counts = solution.evaluations;
     CsvLine line;
-    const bool has_cam = scene.cam || scene.mechanism;
+    const bool has_cam = scene.cam.has_value();
     line.words(file.stem().string()).words(has_cam ? "yes" : "no").words(solution.solver.name);
     line.words(name_of(solution.certificate.verdict)).words(solution.solver.convex ? "yes" : "no");
     line.count(solution.solver.starts)

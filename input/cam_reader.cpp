@@ -2,8 +2,11 @@
 #include "input/cam_reader.hpp"
 
 #include "input/mechanism_reader.hpp"
+#include "profiles/disk/disk_spec.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
@@ -14,14 +17,14 @@ namespace {
     source.fail(given.member->place, joined_key(given.row->table, given.member->name), what);
 }
 
-[[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, const CamSpec& cam,
+[[noreturn]] void refuse_dimension(const SceneSource& source, const Given& given, const DiskSpec& cam,
                                    std::string_view having) {
     refuse_key(source, given,
                fmt::format("found a dimension that the follower \"{}\" does not have; allowed: only with {}",
                            name_of(cam.follower), having));
 }
 
-[[noreturn]] void refuse_missing(const SceneSource& source, const CamSpec& cam, DimensionIndex index) {
+[[noreturn]] void refuse_missing(const SceneSource& source, const DiskSpec& cam, DimensionIndex index) {
     if (const KeyRow* const row = find_row("cam", name_of(index)))
         source.fail(source.table("cam")->place, joined_key("cam", row->key(row->spellings.front())),
                     fmt::format("missing for the follower \"{}\"; allowed: {}", name_of(cam.follower),
@@ -78,22 +81,16 @@ std::optional<WrittenLimit> read_limit(const SceneSource& source, std::string_vi
                         std::string(given->spelling->unit));
 }
 
-}  // namespace
-
-std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion) {
-    const Node* table = source.table("cam");
-    const auto type = source.find("cam", "type");
-    const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
-    if (!table || !kind || kind->is_mechanism()) return std::nullopt;
-    CamSpec cam;
+CamSpec read_disk(const SceneSource& source, const CamKind& kind, const MotionSpec& motion) {
+    DiskSpec cam;
     if (const auto given = source.find("cam", "follower"))
-        if (const std::string& word = given->value().text; !kind->variant(word))
-            refuse_key(source, *given, foreign_follower(*kind, word));
+        if (const std::string& word = given->value().text; !kind.variant(word))
+            refuse_key(source, *given, foreign_follower(kind, word));
     if (const auto given = source.find("cam", "follower"))
         for (const Follower& row : followers)
             if (given->value().text == row.name) cam.follower = row.type;
     source.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise}, cam.rotation);
-    check_lift(source, *kind, *kind->variant(name_of(cam.follower)), motion);
+    check_lift(source, kind, *kind.variant(name_of(cam.follower)), motion);
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
         const bool owned = has_dimension(cam.follower, index);
@@ -108,6 +105,26 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
         cam.face_half_width = width->number();
     }
     read_form(source, cam.form);
+    try {
+        return blank_disk_spec(cam);
+    } catch (const SceneError& error) {
+        source.fail_member(error.fault().member, words_of(error.fault()));
+    }
+}
+
+}  // namespace
+
+std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
+                                const KnownNames& known) {
+    const auto type = source.find("cam", "type");
+    const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
+    if (!source.table("cam") || !kind) return std::nullopt;
+    CamSpec cam = kind->is_mechanism() ? read_mechanism(source, *kind, motion) : read_disk(source, *kind, motion);
+    cam.make = kind->formulas ? kind->formulas : known.cam_formulas;
+    if (!cam.make)
+        source.fail_member("cam.type", fmt::format("found \"{}\", whose formulas this program does not have; "
+                                                   "allowed: a cam that it brings the formulas of",
+                                                   kind->type));
     return cam;
 }
 
@@ -115,9 +132,11 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
     const Node* table = source.table("forces");
     if (!table) return std::nullopt;
     ForceSpec forces;
-    if (scene.cam)
+    if (scene.cam) {
+        const bool swings = scene.cam->formulas()->swings();
         for (const char* quantity : {"mass", "inertia", "spring_rate", "preload"})
-            check_force_unit(source, "forces", quantity, is_oscillating(scene.cam->follower));
+            check_force_unit(source, "forces", quantity, swings);
+    }
     source.read_number("forces", "mass", forces.mass);
     source.read_number("forces", "inertia", forces.mass);
     source.read_number("forces", "spring_rate", forces.spring_rate);
@@ -131,12 +150,14 @@ std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& sce
 }
 
 void read_cam_limits(const SceneSource& source, const Scene& scene, LimitSpec& limits) {
-    if (scene.cam)
+    if (scene.cam) {
+        const bool swings = scene.cam->formulas()->swings();
         for (const LimitRow& row : limit_rows()) {
             if (row.swinging.name == nullptr) continue;
             for (const char* quantity : {row.name, row.swinging.name})
-                check_force_unit(source, "limits", quantity, is_oscillating(scene.cam->follower));
+                check_force_unit(source, "limits", quantity, swings);
         }
+    }
     for (const LimitRow& row : limit_rows()) {
         std::optional<WrittenLimit>& limit = row.in(limits);
         limit = read_limit(source, row.name);

@@ -5,11 +5,14 @@
 #pragma once
 
 #include "input/document/scene_source.hpp"
+#include "input/scene_reader.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt::input {
 
-[[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion);
+/// Complete; none where the scene has no cam.
+[[nodiscard]] std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& motion,
+                                              const KnownNames& known);
 
 [[nodiscard]] std::optional<ForceSpec> read_forces(const SceneSource& source, const Scene& scene);
 

@@ -18,13 +18,13 @@ class MechanismReader {
     MechanismReader(const SceneSource& source, const CamKind& kind)
         : source_(source), kind_(kind), variant_(chosen()) {}
 
-    [[nodiscard]] MechanismSpec read(const MotionSpec& motion) const {
+    [[nodiscard]] CamSpec read(const MotionSpec& motion) const {
         check_lift(source_, kind_, variant_, motion);
         if (kind_.only_drd && motion.type != MotionType::drd)
             source_.fail_member("cam.type", fmt::format("found \"{}\" with the motion \"{}\"; allowed: the "
                                                         "motion \"DRD\"",
                                                         kind_.type, name_of(motion.type)));
-        MechanismSpec spec = variant_.spec();
+        CamSpec spec = variant_.spec();
         if (kind_.has_rotation)
             source_.read_choice("cam", "rotation", {Rotation::counterclockwise, Rotation::clockwise},
                                 spec.rotation);
@@ -177,11 +177,8 @@ void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant
                     kind.lift_remark));
 }
 
-std::optional<MechanismSpec> read_mechanism(const SceneSource& source, const MotionSpec& motion) {
-    const auto type = source.find("cam", "type");
-    const CamKind* const kind = type ? cam_kind(type->value().text) : nullptr;
-    if (!kind || !kind->is_mechanism()) return std::nullopt;
-    return MechanismReader(source, *kind).read(motion);
+CamSpec read_mechanism(const SceneSource& source, const CamKind& kind, const MotionSpec& motion) {
+    return MechanismReader(source, kind).read(motion);
 }
 
 LimitSpec read_peak_limits(const SceneSource& source, const MotionSpec& motion) {

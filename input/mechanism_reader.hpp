@@ -14,9 +14,9 @@ namespace camopt::input {
 void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant& variant,
                 const MotionSpec& motion);
 
-/// None where there is no cam, or a disk cam. Without formulas: profiles/factory brings them.
-[[nodiscard]] std::optional<MechanismSpec> read_mechanism(const SceneSource& source,
-                                                          const MotionSpec& motion);
+/// A cam whose variants have a spec. Without formulas.
+[[nodiscard]] CamSpec read_mechanism(const SceneSource& source, const CamKind& kind,
+                                     const MotionSpec& motion);
 
 // Caps of [limits] on normalised peaks. In time: v = (lift·ω/β) V, a = lift (ω/β)² A, j = lift (ω/β)³ J with
 // ω in rad/s and β = the unit angle of the motion in rad. Errors: InputError where a speed is missing or the

@@ -75,8 +75,7 @@ class SceneReader {
         scene.motion = read_motion(source_, known_);
         scene.spline = read_spline();
         scene.objective = read_objective();
-        scene.cam = read_cam(source_, scene.motion);
-        scene.mechanism = read_mechanism(source_, scene.motion);
+        scene.cam = read_cam(source_, scene.motion, known_);
         scene.forces = read_forces(source_, scene);
         scene.limits = read_peak_limits(source_, scene.motion);
         read_cam_limits(source_, scene, scene.limits);

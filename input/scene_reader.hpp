@@ -5,9 +5,12 @@
 // docs/scene_file.md.
 #pragma once
 
+#include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +26,9 @@ struct KnownNames {
     std::vector<std::string> moving_laws = {};
     /// The folder whose tables (measured.table) a scene may read; none: a scene given as text reads no files.
     std::optional<std::filesystem::path> folder = {};
+    /// Makes the formulas of a cam (CamSpec::make) of a kind that does not bring its own; none: such a cam is
+    /// refused. profiles/factory knows every kind.
+    std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> cam_formulas = {};
 };
 
 /// `overrides`: "KEY=VALUE" with a dotted key and a TOML value (a bare word is a string), applied before

@@ -13,7 +13,6 @@
 #include "objectives/rules/torque_rule.hpp"
 #include "objectives/set_point_conditions.hpp"
 #include "objectives/strokes.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/scene_error.hpp"
 
@@ -165,9 +164,9 @@ DesignRequest spline_request(const Scene& scene, DesignKind kind) {
 }
 
 double dimension_unit(const Scene& scene) {
-    const MechanismSpec cam = cam_of(scene).value();
-    return cam.formulas->swings() ? scene.motion.lift * cam.formulas->length(cam.middle())
-                                  : scene.motion.lift;
+    const CamSpec& cam = scene.cam.value();
+    const auto formulas = cam.formulas();
+    return formulas->swings() ? scene.motion.lift * formulas->length(cam.middle()) : scene.motion.lift;
 }
 
 double dimension_weight(const Scene& scene, const std::string& name) {
@@ -318,16 +317,10 @@ void add_magnitude(CamModel& model, int of, double weight) {
 }
 
 void add_cam(CamModel& model, const Scene& scene) {
-    const std::optional<MechanismSpec> spec = cam_of(scene);
+    const std::optional<CamSpec>& spec = scene.cam;
     if (!spec) return;
-    if (!spec->formulas)
-        throw InputError(
-            fmt::format("mechanism: a cam of type \"{}\" without its formulas; allowed: a scene that "
-                        "profiles/factory, or "
-                        "the program itself, has completed",
-                        spec->type));
     auto cam = std::make_shared<CamVariables>();
-    cam->cam = {spec->formulas, spec->middle()};
+    cam->cam = {spec->formulas(), spec->middle()};
     cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
     for (std::size_t d = 0; d < spec->dimensions.size(); ++d) {
         const Dimension& dimension = spec->dimensions[d].value;

@@ -4,8 +4,9 @@
 // (profiles/…); the registry (profiles/kinds/cam_kinds.hpp) knows them all.
 #pragma once
 
+#include "scene/cam_mechanism.hpp"
+#include "scene/cam_spec.hpp"
 #include "scene/key_row.hpp"
-#include "scene/mechanism_spec.hpp"
 
 #include <functional>
 #include <memory>
@@ -26,7 +27,7 @@ struct CamNumber {
     int index = -1;  ///< of the dimension in the spec; -1: none
 };
 
-/// A word of a variant, kept under its key in MechanismSpec::choices.
+/// A word of a variant, kept under its key in CamSpec::choices.
 struct CamChoice {
     std::string table, key;
     bool owned = true;
@@ -40,8 +41,8 @@ struct CamVariant {
     std::string touches_with;  ///< "a roller"
     std::vector<CamNumber> numbers;
     std::vector<CamChoice> choices;
-    /// Every number at 0; none: the kind is no MechanismSpec.
-    std::function<MechanismSpec()> spec = {};
+    /// Every number at 0; none: the kind is no CamSpec.
+    std::function<CamSpec()> spec = {};
 };
 
 struct CamKind {
@@ -57,9 +58,9 @@ struct CamKind {
     bool is_plane_curve = true;  ///< a drawing can hold it
     std::vector<KeyRow> rows;    ///< keys that no earlier kind has
     /// Makes the formulas of a spec of this kind; none: profiles/factory knows them.
-    std::function<std::shared_ptr<const CamMechanism>(const MechanismSpec& spec)> formulas = {};
+    std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> formulas = {};
 
-    /// It stands behind CamMechanism: a scene holds it as a MechanismSpec.
+    /// It stands behind CamMechanism: a scene holds it as a CamSpec.
     [[nodiscard]] bool is_mechanism() const { return variants.front().spec != nullptr; }
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;

@@ -3,7 +3,7 @@
 // output and the mechanism's dimensions make the quantities that limits are made of, and a point of the cam.
 //
 // Implemented by the leaves of profiles/ (disk, remote, …); who uses it knows no more. A
-// mechanism is a formula: its numbers (dimensions) come with every call, in the order of its MechanismSpec.
+// mechanism is a formula: its numbers (dimensions) come with every call, in the order of its CamSpec.
 // Stations are places along the contact that each keep the limits by themselves: one in a planar cam, heights
 // and flanks of a roller in a spatial one.
 //
@@ -29,6 +29,9 @@
 #include <vector>
 
 namespace camopt {
+
+struct MotionSpec;
+struct SceneFault;
 
 /// What limits are made of. Each is smooth wherever the mechanism moves (a flat face on an arm: and
 /// 1 + σψ' ≠ 0). A mechanism has the first two and the regularity; the others where it says so.
@@ -204,6 +207,13 @@ class CamMechanism {
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
     [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
                                             double most) const = 0;
+    /// The first thing wrong with a scene's cam of this kind, whatever its dimensions are within their ranges;
+    /// by default: a range that does not ascend, a lift that does not fit, a mechanism that does not reach
+    /// with every dimension in its middle.
+    [[nodiscard]] virtual std::optional<SceneFault> find_fault(const CamSpec& spec,
+                                                               const MotionSpec& motion) const;
+    /// What touches the cam.
+    [[nodiscard]] virtual ContactKind contact() const { return ContactKind::roller; }
     /// active: which dimensions the partials are by.
     [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
                                                   int station, std::span<const int> active) const = 0;

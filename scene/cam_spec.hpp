@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene and what its follower carries. SI units and radians.
+// The cam of a scene, of whatever kind: its type, numbers and choices, and the formulas that they make. A
+// leaf of profiles/ makes one of its kind (disk_spec, remote_spec, spatial_spec, inverse_spec); the reader of
+// scene files makes any that its program knows. SI units and radians.
 #pragma once
 
 #include "scene/follower.hpp"
 
-#include <array>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace camopt {
+
+class CamMechanism;
 
 enum class Rotation { counterclockwise, clockwise };
 
@@ -18,36 +26,11 @@ enum class Rotation { counterclockwise, clockwise };
     return rotation == Rotation::counterclockwise ? 1.0 : -1.0;
 }
 
-/// How the cam holds its follower.
-enum class CamForm {
-    open,      ///< on one side: a force presses the follower on it
-    grooved,   ///< its roller runs in a groove, between two flanks: the cam drives both ways
-    conjugate  ///< two disks on one shaft, each with a roller of the one follower: the cam drives both ways
-};
-
-[[nodiscard]] const char* name_of(CamForm value);
-
-/// The form of a disk cam and the numbers it needs; those that another form needs are left alone. m, rad.
-struct FormSpec {
-    CamForm type = CamForm::open;
-    double groove_clearance = 0.0;      ///< groove: its width less the roller's diameter, half on either side
-    std::optional<double> groove_wall;  ///< groove: of its outer wall where it is thinnest; roller radius
-    double roller_distance = 0.0;       ///< conjugate, translating: between the rollers' axes along the lift
-    double arm_angle = 0.0;             ///< conjugate, oscillating: between the arms, in (0, 2π)
-    /// Of the second roller, conjugate; none: as those of the first.
-    std::optional<double> second_roller_radius, second_offset, second_arm_length;
-
-    [[nodiscard]] bool is_grooved() const { return type == CamForm::grooved; }
-    [[nodiscard]] bool is_conjugate() const { return type == CamForm::conjugate; }
-    /// The cam pulls the follower back too: no force has to press it on.
-    [[nodiscard]] bool drives_both_ways() const { return type != CamForm::open; }
-};
-
-/// A dimension of the cam: a number, or a range in which the optimizer is free. m.
+/// A dimension of the cam: a number, or a range in which the optimizer is free. m, rad.
 struct Dimension {
     double low = 0.0, high = 0.0;
     std::string key = {};  ///< as written, e.g. "cam.base_radius_mm"
-    double unit = 1e-3;    ///< m in one unit of the key
+    double unit = 1e-3;    ///< SI value of one unit of the key
 
     Dimension() = default;
     Dimension(double value) : low(value), high(value) {}  // NOLINT(google-explicit-constructor)
@@ -56,21 +39,35 @@ struct Dimension {
     [[nodiscard]] double middle() const { return 0.5 * (low + high); }
 };
 
-/// A disk cam: cam centre at the origin, follower at the top (translating, lift along +y, axis at x = offset)
-/// or with its pivot at (center_distance, 0) (oscillating). Prime radius = base radius + roller radius.
-struct CamSpec {
-    FollowerType follower = FollowerType::translating_roller;
-    Rotation rotation = Rotation::counterclockwise;
-    std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
-    std::optional<double> face_half_width;                ///< translating flat face, m: |s'| <= it
-    FormSpec form = {};                                   ///< rollers only: others are open
+struct CamDimension {
+    std::string name;  ///< "base_radius", "coupler"
+    Dimension value;   ///< without a key: this variant of the kind has no such dimension
+    bool is_angle = false;
+};
 
-    [[nodiscard]] Dimension& operator[](DimensionIndex index) {
-        return dimensions[static_cast<std::size_t>(index)];
-    }
-    [[nodiscard]] const Dimension& operator[](DimensionIndex index) const {
-        return dimensions[static_cast<std::size_t>(index)];
-    }
+struct CamSpec {
+    std::string type;  ///< "disk", "remote", …: cam.type
+    Rotation rotation = Rotation::counterclockwise;
+    std::vector<CamDimension> dimensions;        ///< all the kind knows, in its own order; unused ones are 0
+    std::map<std::string, std::string> choices;  ///< "linkage" → "lever", "form" → "grooved", …
+    std::optional<double> face_half_width;       ///< m, of a flat face that is pushed straight: |s'| <= it
+    /// Makes the formulas of this kind.
+    std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> make = {};
+
+    /// Of these choices and numbers, made anew by every call. Throws InputError for a choice that does not
+    /// exist.
+    [[nodiscard]] std::shared_ptr<const CamMechanism> formulas() const;
+    /// Every dimension, of a range its middle.
+    [[nodiscard]] std::vector<double> middle() const;
+    /// Null where the cam has no such dimension.
+    [[nodiscard]] const Dimension* find(std::string_view name) const;
+    [[nodiscard]] const Dimension* find(DimensionIndex index) const { return find(name_of(index)); }
+    /// The word chosen; empty: the kind has no such choice.
+    [[nodiscard]] std::string choice(const std::string& name) const;
+    /// A number or a range; without a key it keeps the one there is. Throws InputError where the cam has no
+    /// such dimension.
+    void set(std::string_view name, const Dimension& value);
+    void set(DimensionIndex index, const Dimension& value) { set(name_of(index), value); }
 };
 
 /// What the follower carries. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.

@@ -8,7 +8,6 @@
 #include "scene/cam_spec.hpp"
 #include "scene/drawing_spec.hpp"
 #include "scene/dynamics_spec.hpp"
-#include "scene/mechanism_spec.hpp"
 #include "scene/own_rule.hpp"
 
 #include <array>
@@ -212,8 +211,7 @@ struct Scene {
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;
-    std::optional<CamSpec> cam;              ///< a disk cam; none: no profile exists and no profile code runs
-    std::optional<MechanismSpec> mechanism;  ///< any other kind of cam; never beside `cam`
+    std::optional<CamSpec> cam;              ///< of any kind; none: no profile exists, no profile code runs
     std::optional<ForceSpec> forces;         ///< needs a cam and a speed
     LimitSpec limits;
     std::optional<DynamicsSpec> dynamics;    ///< an elastic follower train; needs a speed

@@ -2,6 +2,7 @@
 #include "scene/written_limits.hpp"
 
 #include "core/errors.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/spellings.hpp"
 
@@ -99,27 +100,14 @@ void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {
     if (limit.key.empty()) limit.key = fmt::format("{}{}", member, spelling ? spelling->suffix : "");
 }
 
-void complete(CamSpec& cam) {
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto which = static_cast<DimensionIndex>(i);
-        Dimension& dimension = cam[which];
-        if (!has_dimension(cam.follower, which) || !dimension.key.empty()) continue;
-        const Spelling* spelling = std::ranges::find(spellings::length, dimension.unit, &Spelling::factor);
-        if (spelling == std::ranges::end(spellings::length)) spelling = std::ranges::begin(spellings::length);
-        dimension.key = fmt::format("cam.{}{}", name_of(which), spelling->suffix);
-        dimension.unit = spelling->factor;
-    }
-}
-
 }  // namespace
 
 Scene with_written_limits(Scene scene) {
     for (const PeakLimitRow& row : peak_limit_rows())
         if (auto& limit = row.in(scene.limits)) complete(row, *limit, scene.motion);
+    const bool swings = scene.cam && scene.cam->formulas()->swings();
     for (const LimitRow& row : limit_rows())
-        if (auto& limit = row.in(scene.limits))
-            complete(row, *limit, scene.cam && is_oscillating(scene.cam->follower));
-    if (scene.cam) complete(*scene.cam);
+        if (auto& limit = row.in(scene.limits)) complete(row, *limit, swings);
     return scene;
 }
 

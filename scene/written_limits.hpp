@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene written in C++ may leave out of its limits and dimensions, filled in as a scene file would
-// have said it.
+// What a scene written in C++ may leave out of its limits, filled in as a scene file would have said it.
 //
 // A limit on a peak (PeakLimit) is given by its normalised number, or by the number in a unit:
 //     given = normalised · lift · (speed / unit angle)^order / unit,   order 1, 2, 3.
@@ -12,8 +11,7 @@
 
 namespace camopt {
 
-/// The scene with every key, unit and number of its limits and of its disk cam's dimensions filled in; one
-/// that is complete comes back as it is. What is wrong beside is left to validate(). Throws InputError for
+/// The scene with every key, unit and number of its limits filled in; one that is complete comes back as it is. What is wrong beside is left to validate(). Throws InputError for
 /// two numbers that contradict each other, a unit that the limit cannot have, and a limit in time without a
 /// speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);

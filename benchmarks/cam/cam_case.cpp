@@ -2,6 +2,7 @@
 #include "benchmarks/cam/cam_case.hpp"
 
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/papers/paper_tables.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@ Scene empty_scene(int segments) {
     reference.acceleration = paper::acceleration_reference;
     reference.jerk = paper::jerk_reference;
     scene.objective.tie_break = TieBreak::none;
-    scene.cam.emplace();
+    scene.cam = disk_spec({});
     return scene;
 }
 
@@ -44,8 +45,8 @@ WrittenLimit least_radius(double value) {
 /// Rise of 60°, lift 20 mm, roller of 10 mm on the axis, at most 30°.
 Scene pressure_angle(double prime_radius, int segments) {
     Scene scene = empty_scene(segments);
-    (*scene.cam)[base_radius] = (prime_radius - 10) * millimetre;
-    (*scene.cam)[roller_radius] = 10 * millimetre;
+    scene.cam->set(base_radius, (prime_radius - 10) * millimetre);
+    scene.cam->set(roller_radius, 10 * millimetre);
     scene.limits.pressure_angle = degrees(30);
     return scene;
 }
@@ -53,7 +54,7 @@ Scene pressure_angle(double prime_radius, int segments) {
 /// The same, but the base radius is free and costs its own length.
 Scene variable_base(int segments) {
     Scene scene = pressure_angle(40, segments);
-    (*scene.cam)[base_radius] = Dimension(1 * millimetre, 60 * millimetre);
+    scene.cam->set(base_radius, Dimension(1 * millimetre, 60 * millimetre));
     scene.objective.dimensions[0] = 1.0;
     return scene;
 }
@@ -66,7 +67,7 @@ Scene quintic(int segments) {
 
 Scene variable_offset(int segments) {
     Scene scene = pressure_angle(35, segments);
-    (*scene.cam)[offset] = Dimension(-8 * millimetre, 8 * millimetre);
+    scene.cam->set(offset, Dimension(-8 * millimetre, 8 * millimetre));
     scene.objective.dimensions[2] = 0.1;
     return scene;
 }
@@ -77,8 +78,8 @@ Scene flat_face(int segments) {
     scene.motion.type = MotionType::rr;
     scene.motion.lift = 14 * millimetre;
     scene.motion.rise = 70 * degree;
-    scene.cam->follower = FollowerType::translating_flat;
-    (*scene.cam)[base_radius] = Dimension(1 * millimetre, 200 * millimetre);
+    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
+    scene.cam->set(base_radius, Dimension(1 * millimetre, 200 * millimetre));
     scene.objective.dimensions[0] = 0.1;
     scene.limits.cam_radius_min = least_radius(8);
     return scene;
@@ -99,11 +100,11 @@ Scene swinging_roller(int segments) {
     scene.motion.lift = 20 * degree;
     scene.motion.lift_is_angle = true;
     scene.motion.rise = 90 * degree;
-    scene.cam->follower = FollowerType::oscillating_roller;
-    (*scene.cam)[base_radius] = 40 * millimetre;
-    (*scene.cam)[roller_radius] = 10 * millimetre;
-    (*scene.cam)[center_distance] = 100 * millimetre;
-    (*scene.cam)[arm_length] = 80 * millimetre;
+    scene.cam = disk_spec({.follower = FollowerType::oscillating_roller});
+    scene.cam->set(base_radius, 40 * millimetre);
+    scene.cam->set(roller_radius, 10 * millimetre);
+    scene.cam->set(center_distance, 100 * millimetre);
+    scene.cam->set(arm_length, 80 * millimetre);
     scene.limits.pressure_angle = degrees(26);
     return scene;
 }
@@ -121,9 +122,9 @@ Scene two_rises(int segments) {
     Scene scene = empty_scene(segments);
     scene.motion.type = MotionType::program;
     scene.motion.segments = {dwell(40), spline(80, 0.5), dwell(30), spline(80, 1), dwell(20), spline(110, 0)};
-    (*scene.cam)[base_radius] = 25 * millimetre;
-    (*scene.cam)[roller_radius] = 8 * millimetre;
-    (*scene.cam)[offset] = 4 * millimetre;
+    scene.cam->set(base_radius, 25 * millimetre);
+    scene.cam->set(roller_radius, 8 * millimetre);
+    scene.cam->set(offset, 4 * millimetre);
     scene.limits.pressure_angle = degrees(25);
     return scene;
 }

@@ -11,7 +11,6 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/csv/csv_line.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -29,7 +28,6 @@ namespace {
 Solution solved(const std::string& file) {
     const std::vector<std::string> one_start = {"solver.starts=1"};
     Scene scene = input::read_scene_file(file, known_names(), one_start);
-    complete_mechanism(scene);
     Solution solution = solve(scene);
     if (!solution.motion || !solution.cam) throw std::runtime_error(file + ": no cam was delivered");
     return solution;

@@ -11,6 +11,7 @@
 #include "benchmarks/parts/whole_output.hpp"
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <algorithm>
@@ -43,9 +44,9 @@ std::vector<Plain> plain_scenes() {
 
 /// A cam of 1 m under a lift of 1 mm: a pressure angle of 80° is far away.
 Scene with_idle_cam(Scene scene) {
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 1.0;
-    (*scene.cam)[DimensionIndex::roller_radius] = 10 * units::millimetre;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 1.0);
+    scene.cam->set(DimensionIndex::roller_radius, 10 * units::millimetre);
     scene.limits.pressure_angle =
         WrittenLimit{80 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     return scene;

@@ -3,6 +3,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
@@ -82,8 +83,8 @@ Scene small_cam(int segments) {
     Scene scene = study_scene(drd, 3, segments);
     scene.motion.lift = 20e-3;
     scene.motion.rise = 60.0 * units::degree;
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::roller_radius] = 10e-3;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::roller_radius, 10e-3);
     scene.limits.pressure_angle =
         WrittenLimit{30.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     return scene;
@@ -94,7 +95,7 @@ Scene smallest_cam(int segments) {
     Scene scene = small_cam(segments);
     scene.objective.velocity = scene.objective.acceleration = scene.objective.jerk = 0.0;
     scene.objective.dimensions[static_cast<int>(DimensionIndex::base_radius)] = 1.0;
-    (*scene.cam)[DimensionIndex::base_radius] = Dimension(1e-3, 0.2);
+    scene.cam->set(DimensionIndex::base_radius, Dimension(1e-3, 0.2));
     return scene;
 }
 
@@ -106,7 +107,7 @@ Edge least_base(int segments) {
 StabilityRow base_radius(double relative, const std::string& backend) {
     const Edge edge = least_base(24);
     Scene scene = small_cam(24);
-    (*scene.cam)[DimensionIndex::base_radius] = beside(edge, relative);
+    scene.cam->set(DimensionIndex::base_radius, beside(edge, relative));
     scene.solver.name = backend;
     return solved_row(scene, at_edge(relative, edge.source));
 }
@@ -117,7 +118,7 @@ StabilityRow pressure_angle(double relative, const std::string& backend) {
     Scene scene = small_cam(24);
     // The edge of the angle moves with the base radius: take the end of the interval that keeps the claim
     // true.
-    (*scene.cam)[DimensionIndex::base_radius] = relative < 0.0 ? edge.least : edge.most;
+    scene.cam->set(DimensionIndex::base_radius, relative < 0.0 ? edge.least : edge.most);
     scene.limits.pressure_angle->value = 30.0 * units::degree * (1.0 + relative);
     scene.solver.name = backend;
     return solved_row(scene, at_edge(relative, "30° on the smallest cam for 30°"));

@@ -5,7 +5,6 @@
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/profile_shape.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/inverse/inverse_forward.hpp"
@@ -25,7 +24,6 @@ constexpr double micrometre = 1e-6;
 Scene mechanism_scene(const std::string& file) {
     Scene scene = scene_of_file(file);
     scene.solver.starts = 1;
-    complete_mechanism(scene);
     return scene;
 }
 
@@ -62,10 +60,10 @@ StabilityRow guide_on_points() {
 StabilityRow slide_as_a_cap() {
     const Scene scene = mechanism_scene("cylinder_slide.toml");
     const auto number = [&](SpatialNumber which) {
-        return scene.mechanism->dimensions[static_cast<std::size_t>(which)].value.low;
+        return scene.cam->dimensions[static_cast<std::size_t>(which)].value.low;
     };
     Scene capped = scene;
-    capped.mechanism.reset();
+    capped.cam.reset();
     capped.limits = {};
     const double radius = number(SpatialNumber::center_distance) - number(SpatialNumber::roller_length);
     const double slope = radius * std::tan(scene.limits.pressure_angle->value);

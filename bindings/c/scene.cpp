@@ -9,7 +9,6 @@
 #include "output/report/cam_files.hpp"
 #include "output/report/report.hpp"
 #include "output/words/solution_text.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -100,7 +99,6 @@ camopt_error set_words(camopt_scene* scene, const char* key, const char* value) 
 
 Scene complete_scene(const camopt_scene& scene, std::span<const std::string> settings) {
     Scene read = scene.document.scene(settings);
-    complete_mechanism(read);
     complete_dynamics(read);
     return read;
 }

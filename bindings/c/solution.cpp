@@ -46,7 +46,7 @@ camopt_peaks peaks_of(const Peaks& peaks) {
 }
 
 camopt_parameter mechanism_parameter(const Solution& solution, std::size_t index) {
-    const MechanismDimension& dimension = solution.scene.mechanism->dimensions[index];
+    const CamDimension& dimension = solution.scene.cam->dimensions[index];
     const double value = solution.cam->cam.dimensions[index];
     return {sizeof(camopt_parameter), dimension.name.c_str(), dimension.is_angle ? "deg" : "mm",
             value / (dimension.is_angle ? degree : millimetre), dimension.value.is_variable() ? 1 : 0};
@@ -62,7 +62,7 @@ std::vector<camopt_parameter> parameters_of(const Solution& solution) {
         return all;
     }
     for (std::size_t i = 0; i < solution.cam->cam.dimensions.size(); ++i)
-        if (!solution.scene.mechanism->dimensions[i].value.key.empty())
+        if (!solution.scene.cam->dimensions[i].value.key.empty())
             all.push_back(mechanism_parameter(solution, i));
     return all;
 }
@@ -154,7 +154,7 @@ const MotionChain& motion_of(const camopt_solution* solution) {
 camopt_parameter disk_parameter(const Solution& solution, DimensionIndex which) {
     return {sizeof(camopt_parameter), name_of(which), "mm",
             disk_cam(solution.cam->cam).value()[which] / millimetre,
-            (*solution.scene.cam)[which].is_variable() ? 1 : 0};
+            solution.scene.cam->find(which)->is_variable() ? 1 : 0};
 }
 
 }  // namespace camopt::c

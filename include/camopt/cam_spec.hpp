@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene: follower, dimensions (a number or a range each), rotation, mass, springs. m, rad, kg,
-// N.
+// The cam of a scene, of whatever kind (type, choices, dimensions, rotation; disk_cam.hpp, remote_cam.hpp,
+// spatial_cam.hpp, inverse_cam.hpp make one each), and what its follower carries. m, rad, kg, N.
 #pragma once
 
 #include "core/language.hpp"

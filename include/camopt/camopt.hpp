@@ -23,7 +23,6 @@
 #include "camopt/laws.hpp"
 #include "camopt/licenses.hpp"
 #include "camopt/mechanism.hpp"
-#include "camopt/mechanism_factory.hpp"
 #include "camopt/motion.hpp"
 #include "camopt/motion_chain.hpp"
 #include "camopt/nc.hpp"

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Any mechanism between a cam and its output, as the optimizer sees it: from one state (s, s', s'') of the
 // output and the mechanism's dimensions to the quantities that limits are made of, with exact partials.
-// cam_of(scene) is the cam of a scene, of whatever kind. Implement CamMechanism to bring one of your own. m,
+// scene.cam is the cam of a scene, of whatever kind. Implement CamMechanism to bring one of your own. m,
 // rad, s' and s'' by the cam angle. Out of reach is NaN, never a throw; calls are const and may come from
 // several threads at once.
 #pragma once
 
 #include "core/language.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/mechanism_spec.hpp"
 #include "studies/delivered/driven_mechanism.hpp"

@@ -3,8 +3,7 @@
 // values in SI and radians with the defaults of a scene file. find_fault(scene) says what is wrong with one;
 // validate(scene) throws InputError with it. Every study validates what it is given.
 //
-// Scenes may be copied and read by several threads; the formulas of a mechanism (Scene::mechanism->formulas)
-// are shared by the copies and constant.
+// Scenes may be copied and read by several threads.
 #pragma once
 
 #include "core/language.hpp"

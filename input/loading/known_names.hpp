@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every law and solver there is, the program's own among them: what input::read_scene is told of names.
+// Every law, solver and kind of cam there is, the program's own among them: what input::read_scene is told of
+// names.
 #pragma once
 
 #include "input/scene_reader.hpp"
@@ -8,7 +9,11 @@
 
 namespace camopt {
 
-[[nodiscard]] inline input::KnownNames known_names() {
+/// All of them.
+[[nodiscard]] input::KnownNames known_names();
+
+/// Without the formulas of cams, for a program that links those of one kind: set `cam_formulas`.
+[[nodiscard]] inline input::KnownNames names_of_laws_and_solvers() {
     input::KnownNames known;
     for (const LawInfo& law : law_catalogue()) {
         known.laws.push_back(law.key);

@@ -2,17 +2,16 @@
 #include "input/loading/load_scene.hpp"
 
 #include "dynamics/train_formulas.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 #include "scene/scene_error.hpp"
 
 namespace camopt {
 
 namespace {
 
-/// What the formulas of the cam and of the train refuse is told with its place in the file.
+/// What the formulas of the train refuse is told with its place in the file.
 void complete(Scene& scene, const input::SceneOrigin& origin) {
     try {
-        complete_mechanism(scene);
         complete_dynamics(scene);
     } catch (const SceneError& error) {
         input::fail_in_scene(origin, error.fault().member, words_of(error.fault()));
@@ -20,6 +19,12 @@ void complete(Scene& scene, const input::SceneOrigin& origin) {
 }
 
 }  // namespace
+
+input::KnownNames known_names() {
+    input::KnownNames known = names_of_laws_and_solvers();
+    known.cam_formulas = cam_formulas;
+    return known;
+}
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> settings) {
     return scene_of_toml(input::scene_file_text(file), settings, file.string(), file.parent_path());

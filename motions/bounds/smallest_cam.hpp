@@ -11,7 +11,7 @@
 // motions with continuous s' come as close as one likes and never reach it. Such motions also pass through
 // s' = 0 at the lower end, where tan φ = -e/s0: so s0 >= |e|/t besides.
 //
-// SI units (one length unit throughout will do), radians. e as CamSpec has it for a cam that turns
+// SI units (one length unit throughout will do), radians. e as DiskSpec has it for a cam that turns
 // counterclockwise; for a clockwise one take -e. Errors: lift, angle or s0 not positive or not finite, e not
 // finite, φm outside (0, π/2): InputError. Source: derived here; for e = 0 the result is classical.
 #pragma once

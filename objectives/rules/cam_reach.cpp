@@ -12,7 +12,7 @@ namespace {
 // Of the longest dimension: a cam nearer than this to where it stops being one has no digits left.
 constexpr double least_reach = 1e-6;
 
-void add_inequality(CamModel& model, const MechanismSpec& spec,
+void add_inequality(CamModel& model, const CamSpec& spec,
                     std::span<const CamMechanism::SignedIndex> inequality) {
     ParameterRow row{"cam.base_radius", {}, {}, 0.0, true, 1.0};
     double most = 0.0, longest = 0.0;
@@ -40,8 +40,8 @@ void add_inequality(CamModel& model, const MechanismSpec& spec,
 
 }  // namespace
 
-void add_reach_rows(CamModel& model, const MechanismSpec& spec) {
-    for (const auto& inequality : spec.formulas->reach()) add_inequality(model, spec, inequality);
+void add_reach_rows(CamModel& model, const CamSpec& spec) {
+    for (const auto& inequality : spec.formulas()->reach()) add_inequality(model, spec, inequality);
 }
 
 }  // namespace camopt

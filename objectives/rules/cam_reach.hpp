@@ -4,11 +4,11 @@
 #pragma once
 
 #include "objectives/model.hpp"
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
 
 namespace camopt {
 
 /// After the cam's variables are in the model.
-void add_reach_rows(CamModel& model, const MechanismSpec& spec);
+void add_reach_rows(CamModel& model, const CamSpec& spec);
 
 }  // namespace camopt

@@ -8,7 +8,6 @@
 #include "output/drawing/picture_page.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 

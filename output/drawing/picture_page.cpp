@@ -177,7 +177,7 @@ void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool unde
     if (has_roller(shape.cam.follower))
         column.value("prime radius",
                      shape.cam[DimensionIndex::base_radius] + shape.cam[DimensionIndex::roller_radius]);
-    for (const MechanismDimension& dimension : form_dimensions(shape.cam.follower, shape.cam.form)) {
+    for (const CamDimension& dimension : form_dimensions(shape.cam.follower, shape.cam.form)) {
         if (dimension.is_angle)
             column.value(words_of(dimension.name),
                          std::string_view(short_text(dimension.value.low / degree) + " deg"));

@@ -7,7 +7,6 @@
 #include "output/words/cam_words.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/tables/segment_table.hpp"
-#include "profiles/scene_cam.hpp"
 #include "splines/curve.hpp"
 
 #include <algorithm>
@@ -72,10 +71,10 @@ Json smallest_json(const Writer& writer, const std::optional<SmallestCamReport>&
 }
 
 /// In SI, bit for bit: millimetres may not read back as the same metres.
-Json exact_dimensions_json(const MechanismSpec& spec, const std::vector<double>& numbers) {
+Json exact_dimensions_json(const CamSpec& spec, const std::vector<double>& numbers) {
     Json json = Json::object();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const MechanismDimension& dimension = spec.dimensions[i];
+        const CamDimension& dimension = spec.dimensions[i];
         json[dimension.name + (dimension.is_angle ? "_rad" : "_m")] = number_json(numbers[i]);
     }
     return json;
@@ -197,7 +196,7 @@ Json cam_json(const Solution& solution) {
     if (!solution.cam) return nullptr;
     const CamReport& cam = *solution.cam;
     const CamSummary& summary = cam.summary;
-    const MechanismSpec spec = cam_of(solution.scene).value();
+    const CamSpec& spec = solution.scene.cam.value();
     const bool direct = cam.cam.formulas->is_direct();
     const Writer writer(solution);
     Json json = Json::object();

@@ -12,7 +12,6 @@
 #include "output/words/tables/dynamics_text.hpp"
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include <fmt/format.h>
@@ -233,9 +232,9 @@ TextTable limit_rows_of(const Solution& solution) {
 TextTable dimension_rows(const Solution& solution) {
     TextTable table;
     table.columns = {{"dimension", true}, {"value"}, {"", true}};
-    const MechanismSpec spec = cam_of(solution.scene).value();
+    const CamSpec& spec = solution.scene.cam.value();
     for (const DimensionValue& dimension : cam_dimensions(solution)) {
-        const auto found = std::ranges::find(spec.dimensions, dimension.name, &MechanismDimension::name);
+        const auto found = std::ranges::find(spec.dimensions, dimension.name, &CamDimension::name);
         const bool given = found != spec.dimensions.end();
         table.rows.push_back({words_of(dimension.name), dimension.text,
                               !given                       ? "follows"
@@ -261,7 +260,7 @@ Json tables_part(const Solution& solution) {
     if (!solution.constraints.empty()) all.push_back(table_json("limits", "Limits", limit_rows_of(solution)));
     if (!solution.cam) return all;
     all.push_back(table_json("dimensions", "Dimensions", dimension_rows(solution),
-                             cam_text(cam_of(solution.scene).value()) + "."));
+                             cam_text(solution.scene.cam.value()) + "."));
     all.push_back(
         table_json("cam", "Figures of the cam", cam_table(solution, {{"", true}, {"value"}, {"at (deg)"}})));
     return all;

@@ -237,7 +237,7 @@ std::vector<std::string> front_settings(const FrontPoint& point, const FrontRequ
     if (const auto* const figure = std::get_if<FrontFigure>(&capped)) {
         settings.push_back(setting_text(fmt::format("limits.{}", name_of(*figure)), *point.cap));
     } else if (scene.cam) {
-        const Dimension& dimension = (*scene.cam)[std::get<DimensionIndex>(capped)];
+        const Dimension& dimension = *scene.cam->find(std::get<DimensionIndex>(capped));
         settings.push_back(fmt::format("{}={{ min = {}, max = {} }}", dimension.key,
                                        round_trip_text(dimension.low / dimension.unit),
                                        round_trip_text(dimension.high / dimension.unit)));

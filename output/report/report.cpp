@@ -17,7 +17,6 @@
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/text_table.hpp"
-#include "profiles/scene_cam.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +49,7 @@ std::string pictures_of(const Solution& solution) {
 std::string cam_section(const Solution& solution) {
     if (!solution.cam) return {};
     const TextTable table = cam_table(solution, {{"", true}, {""}, {"at (deg)"}});
-    return fmt::format("\n## The cam\n\n{}: {}.\n\n{}\n{}\n{}", cam_text(cam_of(solution.scene).value()),
+    return fmt::format("\n## The cam\n\n{}: {}.\n\n{}\n{}\n{}", cam_text(solution.scene.cam.value()),
                        dimensions_text(solution), markdown_text(table), list_of(cam_remarks(solution)),
                        pictures_of(solution));
 }

@@ -8,7 +8,6 @@
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "profiles/sampling.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 
@@ -52,7 +51,7 @@ std::string undercut_remark(const Solution& solution) {
 /// Of a disk cam.
 std::string dimensions_at_their_ends(const Solution& solution) {
     if (!solution.cam->cam.formulas->is_direct()) return {};
-    const MechanismSpec cam = cam_of(solution.scene).value();
+    const CamSpec& cam = solution.scene.cam.value();
     std::string text;
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) {
         const Dimension& range = cam.dimensions[i].value;
@@ -205,7 +204,7 @@ std::string play_remark(const Solution& solution, const ForwardCheckReport::Play
         degrees_at(solution, play.largest_at));
     if (!play.least_groove_width)
         return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
-    const double clearance = solution.scene.cam->form.groove_clearance;
+    const double clearance = solution.scene.cam->find("groove_clearance")->low;
     const double roller =
         solution.cam->cam.dimensions[static_cast<std::size_t>(solution.cam->cam.formulas->roller_radius())];
     const bool fits = *play.least_groove_width >= 2.0 * roller * (1.0 - moves_as_designed);

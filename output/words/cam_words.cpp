@@ -3,7 +3,6 @@
 
 #include "output/words/key_words.hpp"
 #include "output/words/shown_units.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
 #include <fmt/format.h>
@@ -40,10 +39,10 @@ std::optional<CamExtreme> drawn_radius(const std::optional<CamExtreme>& radius) 
 }
 
 /// " in a groove"; empty: the cam is open.
-std::string form_words(const MechanismSpec& cam) {
+std::string form_words(const CamSpec& cam) {
     const auto form = cam.choices.find("form");
-    if (form == cam.choices.end() || form->second == name_of(CamForm::open)) return {};
-    return form->second == name_of(CamForm::grooved) ? " in a groove" : " on conjugate disks";
+    if (form == cam.choices.end() || form->second == "open") return {};
+    return form->second == "grooved" ? " in a groove" : " on conjugate disks";
 }
 
 /// Collects figures of one solution.
@@ -109,11 +108,11 @@ void add_forces(Figures& figures, const CamReport& cam, const ShownUnits& shown)
 }  // namespace
 
 std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
-    const std::optional<MechanismSpec> cam = cam_of(solution.scene);
+    const std::optional<CamSpec>& cam = solution.scene.cam;
     std::vector<DimensionValue> all;
     if (!cam) return all;
     for (std::size_t i = 0; i < cam->dimensions.size(); ++i) {
-        const MechanismDimension& dimension = cam->dimensions[i];
+        const CamDimension& dimension = cam->dimensions[i];
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
         std::optional<double> number;
         if (!dimension.value.is_variable()) number = dimension.value.low;
@@ -121,7 +120,7 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         if (number) *number /= dimension.is_angle ? degree : millimetre;
         all.push_back({dimension.name, dimension.is_angle, number});
     }
-    if (cam->formulas && cam->formulas->is_direct())
+    if (cam->formulas()->is_direct())
         all.push_back({"prime_radius", false, prime_radius(all)});
     const ShownUnits shown = shown_units(solution.scene);
     for (DimensionValue& one : all)
@@ -138,9 +137,9 @@ std::string dimensions_text(const Solution& solution) {
     return text;
 }
 
-std::string cam_text(const MechanismSpec& cam) {
+std::string cam_text(const CamSpec& cam) {
     const auto follower = cam.choices.find("follower");
-    if (cam.formulas && cam.formulas->is_direct())
+    if (cam.formulas()->is_direct())
         return fmt::format("{}{}, the cam turning {}", words_of(follower->second), form_words(cam),
                            name_of(cam.rotation));
     const auto linkage = cam.choices.find("linkage");

@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/tables/text_table.hpp"
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
@@ -30,7 +30,7 @@ struct DimensionValue {
 
 /// "translating roller, the cam turning counterclockwise", "remote cam with lever-coupler-slider, turning
 /// clockwise"
-[[nodiscard]] std::string cam_text(const MechanismSpec& cam);
+[[nodiscard]] std::string cam_text(const CamSpec& cam);
 
 /// The least convex radius of the cam; none where it is nowhere convex, or straight where it is most so.
 [[nodiscard]] std::optional<CamExtreme> convex_radius(const CamSummary& summary);

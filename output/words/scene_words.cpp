@@ -7,7 +7,6 @@
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
@@ -152,30 +151,28 @@ std::string range_text(const Dimension& dimension, const ShownUnit& unit) {
                        unit.text(dimension.high));
 }
 
-/// Of a follower with a roller: base and roller as one range.
-std::optional<Dimension> prime_radius(const Scene& scene) {
-    if (!scene.cam || !has_roller(scene.cam->follower)) return {};
-    Dimension prime = (*scene.cam)[DimensionIndex::base_radius];
-    prime.low += (*scene.cam)[DimensionIndex::roller_radius].low;
-    prime.high += (*scene.cam)[DimensionIndex::roller_radius].high;
-    return prime;
+/// Of a cam that has both: base and roller radius as one range.
+std::optional<Dimension> prime_radius(const CamSpec& cam) {
+    const Dimension* const base = cam.find(DimensionIndex::base_radius);
+    const Dimension* const roller = cam.find(DimensionIndex::roller_radius);
+    if (base == nullptr || roller == nullptr) return {};
+    return Dimension(base->low + roller->low, base->high + roller->high);
 }
 
 std::string cam_line(const Scene& scene) {
-    const MechanismSpec cam = cam_of(scene).value();
+    const CamSpec& cam = scene.cam.value();
     std::string text = fmt::format("Cam: {}", cam_text(cam));
     const ShownUnits shown = shown_units(scene);
-    for (const MechanismDimension& dimension : cam.dimensions) {
+    for (const CamDimension& dimension : cam.dimensions) {
         if (dimension.value.key.empty()) continue;  // this variant has no such dimension
         append(text,
                fmt::format("{} {}", words_of(dimension.name),
                            range_text(dimension.value, dimension.is_angle ? shown.angle : shown.length)));
     }
-    if (const std::optional<Dimension> prime = prime_radius(scene))
+    if (const std::optional<Dimension> prime = prime_radius(cam))
         append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
-    if (scene.cam && scene.cam->face_half_width)
-        append(text,
-               fmt::format("half width of the face {}", shown.length.text(*scene.cam->face_half_width)));
+    if (cam.face_half_width)
+        append(text, fmt::format("half width of the face {}", shown.length.text(*cam.face_half_width)));
     return text;
 }
 
@@ -312,7 +309,7 @@ std::vector<std::string> scene_lines(const Scene& given) {
         lines.push_back(set_point_line(scene, points));
     if (scene.measured) lines.push_back(measured_line(*scene.measured));
     lines.push_back(spline_line(scene));
-    if (has_cam(scene)) lines.push_back(cam_line(scene));
+    if (scene.cam) lines.push_back(cam_line(scene));
     if (scene.forces) lines.push_back(force_line(scene));
     if (scene.dynamics) lines.push_back(train_line(scene));
     if (const std::string limits = limit_line(scene); !limits.empty()) lines.push_back("Limits: " + limits);

@@ -11,7 +11,6 @@
 #include "output/words/tables/peak_comparison.hpp"
 #include "output/words/tables/segment_table.hpp"
 #include "output/words/tables/text_table.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/delivered/scene_limits.hpp"
@@ -136,7 +135,7 @@ std::string set_point_lines(const Solution& solution) {
 
 std::string cam_lines(const Solution& solution) {
     if (!solution.cam) return {};
-    const MechanismSpec cam = cam_of(solution.scene).value();
+    const CamSpec& cam = solution.scene.cam.value();
     const TextTable table = cam_table(solution, {{"The cam", true}, {"", true}, {"at deg"}});
     const std::string dimensions = "dimensions: " + dimensions_text(solution);
     std::string text = fmt::format("  cam: {}\n", cam_text(cam));

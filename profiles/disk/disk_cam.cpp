@@ -99,7 +99,7 @@ void set_in_fixed_frame(const DiskCam& cam, const FollowerState& state, ProfileP
 
 }  // namespace
 
-DiskCam middle_cam(const CamSpec& spec) {
+DiskCam middle_cam(const DiskSpec& spec) {
     DiskCam cam{spec.follower, spec.rotation, {}, spec.form};
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) cam.dimensions[i] = spec.dimensions[i].middle();
     return cam;

@@ -26,6 +26,7 @@
 #pragma once
 
 #include "core/follower_state.hpp"
+#include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "scene/cam_spec.hpp"
 
@@ -49,7 +50,7 @@ struct DiskCam {
 };
 
 /// The cam of a scene with each variable dimension in the middle of its range.
-[[nodiscard]] DiskCam middle_cam(const CamSpec& spec);
+[[nodiscard]] DiskCam middle_cam(const DiskSpec& spec);
 
 /// What s is added to: the follower's height s0 over the cam centre (m; of the roller centre, of a flat
 /// face), or the arm's angle ψ0 (rad), where it rests on the base circle. NaN where the dimensions do not

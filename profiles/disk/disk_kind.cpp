@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_kind.hpp"
 
+#include "profiles/disk/disk_spec.hpp"
 #include "scene/follower.hpp"
 
 #include <fmt/format.h>

@@ -6,9 +6,6 @@
 
 namespace camopt {
 
-/// cam.type of a disk cam.
-inline constexpr const char* disk_type = "disk";
-
 [[nodiscard]] CamKind disk_kind();
 
 }  // namespace camopt

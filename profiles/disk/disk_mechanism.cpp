@@ -2,7 +2,7 @@
 #include "profiles/disk/disk_mechanism.hpp"
 
 #include "core/units.hpp"
-#include "profiles/disk/disk_kind.hpp"
+#include "profiles/disk/disk_fault.hpp"
 #include "profiles/disk/disk_sides.hpp"
 #include "profiles/disk/quantity_algebra.hpp"
 #include "profiles/disk/quantity_along.hpp"
@@ -68,6 +68,11 @@ class DiskMechanism final : public CamMechanism {
                                     double most) const override {
         return geometry_fault(cam(dimensions), least, most);
     }
+    [[nodiscard]] std::optional<SceneFault> find_fault(const CamSpec& spec,
+                                                       const MotionSpec& motion) const override {
+        return disk_fault(disk_of(spec), motion);
+    }
+    [[nodiscard]] ContactKind contact() const override { return follower_of(follower_).contact; }
     [[nodiscard]] std::string undercut_words() const override;
     [[nodiscard]] std::string check_words(int points) const override {
         if (form_.is_grooved())
@@ -321,41 +326,6 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
 
 }  // namespace
 
-std::vector<DimensionIndex> dimensions_of(FollowerType follower) {
-    std::vector<DimensionIndex> all;
-    for (int d = 0; d < dimension_count; ++d)
-        if (has_dimension(follower, static_cast<DimensionIndex>(d)))
-            all.push_back(static_cast<DimensionIndex>(d));
-    return all;
-}
-
-std::vector<MechanismDimension> form_dimensions(FollowerType follower, const FormSpec& form) {
-    std::vector<MechanismDimension> all;
-    const auto add = [&](const char* name, double value, bool is_angle) {
-        MechanismDimension dimension{name, Dimension(value), is_angle};
-        dimension.value.key = fmt::format("cam.{}_{}", name, is_angle ? "deg" : "mm");
-        dimension.value.unit = is_angle ? units::degree : units::millimetre;
-        all.push_back(std::move(dimension));
-    };
-    const auto add_given = [&](const char* name, const std::optional<double>& value) {
-        if (value) add(name, *value, false);
-    };
-    if (form.is_grooved()) {
-        add("groove_clearance", form.groove_clearance, false);
-        add_given("groove_wall", form.groove_wall);
-    }
-    if (!form.is_conjugate()) return all;
-    if (is_oscillating(follower)) {
-        add("arm_angle", form.arm_angle, true);
-        add_given("second_arm_length", form.second_arm_length);
-    } else {
-        add("roller_distance", form.roller_distance, false);
-        add_given("second_offset", form.second_offset);
-    }
-    add_given("second_roller_radius", form.second_roller_radius);
-    return all;
-}
-
 MechanismPoint mechanism_point(const ProfilePoint& found) {
     MechanismPoint point;
     point.theta = found.theta;
@@ -370,30 +340,21 @@ MechanismPoint mechanism_point(const ProfilePoint& found) {
     return point;
 }
 
-MechanismSpec disk_spec(const CamSpec& cam) {
-    MechanismSpec spec;
-    spec.type = disk_type;
-    spec.rotation = cam.rotation;
-    spec.choices["follower"] = name_of(cam.follower);
-    spec.choices["form"] = name_of(cam.form.type);
-    for (const DimensionIndex which : dimensions_of(cam.follower)) {
-        MechanismDimension dimension{name_of(which), cam[which], false};
-        if (dimension.value.key.empty()) {
-            dimension.value.key = fmt::format("cam.{}_mm", dimension.name);
-            dimension.value.unit = units::millimetre;
-        }
-        spec.dimensions.push_back(std::move(dimension));
-    }
-    for (MechanismDimension& dimension : form_dimensions(cam.follower, cam.form))
-        spec.dimensions.push_back(std::move(dimension));
-    spec.formulas = std::make_shared<DiskMechanism>(cam.follower, cam.rotation, cam.form);
+std::shared_ptr<const CamMechanism> disk_formulas(const CamSpec& spec) {
+    const DiskSpec disk = disk_of(spec);
+    return std::make_shared<DiskMechanism>(disk.follower, disk.rotation, disk.form);
+}
+
+CamSpec disk_spec(const DiskSpec& cam) {
+    CamSpec spec = blank_disk_spec(cam);
+    spec.make = disk_formulas;
     return spec;
 }
 
 DrivenMechanism disk_mechanism(const DiskCam& cam) {
     DrivenMechanism mechanism{std::make_shared<DiskMechanism>(cam.follower, cam.rotation, cam.form), {}};
     for (const DimensionIndex which : dimensions_of(cam.follower)) mechanism.dimensions.push_back(cam[which]);
-    for (const MechanismDimension& dimension : form_dimensions(cam.follower, cam.form))
+    for (const CamDimension& dimension : form_dimensions(cam.follower, cam.form))
         mechanism.dimensions.push_back(dimension.value.low);
     return mechanism;
 }

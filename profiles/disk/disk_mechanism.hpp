@@ -7,23 +7,20 @@
 #pragma once
 
 #include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_spec.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/mechanism_spec.hpp"
 
+#include <memory>
 #include <optional>
-#include <vector>
 
 namespace camopt {
 
-/// The dimensions a follower has, in the order in which they stand here.
-[[nodiscard]] std::vector<DimensionIndex> dimensions_of(FollowerType follower);
+/// What CamSpec::make is of a disk cam. Throws InputError for a follower or a form that does not exist.
+[[nodiscard]] std::shared_ptr<const CamMechanism> disk_formulas(const CamSpec& spec);
 
-/// The numbers of the form that are given, as fixed dimensions with their keys.
-[[nodiscard]] std::vector<MechanismDimension> form_dimensions(FollowerType follower, const FormSpec& form);
-
-/// The cam of a scene: type "disk", its follower as the choice "follower", a key for every dimension, and the
-/// formulas.
-[[nodiscard]] MechanismSpec disk_spec(const CamSpec& cam);
+/// The cam of a scene: type "disk", the choices "follower" and "form", a key for every dimension, and the
+/// formulas. Throws SceneError for a number that this follower or this form has not.
+[[nodiscard]] CamSpec disk_spec(const DiskSpec& cam);
 
 [[nodiscard]] DrivenMechanism disk_mechanism(const DiskCam& cam);
 

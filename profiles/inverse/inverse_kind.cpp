@@ -50,7 +50,7 @@ CamKind inverse_kind() {
     kind.type = inverse_type;
     CamVariant feeder{
         kind.type, "an inverse cam", false, "a roller, in a guide of the moving body", {}, {}, [] {
-            return inverse_spec();
+            return blank_inverse_spec();
         }};
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto number = static_cast<InverseNumber>(i);

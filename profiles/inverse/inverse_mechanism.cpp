@@ -318,7 +318,13 @@ RollerStroke stroke_of(std::span<const double> numbers) {
             start.acceleration};
 }
 
-std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec) {
+CamSpec inverse_spec() {
+    CamSpec spec = blank_inverse_spec();
+    spec.make = inverse_mechanism;
+    return spec;
+}
+
+std::shared_ptr<const CamMechanism> inverse_mechanism(const CamSpec& spec) {
     if (spec.type != inverse_type)
         throw InputError(fmt::format("a mechanism of type \"{}\"; allowed: \"inverse\"", spec.type));
     return std::make_shared<InverseMechanism>();

@@ -17,15 +17,18 @@
 #include "profiles/inverse/feeder_linkage.hpp"
 #include "profiles/inverse/roller_law.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
 
 #include <memory>
 #include <span>
 
 namespace camopt {
 
-/// Throws InputError for a spec of another type.
-[[nodiscard]] std::shared_ptr<const CamMechanism> inverse_mechanism(const MechanismSpec& spec);
+/// What CamSpec::make is of such a cam. Throws InputError for a spec of another type.
+[[nodiscard]] std::shared_ptr<const CamMechanism> inverse_mechanism(const CamSpec& spec);
+
+/// A scene's cam of this kind with every number at 0, complete.
+[[nodiscard]] CamSpec inverse_spec();
 
 /// Its linkage, and its roller in units of the cam angle (rad for s).
 [[nodiscard]] FeederLinkage linkage_of(std::span<const double> numbers);

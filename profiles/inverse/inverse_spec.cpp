@@ -13,8 +13,8 @@ const char* name_of_number(InverseNumber value) {
     return names[static_cast<std::size_t>(value)];
 }
 
-MechanismSpec inverse_spec() {
-    MechanismSpec spec;
+CamSpec blank_inverse_spec() {
+    CamSpec spec;
     spec.type = inverse_type;
     for (int i = 0; i < inverse_number_count; ++i) {
         const auto number = static_cast<InverseNumber>(i);

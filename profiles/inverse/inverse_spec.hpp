@@ -3,7 +3,8 @@
 // (profiles/inverse/inverse_mechanism.hpp).
 #pragma once
 
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
+
 
 namespace camopt {
 
@@ -26,7 +27,7 @@ enum class InverseNumber {
 inline constexpr int inverse_number_count = 11;
 [[nodiscard]] const char* name_of_number(InverseNumber value);  ///< "roller_radius", …
 
-/// Type "inverse", every number at 0.
-[[nodiscard]] MechanismSpec inverse_spec();
+/// Type "inverse", every number at 0, without formulas: inverse_spec of inverse_mechanism.hpp adds them.
+[[nodiscard]] CamSpec blank_inverse_spec();
 
 }  // namespace camopt

@@ -11,7 +11,7 @@
 namespace camopt {
 namespace {
 
-const std::string& choice_of(const MechanismSpec& spec, const char* name) {
+const std::string& choice_of(const CamSpec& spec, const char* name) {
     const auto found = spec.choices.find(name);
     if (found == spec.choices.end())
         throw InputError(fmt::format("{}: missing in a cam of type \"remote\"", name));
@@ -19,7 +19,7 @@ const std::string& choice_of(const MechanismSpec& spec, const char* name) {
 }
 
 template <class Enum>
-Enum chosen(const MechanismSpec& spec, const char* name, std::initializer_list<Enum> all) {
+Enum chosen(const CamSpec& spec, const char* name, std::initializer_list<Enum> all) {
     const std::string& text = choice_of(spec, name);
     std::string allowed;
     for (const Enum value : all) {
@@ -29,7 +29,7 @@ Enum chosen(const MechanismSpec& spec, const char* name, std::initializer_list<E
     throw InputError(fmt::format("{}: found \"{}\"; allowed: {}", name, text, allowed));
 }
 
-double sign_of_branch(const MechanismSpec& spec, const char* name) {
+double sign_of_branch(const CamSpec& spec, const char* name) {
     return chosen(spec, name, {RemoteBranch::left, RemoteBranch::right}) == RemoteBranch::left ? 1.0 : -1.0;
 }
 
@@ -40,7 +40,7 @@ Eigen::Vector3d in_cam_frame(const remote::Vector<double>& fixed, double turn) {
 
 }  // namespace
 
-RemoteCam::RemoteCam(const MechanismSpec& spec)
+RemoteCam::RemoteCam(const CamSpec& spec)
     : linkage_(
           chosen(spec, "linkage",
                  {RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider,
@@ -55,6 +55,16 @@ RemoteCam::RemoteCam(const MechanismSpec& spec)
                                      spec.dimensions.size(), remote_dimension_count));
     const auto roller = remote::evaluation(*this, spec.middle()).roller({0.0, 0.0, 0.0});
     if (roller.across < 0.0) side_ = -1.0;
+}
+
+std::shared_ptr<const CamMechanism> remote_mechanism(const CamSpec& spec) {
+    return std::make_shared<RemoteCam>(spec);
+}
+
+CamSpec remote_spec(RemoteLinkage linkage) {
+    CamSpec spec = blank_remote_spec(linkage);
+    spec.make = remote_mechanism;
+    return spec;
 }
 
 RemoteCam RemoteCam::measured_at(PressurePoint where) const {

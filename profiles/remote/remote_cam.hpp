@@ -19,6 +19,7 @@
 #include "profiles/remote/remote_spec.hpp"
 #include "scene/cam_mechanism.hpp"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ class RemoteCam final : public CamMechanism {
  public:
     /// Takes type, sense and branches from the spec; of the dimensions only their middles, to tell on which
     /// side of the cam the lever works. Throws InputError for a choice it does not know.
-    explicit RemoteCam(const MechanismSpec& spec);
+    explicit RemoteCam(const CamSpec& spec);
 
     [[nodiscard]] std::string type() const override { return remote_type; }
     [[nodiscard]] bool swings() const override { return output_swings(linkage_); }
@@ -104,5 +105,11 @@ class RemoteLinkageForward {
     [[nodiscard]] Eigen::Vector2d lever_joint(double angle) const;
     [[nodiscard]] double slid(const Eigen::Vector2d& joint, double coupler) const;
 };
+
+/// What CamSpec::make is of such a cam. Throws InputError for a choice that does not exist.
+[[nodiscard]] std::shared_ptr<const CamMechanism> remote_mechanism(const CamSpec& spec);
+
+/// A scene's cam of this kind with every dimension at 0 and every choice at its default, complete.
+[[nodiscard]] CamSpec remote_spec(RemoteLinkage linkage);
 
 }  // namespace camopt

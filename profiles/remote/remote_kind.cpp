@@ -80,7 +80,7 @@ CamVariant variant(RemoteLinkage linkage) {
                    "a roller",
                    {},
                    {},
-                   [linkage] { return remote_spec(linkage); }};
+                   [linkage] { return blank_remote_spec(linkage); }};
     for (int i = 0; i < remote_dimension_count; ++i) {
         const auto which = static_cast<RemoteDimension>(i);
         all.numbers.push_back(

@@ -108,8 +108,8 @@ const char* name_of(PressurePoint value) {
     return value == PressurePoint::roller_center ? "roller_center" : "contact_point";
 }
 
-MechanismSpec remote_spec(RemoteLinkage linkage) {
-    MechanismSpec spec;
+CamSpec blank_remote_spec(RemoteLinkage linkage) {
+    CamSpec spec;
     spec.type = remote_type;
     for (int i = 0; i < remote_dimension_count; ++i) {
         const auto which = static_cast<RemoteDimension>(i);

@@ -3,7 +3,8 @@
 // the formulas (profiles/remote).
 #pragma once
 
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
+
 
 #include <string>
 
@@ -65,8 +66,8 @@ enum class PressurePoint {
 };
 [[nodiscard]] const char* name_of(PressurePoint value);
 
-/// A mechanism of this kind with every dimension at 0 and every choice at its default: lever and rocker
-/// branches "left", pressure_angle_at "roller_center".
-[[nodiscard]] MechanismSpec remote_spec(RemoteLinkage linkage);
+/// A cam of this kind with every dimension at 0 and every choice at its default (lever and rocker branches
+/// "left", pressure_angle_at "roller_center"), without formulas: remote_spec of remote_cam.hpp adds them.
+[[nodiscard]] CamSpec blank_remote_spec(RemoteLinkage linkage);
 
 }  // namespace camopt

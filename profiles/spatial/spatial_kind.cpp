@@ -62,7 +62,7 @@ CamVariant variant(SpatialFollower follower) {
                    follower == barrel ? "the rollers of an index" : "a roller in a groove",
                    {},
                    {},
-                   [follower] { return spatial_spec(follower); }};
+                   [follower] { return blank_spatial_spec(follower); }};
     for (int i = 0; i < spatial_number_count; ++i) all.numbers.push_back(number_of(follower, i));
     // Keys of the other followers.
     for (const char* key : {"cylinder_radius", "center_distance", "arm_length", "start_angle"})

@@ -258,7 +258,13 @@ SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<co
     return cam;
 }
 
-std::shared_ptr<const CamMechanism> spatial_mechanism(const MechanismSpec& spec) {
+CamSpec spatial_spec(SpatialFollower follower) {
+    CamSpec spec = blank_spatial_spec(follower);
+    spec.make = spatial_mechanism;
+    return spec;
+}
+
+std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec) {
     return std::make_shared<SpatialMechanism>(spatial_follower(spec), spec.rotation);
 }
 

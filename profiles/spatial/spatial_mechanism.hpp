@@ -9,8 +9,8 @@
 #pragma once
 
 #include "profiles/spatial/spatial_cam.hpp"
+#include "profiles/spatial/spatial_spec.hpp"
 #include "scene/cam_mechanism.hpp"
-#include "scene/mechanism_spec.hpp"
 
 #include <memory>
 #include <span>
@@ -20,8 +20,12 @@ namespace camopt {
 /// Heights at which g is kept; g is smooth over a roller (its extremes have always been found at its ends).
 inline constexpr int mechanism_heights = 3;
 
-/// The formulas of a spec of type "barrel" or "cylindrical". Throws InputError for another.
-[[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const MechanismSpec& spec);
+/// What CamSpec::make is of the type "barrel" or "cylindrical". Throws InputError for another.
+[[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec);
+
+/// A scene's cam of this kind with every number at 0, complete: type "barrel" or "cylindrical", the latter with
+/// the choice "follower" = "rotating" or "translating".
+[[nodiscard]] CamSpec spatial_spec(SpatialFollower follower);
 
 /// The cam with these numbers, in the order of SpatialNumber.
 [[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,

@@ -29,8 +29,8 @@ const char* name_of_number(SpatialNumber value) {
     return names[static_cast<std::size_t>(value)];
 }
 
-MechanismSpec spatial_spec(SpatialFollower follower) {
-    MechanismSpec spec;
+CamSpec blank_spatial_spec(SpatialFollower follower) {
+    CamSpec spec;
     spec.type = follower == barrel ? barrel_type : cylindrical_type;
     if (follower != barrel)
         spec.choices["follower"] = follower == cylindrical_rotating ? "rotating" : "translating";
@@ -42,11 +42,11 @@ MechanismSpec spatial_spec(SpatialFollower follower) {
     return spec;
 }
 
-bool is_spatial(const MechanismSpec& spec) {
+bool is_spatial(const CamSpec& spec) {
     return spec.type == barrel_type || spec.type == cylindrical_type;
 }
 
-SpatialFollower spatial_follower(const MechanismSpec& spec) {
+SpatialFollower spatial_follower(const CamSpec& spec) {
     if (spec.type == barrel_type) return barrel;
     const auto choice = spec.choices.find("follower");
     if (spec.type == cylindrical_type && choice != spec.choices.end()) {

@@ -3,7 +3,8 @@
 // (profiles/spatial).
 #pragma once
 
-#include "scene/mechanism_spec.hpp"
+#include "scene/cam_spec.hpp"
+
 
 namespace camopt {
 
@@ -32,12 +33,13 @@ enum class SpatialNumber {
 inline constexpr int spatial_number_count = 7;
 [[nodiscard]] const char* name_of_number(SpatialNumber value);  ///< "roller_radius", …
 
-/// A mechanism of this kind with every number at 0; type "barrel" or "cylindrical", the latter with the
+/// A cam of this kind with every number at 0 and without formulas (spatial_spec of spatial_mechanism.hpp adds
+/// them); type "barrel" or "cylindrical", the latter with the
 /// choice "follower" = "rotating" or "translating".
-[[nodiscard]] MechanismSpec spatial_spec(SpatialFollower follower);
+[[nodiscard]] CamSpec blank_spatial_spec(SpatialFollower follower);
 /// Whether it is such a mechanism.
-[[nodiscard]] bool is_spatial(const MechanismSpec& spec);
+[[nodiscard]] bool is_spatial(const CamSpec& spec);
 /// Back again; throws InputError for a spec of another type.
-[[nodiscard]] SpatialFollower spatial_follower(const MechanismSpec& spec);
+[[nodiscard]] SpatialFollower spatial_follower(const CamSpec& spec);
 
 }  // namespace camopt

@@ -1,63 +1,74 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene, what its follower carries, and the limits that need them.
-#include "core/numbers/range.hpp"
+// The cam of a scene, what its follower carries, and the limits that a cam of this kind cannot have.
+#include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace camopt {
 namespace {
 
-Fault dimension_fault(const CamSpec& cam, DimensionIndex index) {
-    const Dimension& dimension = cam[index];
-    const std::string member = fmt::format("cam.{}", name_of(index));
-    if (!has_dimension(cam.follower, index)) {
-        if (dimension.low == 0.0 && dimension.high == 0.0) return std::nullopt;
-        return SceneFault{
-            member, fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
-            "only with " + followers_with(index)};
-    }
-    const Range range = is_offset(index) ? ranges::any : ranges::positive;
-    for (const double value : {dimension.low, dimension.high})
-        if (!range.contains(value)) return SceneFault{member, fmt::format("{}", value), range.number_text()};
-    if (dimension.high < dimension.low)
-        return SceneFault{member, fmt::format("a range from {} to {}", dimension.low, dimension.high),
+Fault dimension_fault(const CamDimension& dimension) {
+    const Dimension& value = dimension.value;
+    const std::string member = value.key.empty() ? "mechanism." + dimension.name : value.key;
+    for (const double number : {value.low, value.high})
+        if (!std::isfinite(number)) return SceneFault{member, fmt::format("{}", number), "a finite number"};
+    if (value.high < value.low)
+        return SceneFault{member, fmt::format("a range from {} to {}", value.low, value.high),
                           "a range that ascends"};
     return std::nullopt;
 }
 
-Fault face_fault(const CamSpec& cam) {
-    if (!cam.face_half_width) return std::nullopt;
-    if (!follower_of(cam.follower).has_face_width)
-        return SceneFault{
-            "cam.face_half_width",
-            fmt::format("a dimension that the follower \"{}\" does not have", name_of(cam.follower)),
-            "only with " + followers_with_face_width()};
-    const Range& range = ranges::positive;
-    if (!range.contains(*cam.face_half_width))
-        return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width),
-                          range.number_text()};
+/// Limits that only a cam which touches the output itself can have, or a plane one.
+Fault foreign_limit(const Scene& scene, const CamMechanism& cam) {
+    for (const LimitRow& row : limit_rows())
+        if (row.in(scene.limits) && ((!cam.is_direct() && row.cams == LimitRow::Cams::disk) ||
+                                     (!cam.planar() && row.cams == LimitRow::Cams::planar)))
+            return SceneFault{fmt::format("limits.{}", row.name),
+                              "a limit for a cam that is not of type \"disk\"",
+                              "only with cam.type = \"disk\""};
     return std::nullopt;
+}
+
+/// Displacements given by the scene, SI.
+std::pair<double, double> displacements(const MotionSpec& motion) {
+    if (motion.type != MotionType::program) return {0.0, motion.lift};
+    double least = 0.0, most = 0.0;
+    for (const ProgramSegment& segment : motion.segments) {
+        least = std::min(least, segment.to.value_or(0.0));
+        most = std::max(most, segment.to.value_or(0.0));
+    }
+    return {motion.lift * least, motion.lift * most};
 }
 
 }  // namespace
 
+std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const MotionSpec& motion) const {
+    for (const CamDimension& dimension : spec.dimensions)
+        if (Fault fault = dimension_fault(dimension)) return fault;
+    if (swings() != motion.lift_is_angle)
+        return SceneFault{"motion.lift", motion.lift_is_angle ? "an angle" : "a length",
+                          fmt::format("{} for this mechanism, whose output {}",
+                                      swings() ? "an angle" : "a length", swings() ? "swings" : "slides")};
+    const auto [least, most] = displacements(motion);
+    if (std::string found = fault(spec.middle(), least, most); !found.empty())
+        return SceneFault{"cam", found,
+                          "a mechanism that reaches (ranges: with every dimension in its middle)"};
+    return std::nullopt;
+}
+
 Fault cam_fault(const Scene& scene) {
     if (!scene.cam) return std::nullopt;
-    const CamSpec& cam = *scene.cam;
-    if (is_oscillating(cam.follower) != scene.motion.lift_is_angle)
-        return SceneFault{"cam.follower",
-                          fmt::format("\"{}\" where the lift is {}", name_of(cam.follower),
-                                      scene.motion.lift_is_angle ? "an angle" : "a length"),
-                          scene.motion.lift_is_angle ? "an oscillating follower, or a lift in mm, in or m"
-                                                     : "a translating follower, or a lift in deg or rad"};
-    for (int i = 0; i < dimension_count; ++i)
-        if (Fault fault = dimension_fault(cam, static_cast<DimensionIndex>(i))) return fault;
-    if (Fault fault = face_fault(cam)) return fault;
-    if (Fault fault = cam_geometry_fault(cam)) return fault;
-    return cam_form_fault(scene);
+    const auto formulas = scene.cam->formulas();
+    if (scene.forces && !formulas->is_direct())
+        return SceneFault{"forces", "forces with a cam that is not of type \"disk\"",
+                          "only with cam.type = \"disk\""};
+    if (Fault fault = foreign_limit(scene, *formulas)) return fault;
+    return formulas->find_fault(*scene.cam, scene.motion);
 }
 
 Fault force_fault(const Scene& scene) {

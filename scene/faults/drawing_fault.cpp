@@ -49,7 +49,7 @@ Fault keyway_fault(const DrawingSpec& drawing) {
 
 Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam) {
     if (!drawing.groove_depth) return std::nullopt;
-    if (!cam.form.is_grooved())
+    if (cam.find("groove_clearance") == nullptr)
         return SceneFault{"drawing.groove_depth", "a depth without a groove",
                           "only with cam.form = \"grooved\""};
     if (drawing.thickness && !(*drawing.groove_depth < *drawing.thickness))
@@ -62,20 +62,21 @@ Fault groove_depth_fault(const DrawingSpec& drawing, const CamSpec& cam) {
 
 Fault drawing_fault(const Scene& scene) {
     if (!scene.drawing) return std::nullopt;
-    if (!scene.cam)
+    const Dimension* const base = scene.cam ? scene.cam->find(DimensionIndex::base_radius) : nullptr;
+    if (base == nullptr)
         return SceneFault{"drawing", "a drawing without a disk cam", "only with cam.type = \"disk\""};
     const DrawingSpec& drawing = *scene.drawing;
     if (Fault fault = drawing_number_fault(drawing)) return fault;
     if (Fault fault = keyway_fault(drawing)) return fault;
     if (Fault fault = groove_depth_fault(drawing, *scene.cam)) return fault;
     // The base circle is the cam's at displacement 0, where every motion begins.
-    const double largest = (*scene.cam)[DimensionIndex::base_radius].high;
+    const double largest = base->high;
     if (drawing.reach() < largest) return std::nullopt;
     return SceneFault{drawing.keyway ? "drawing.keyway" : "drawing.bore",
                       fmt::format("{} that {} {} from the centre", drawing.keyway ? "a keyway" : "a bore",
                                   drawing.keyway ? "reaches" : "lies", drawn_mm(drawing.reach())),
                       fmt::format("less than {}, the {}radius of the base circle", drawn_mm(largest),
-                                  (*scene.cam)[DimensionIndex::base_radius].is_variable() ? "largest " : "")};
+                                  base->is_variable() ? "largest " : "")};
 }
 
 }  // namespace camopt

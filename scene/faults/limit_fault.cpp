@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Limits that need a speed, a cam or forces, and those that a follower cannot have.
+#include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
 
@@ -24,7 +25,7 @@ Fault missing_table_fault(const Scene& scene) {
         if (!row.in(scene.limits)) continue;
         const std::string member = fmt::format("limits.{}", row.name);
         if (row.needs_dynamics) continue;  // dynamics_fault.cpp
-        if (!scene.cam && !scene.mechanism)
+        if (!scene.cam)
             return SceneFault{member, "a limit of a cam without a cam", "only together with a [cam] table"};
         if (row.needs_forces && !scene.forces)
             return SceneFault{member, "a limit of a force without forces",
@@ -35,19 +36,19 @@ Fault missing_table_fault(const Scene& scene) {
 
 /// The cam is there.
 Fault follower_fault(const Scene& scene) {
-    const ContactKind contact = follower_of(scene.cam->follower).contact;
+    const CamSpec& cam = *scene.cam;
+    const auto formulas = cam.formulas();
+    const ContactKind contact = formulas->contact();
     for (const LimitRow& row : limit_rows()) {
         if (!row.in(scene.limits)) continue;
         const std::string member = fmt::format("limits.{}", row.name);
         if (row.refusal.contact == contact)
             return SceneFault{
-                member,
-                fmt::format("{} for the follower \"{}\"", row.refusal.found, name_of(scene.cam->follower)),
+                member, fmt::format("{} for the follower \"{}\"", row.refusal.found, cam.choice("follower")),
                 row.refusal.allowed};
-        if (row.figure == LimitedFigure::contact_force && scene.cam->form.drives_both_ways())
+        if (row.figure == LimitedFigure::contact_force && formulas->stations() > 1)
             return SceneFault{
-                member,
-                fmt::format("a least contact force for a cam of form \"{}\"", name_of(scene.cam->form.type)),
+                member, fmt::format("a least contact force for a cam of form \"{}\"", cam.choice("form")),
                 "only with cam.form = \"open\": this cam drives both ways"};
         if (row.needs_contact_width && !scene.forces->contact_width)
             return SceneFault{member, "a pressure without a contact width",

@@ -84,12 +84,11 @@ Fault spline_fault(const SplineSpec& spline) {
     return std::nullopt;
 }
 
-/// The dimension of this name that the scene's mechanism has; none where it has no such one.
-const MechanismDimension* dimension_of_mechanism(const Scene& scene, std::string_view name) {
-    if (!scene.mechanism) return nullptr;
-    for (const MechanismDimension& dimension : scene.mechanism->dimensions)
-        if (dimension.name == name) return &dimension;
-    return nullptr;
+std::string missing_dimension(const CamSpec& cam, double weight) {
+    const std::string follower = cam.choice("follower");
+    return fmt::format("{} for a dimension that {} does not have", weight,
+                       follower.empty() ? fmt::format("a cam of type \"{}\"", cam.type)
+                                        : fmt::format("the follower \"{}\"", follower));
 }
 
 /// The weights of the cam's dimensions; `found`: one of them counts.
@@ -99,19 +98,12 @@ Fault dimension_weight_fault(const Scene& scene, bool& found) {
         const double weight = scene.objective.dimensions[static_cast<std::size_t>(i)];
         if (weight == 0.0) continue;
         const std::string member = fmt::format("objective.{}", name_of(index));
-        if (const MechanismDimension* const own = dimension_of_mechanism(scene, name_of(index))) {
-            if (own->value.is_variable()) found = true;
-            continue;
-        }
         if (!scene.cam)
             return SceneFault{member, fmt::format("{} without a cam", weight),
                               "0, or a [cam] table with this dimension"};
-        if (!has_dimension(scene.cam->follower, index))
-            return SceneFault{member,
-                              fmt::format("{} for a dimension that the follower \"{}\" does not have", weight,
-                                          name_of(scene.cam->follower)),
-                              "0"};
-        if ((*scene.cam)[index].is_variable()) found = true;
+        const Dimension* const own = scene.cam->find(index);
+        if (own == nullptr) return SceneFault{member, missing_dimension(*scene.cam, weight), "0"};
+        if (own->is_variable()) found = true;
     }
     return std::nullopt;
 }
@@ -147,7 +139,6 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (Fault fault = free_knot_fault(scene)) return fault;
     if (Fault fault = measured_fault(scene)) return fault;
     if (Fault fault = cam_fault(scene)) return fault;
-    if (Fault fault = mechanism_fault(scene)) return fault;
     if (Fault fault = objective_fault(scene)) return fault;
     if (Fault fault = force_fault(scene)) return fault;
     if (Fault fault = own_rules_fault(scene)) return fault;

@@ -18,10 +18,7 @@ inline constexpr double same_place = 1e-12;
 [[nodiscard]] Fault program_fault(const MotionSpec& motion);    ///< segments; type program only
 [[nodiscard]] Fault set_point_fault(const MotionSpec& motion);  ///< points and regions, wherever they stand
 [[nodiscard]] Fault measured_fault(const Scene& scene);         ///< rows, order, lift of a measured motion
-[[nodiscard]] Fault cam_fault(const Scene& scene);              ///< dimensions of the follower, geometry
-[[nodiscard]] Fault cam_form_fault(const Scene& scene);         ///< a groove, a second disk; has a cam
-[[nodiscard]] Fault cam_geometry_fault(const CamSpec& cam);     ///< some cam within the ranges can be built
-[[nodiscard]] Fault mechanism_fault(const Scene& scene);        ///< the same of any other kind of cam
+[[nodiscard]] Fault cam_fault(const Scene& scene);              ///< its dimensions, what fits its kind
 [[nodiscard]] Fault force_fault(const Scene& scene);
 [[nodiscard]] Fault drawing_fault(const Scene& scene);   ///< bore and keyway in the cam
 [[nodiscard]] Fault dynamics_fault(const Scene& scene);  ///< the elastic train, and what asks for one

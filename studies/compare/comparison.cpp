@@ -9,7 +9,6 @@
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
@@ -167,9 +166,9 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
     Bench bench{scene, std::move(model), std::move(strokes)};
-    if (const std::optional<MechanismSpec> cam = cam_of(scene)) {
+    if (const std::optional<CamSpec>& cam = scene.cam) {
         bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
-        bench.disk = disk_cam({cam->formulas, *bench.dimensions});
+        bench.disk = disk_cam({cam->formulas(), *bench.dimensions});
     }
     bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
     bench.limits_train = scene.dynamics && std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {

@@ -166,7 +166,7 @@ struct ForwardCheckReport {
 
 /// A cam that was made, of any kind: its formulas and numbers, its figures.
 struct CamReport {
-    DrivenMechanism cam;  ///< a disk cam as disk_cam() of profiles/disk/disk_mechanism.hpp gives it back
+    DrivenMechanism cam;  ///< in the order of Scene::cam
     CamSummary summary;
     std::vector<EnclosedLimit> limits_along;          ///< of every rule that keeps a limit of the scene
     std::optional<SmallestCamReport> smallest;        ///< of a disk cam, where it is known
@@ -240,5 +240,8 @@ struct Solution {
     /// rests where it ends. Throws InputError where there is no motion.
     [[nodiscard]] MotionChain whole_turn() const;
 };
+
+/// Of the delivered cam, m or rad; none: there is no cam, or it has no such dimension.
+[[nodiscard]] std::optional<double> delivered_dimension(const Solution& solution, DimensionIndex which);
 
 }  // namespace camopt

@@ -5,7 +5,6 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 
@@ -55,7 +54,7 @@ ResponseReport response_report_of(const Scene& scene, ResponseKind kind, const M
 
 double weighted_dimensions(const Solution& solution) {
     if (!solution.cam) return 0.0;
-    const MechanismSpec spec = cam_of(solution.scene).value();
+    const CamSpec& spec = solution.scene.cam.value();
     const std::vector<double>& delivered = solution.cam->cam.dimensions;
     double sum = 0.0;
     for (std::size_t d = 0; d < delivered.size(); ++d)
@@ -64,6 +63,14 @@ double weighted_dimensions(const Solution& solution) {
 }
 
 }  // namespace
+
+std::optional<double> delivered_dimension(const Solution& solution, DimensionIndex which) {
+    if (!solution.cam) return {};
+    const std::vector<CamDimension>& all = solution.scene.cam.value().dimensions;
+    const auto found = std::ranges::find(all, name_of(which), &CamDimension::name);
+    if (found == all.end()) return {};
+    return solution.cam->cam.dimensions[static_cast<std::size_t>(found - all.begin())];
+}
 
 const char* set_point_name(int order) {
     constexpr std::array<const char*, 3> names = {"via_displacement", "via_velocity", "via_acceleration"};

@@ -5,7 +5,6 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
 #include "studies/compare/law_motion.hpp"
@@ -124,7 +123,7 @@ void report_peak_limits(Solution& solution) {
 }
 
 void report_cam(Solution& solution, std::vector<double> dimensions) {
-    if (!has_cam(solution.scene)) return;
+    if (!solution.scene.cam.has_value()) return;
     solution.cam = cam_report(solution.scene, std::move(dimensions), *solution.motion);
     solution.cam->limits_along = enclosed_limits(solution.scene, solution.cam->cam, *solution.motion);
     for (ConstraintReport& limit : cam_constraints(solution.scene, *solution.cam)) {

@@ -17,7 +17,7 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 /// DRD or RR scene one spline, of a program one part a segment.
 struct Delivered {
     std::shared_ptr<const MotionChain> motion;
-    std::vector<double> dimensions;  ///< of the scene's cam, in the order of cam_of(scene)
+    std::vector<double> dimensions;  ///< of the scene's cam, in the order of scene.cam
 };
 
 /// Fills motion, curve, segments, peaks, cam and constraints of a solution that has its scene.

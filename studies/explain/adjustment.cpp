@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "objectives/rules/cam_limits.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 
@@ -67,57 +68,64 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
     }
 }
 
-void add_dimension(std::vector<Adjustment>& all, const Scene& scene, DimensionIndex which) {
-    const Dimension& dimension = (*scene.cam)[which];
-    const std::string key =
-        dimension.key.empty() ? std::string("cam.") + name_of(which) + "_mm" : dimension.key;
-    const double unit = dimension.unit;
-    const double size =
-        std::max(std::abs(dimension.high), first_change * (*scene.cam)[DimensionIndex::base_radius].high);
-    const bool has_sign = which == DimensionIndex::offset || which == DimensionIndex::face_offset;
-    // A larger base circle always helps a translating follower; the rest may have to move either way.
-    const bool grows_only = which == DimensionIndex::base_radius && !is_oscillating(scene.cam->follower) &&
-                            !scene.cam->form.is_conjugate();
-    const double largest = farthest_change * size / unit, least = has_sign ? -largest : 0.0;
+/// What a dimension is measured by.
+double size_of(const CamSpec& cam, const CamDimension& dimension) {
+    constexpr double least_angle = 0.5, least_length = 0.05;  // of a coordinate or an angle that happens to be 0
+    const double own = std::abs(dimension.value.high);
+    if (const Dimension* const base = cam.find(DimensionIndex::base_radius))
+        return std::max(own, first_change * base->high);
+    return std::max(own, dimension.is_angle ? least_angle : least_length);
+}
+
+/// A larger base circle always helps a follower that is pushed straight; the rest may have to move either way.
+bool only_grows(const CamMechanism& formulas, const CamDimension& dimension) {
+    return dimension.name == name_of(DimensionIndex::base_radius) && !formulas.swings() &&
+           !formulas.binds(MechanismQuantity::pressure_numerator, 1);
+}
+
+/// Arms and radii of a cam with a base circle are positive; what else may be negative is for the formulas to say.
+bool has_sign(const CamSpec& cam, const CamDimension& dimension) {
+    if (cam.find(DimensionIndex::base_radius) == nullptr) return true;
+    return dimension.name == name_of(DimensionIndex::offset) || dimension.name == name_of(DimensionIndex::face_offset);
+}
+
+void add_dimension(std::vector<Adjustment>& all, const CamSpec& cam, std::size_t index, bool grows_only) {
+    const CamDimension& dimension = cam.dimensions[index];
+    const Dimension& value = dimension.value;
+    const double unit = value.unit, size = size_of(cam, dimension);
+    const double largest = farthest_change * size / unit, least = has_sign(cam, dimension) ? -largest : 0.0;
     const auto add = [&](const std::string& name, double number, const Range& range, bool upper) {
         all.push_back(number_adjustment(name, number, size / unit, range,
-                                        [which, unit, upper](Scene& changed, double value) {
-                                            Dimension& own = (*changed.cam)[which];
+                                        [index, unit, upper](Scene& changed, double to) {
+                                            Dimension& own = changed.cam->dimensions[index].value;
                                             const bool one = !own.is_variable();
-                                            if (upper || one) own.high = value * unit;
-                                            if (!upper || one) own.low = value * unit;
+                                            if (upper || one) own.high = to * unit;
+                                            if (!upper || one) own.low = to * unit;
                                         }));
-        if (which == DimensionIndex::base_radius) all.back().usefulness = Usefulness::base_radius;
+        if (dimension.name == name_of(DimensionIndex::base_radius))
+            all.back().usefulness = Usefulness::base_radius;
     };
-    const double from = as_written(dimension.low / unit), to = as_written(dimension.high / unit);
-    if (!dimension.is_variable())
-        return add(key, from, Range::between(grows_only ? from : least, largest), true);
-    add(key + ".max", to, Range::between(to, largest), true);
-    if (!grows_only) add(key + ".min", from, Range::between(least, from), false);
+    const double from = as_written(value.low / unit), to = as_written(value.high / unit);
+    if (!value.is_variable())
+        return add(value.key, from, Range::between(grows_only ? from : least, largest), true);
+    add(value.key + ".max", to, Range::between(to, largest), true);
+    if (!grows_only) add(value.key + ".min", from, Range::between(least, from), false);
 }
 
-/// Of a coordinate or an angle that happens to be 0.
-double least_mechanism_size(const Scene& scene, std::size_t index) {
-    constexpr double least_angle = 0.5, least_length = 0.05;
-    return scene.mechanism->dimensions[index].is_angle ? least_angle : least_length;
+/// Of a cam with a base circle not the numbers of its form, of a linkage not what is free already.
+bool is_looked_at(const CamSpec& cam, const CamDimension& dimension) {
+    if (dimension.value.key.empty()) return false;
+    if (cam.find(DimensionIndex::base_radius) == nullptr) return !dimension.value.is_variable();
+    for (int d = 0; d < dimension_count; ++d)
+        if (dimension.name == name_of(static_cast<DimensionIndex>(d))) return true;
+    return false;
 }
 
-/// Each may have to move either way; a change is judged by the mechanism's reach too.
-void add_mechanism_dimensions(std::vector<Adjustment>& all, const Scene& scene) {
-    if (!scene.mechanism) return;
-    for (std::size_t i = 0; i < scene.mechanism->dimensions.size(); ++i) {
-        const Dimension& dimension = scene.mechanism->dimensions[i].value;
-        if (dimension.key.empty() || dimension.is_variable()) continue;
-        const double size = std::max(std::abs(dimension.high), least_mechanism_size(scene, i));
-        const double farthest_value = farthest_change * size / dimension.unit;
-        all.push_back(number_adjustment(dimension.key, as_written(dimension.low / dimension.unit),
-                                        size / dimension.unit,
-                                        Range::between(-farthest_value, farthest_value),
-                                        [i, unit = dimension.unit](Scene& changed, double value) {
-                                            Dimension& own = changed.mechanism->dimensions[i].value;
-                                            own.low = own.high = value * unit;
-                                        }));
-    }
+void add_dimensions(std::vector<Adjustment>& all, const CamSpec& cam) {
+    const auto formulas = cam.formulas();
+    for (std::size_t i = 0; i < cam.dimensions.size(); ++i)
+        if (is_looked_at(cam, cam.dimensions[i]))
+            add_dimension(all, cam, i, only_grows(*formulas, cam.dimensions[i]));
 }
 
 void add_face(std::vector<Adjustment>& all, const Scene& scene) {
@@ -235,13 +243,9 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     std::vector<Adjustment> all = motion_adjustments(scene);
     add_limits(all, scene);
     add_own_limits(all, scene);
-    add_mechanism_dimensions(all, scene);
     for (Adjustment& one : operating_adjustments(scene)) all.push_back(std::move(one));
     if (!scene.cam) return all;
-    for (int d = 0; d < dimension_count; ++d) {
-        const auto which = static_cast<DimensionIndex>(d);
-        if (has_dimension(scene.cam->follower, which)) add_dimension(all, scene, which);
-    }
+    add_dimensions(all, *scene.cam);
     add_face(all, scene);
     return all;
 }

@@ -2,7 +2,6 @@
 #include "studies/explain/relaxation.hpp"
 
 #include "objectives/scene_model.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
@@ -240,7 +239,7 @@ class Explainer {
             const std::optional<PeakLimit>& limit = one.in(scene_.limits);
             return limit && limit->in_time();
         });
-        const bool in_space = has_cam(scene_) || in_time;
+        const bool in_space = scene_.cam.has_value() || in_time;
         for (Adjustment& one : adjustments(scene_))  // a motion in lifts has no dimensions that could help
             if (in_space || one.limit) all.push_back(std::move(one));
         const std::vector<ConflictReport>& conflict = solution_.conflict;

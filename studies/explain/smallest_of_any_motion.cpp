@@ -82,7 +82,7 @@ std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const Dis
 }
 
 /// The largest cam within the ranges; none where the offset is free: its best value is another question.
-std::optional<DiskCam> largest_cam(const CamSpec& spec) {
+std::optional<DiskCam> largest_cam(const DiskSpec& spec) {
     if (!is_pushed_point(middle_cam(spec)) || spec[offset].is_variable()) return {};
     DiskCam cam = middle_cam(spec);
     for (const DimensionIndex which : {base_radius, roller_radius})
@@ -128,7 +128,8 @@ std::vector<std::string> kept_by_no_motion(const Scene& scene) {
     std::vector<std::string> keys;
     if (scene.motion.type != MotionType::program) add_caps(keys, scene);
     if (!scene.cam) return keys;
-    const std::optional<DiskCam> cam = largest_cam(*scene.cam);
+    const std::optional<DiskCam> cam =
+        scene.cam->type == disk_type ? largest_cam(disk_of(*scene.cam)) : std::nullopt;
     if (!cam) return keys;
     for (const SmallestCamReport& one : smallest_of_strokes(scene, *cam)) {
         const bool possible = one.given >= one.prime_radius * (1.0 - clearly_below);

@@ -138,7 +138,6 @@ Scene space_of(const Scene& scene) {
     plain.motion.symmetric = false;
     plain.spline.end_jerk = EndJerk::free;
     plain.cam.reset();
-    plain.mechanism.reset();
     plain.forces.reset();
     plain.limits = {};
     plain.own_terms.clear();

@@ -40,10 +40,10 @@ Scene barrel_scene(const Example& example, double limit_deg, bool smallest) {
     scene.spline.continuity = 3;
     scene.objective.velocity = scene.objective.acceleration = 0.4;
     scene.objective.jerk = 0.2;
-    scene.mechanism = spatial_spec(SpatialFollower::barrel);
+    scene.cam = spatial_spec(SpatialFollower::barrel);
     const SpatialCam& cam = example.cam;
     const auto set = [&](SpatialNumber number, const Dimension& value) {
-        scene.mechanism->dimensions[static_cast<std::size_t>(number)].value = value;
+        scene.cam->dimensions[static_cast<std::size_t>(number)].value = value;
     };
     for (int i = 0; i < spatial_dimension_count; ++i)
         set(static_cast<SpatialNumber>(i), cam[static_cast<SpatialDimension>(i)]);
@@ -54,7 +54,6 @@ Scene barrel_scene(const Example& example, double limit_deg, bool smallest) {
         scene.objective.dimensions[static_cast<std::size_t>(DimensionIndex::center_distance)] =
             distance_weight;
     }
-    scene.mechanism->formulas = spatial_mechanism(*scene.mechanism);
     scene.limits.pressure_angle =
         WrittenLimit{limit_deg * degree, "limits.pressure_angle_deg", degree, "deg"};
     scene.limits.undercut_margin = WrittenLimit{undercut_margin, "limits.undercut_margin", 1.0, ""};

@@ -41,7 +41,7 @@ constexpr std::array cams = {
 };
 
 DrivenMechanism mechanism_of(bool farther, PressurePoint where = PressurePoint::roller_center) {
-    const MechanismSpec spec = tappet_spec(farther, where);
+    const CamSpec spec = tappet_spec(farther, where);
     return {std::make_shared<RemoteCam>(spec), spec.middle()};
 }
 

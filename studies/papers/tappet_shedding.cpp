@@ -26,8 +26,8 @@ ProgramSegment stroke(double angle_deg, double to) {
 
 }  // namespace
 
-MechanismSpec tappet_spec(bool farther, PressurePoint where) {
-    MechanismSpec spec = remote_spec(RemoteLinkage::lever_coupler_lever_coupler_slider);
+CamSpec tappet_spec(bool farther, PressurePoint where) {
+    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_lever_coupler_slider);
     spec.choices["lever_branch"] = "right";
     spec.choices["pressure_angle_at"] = name_of(where);
     const std::initializer_list<std::pair<RemoteDimension, double>> numbers = {
@@ -39,7 +39,7 @@ MechanismSpec tappet_spec(bool farther, PressurePoint where) {
         {slider_x, 10},           {slider_y, 560},       {slider_angle, 90},
     };
     for (const auto& [which, number] : numbers) {
-        MechanismDimension& own = spec.dimensions[static_cast<std::size_t>(which)];
+        CamDimension& own = spec.dimensions[static_cast<std::size_t>(which)];
         own.value.low = own.value.high = number * own.value.unit;
         own.value.key = std::string(table_of(which)) + "." + own.name + (own.is_angle ? "_deg" : "_mm");
     }
@@ -75,8 +75,7 @@ Scene tappet_scene(double dwell_deg, double limit_deg) {
     scene.objective.acceleration = 0.5;
     scene.objective.jerk = 0.3;
     scene.objective.reference.law = "modified_trapezoid";
-    scene.mechanism = tappet_spec(false);
-    scene.mechanism->formulas = std::make_shared<RemoteCam>(*scene.mechanism);
+    scene.cam = tappet_spec(false);
     scene.limits.pressure_angle =
         WrittenLimit{limit_deg * degree, "limits.pressure_angle_deg", degree, "deg"};
     scene.limits.cam_radius_min =

@@ -14,7 +14,7 @@
 namespace camopt {
 
 /// farther: the cam's axis 10 mm lower, our reading of the paper's cams whose name ends in 2.
-[[nodiscard]] MechanismSpec tappet_spec(bool farther, PressurePoint where = PressurePoint::roller_center);
+[[nodiscard]] CamSpec tappet_spec(bool farther, PressurePoint where = PressurePoint::roller_center);
 
 /// Of the motions below: x in deg of the cam angle, lift 80 mm.
 [[nodiscard]] MotionScale tappet_scale();

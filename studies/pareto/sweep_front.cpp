@@ -3,7 +3,6 @@
 
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -149,7 +148,8 @@ std::vector<FrontGoal> goals_of(const Scene& scene) {
         if (term.traded) goals.emplace_back(term.figure);
     for (int d = 0; scene.cam && d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);
-        if (is_goal((*scene.cam)[which])) goals.emplace_back(which);
+        const Dimension* const own = scene.cam->find(which);
+        if (own != nullptr && is_goal(*own)) goals.emplace_back(which);
     }
     return goals;
 }
@@ -207,7 +207,7 @@ std::optional<double> limit_on(const Scene& scene, const FrontGoal& goal) {
         const std::optional<PeakLimit>& own = peak_limit(scene, *figure);
         return own && can_be_capped(scene, goal) ? std::optional(own->normalised) : std::nullopt;
     }
-    return (*scene.cam)[std::get<DimensionIndex>(goal)].high;
+    return scene.cam->find(std::get<DimensionIndex>(goal))->high;
 }
 
 void set_cap(Scene& scene, const FrontGoal& goal, double value) {
@@ -219,8 +219,9 @@ void set_cap(Scene& scene, const FrontGoal& goal, double value) {
         limit->given = value * unit;
         return;
     }
-    Dimension& dimension = (*scene.cam)[std::get<DimensionIndex>(goal)];
-    dimension.high = std::max(value, dimension.low);
+    const auto which = std::get<DimensionIndex>(goal);
+    const double low = scene.cam->find(which)->low;
+    scene.cam->set(which, {low, std::max(value, low)});
 }
 
 double weight_of(const Scene& scene, const FrontGoal& goal) {
@@ -244,7 +245,7 @@ void scale_weights(Scene& scene, double factor) {
 
 double value_of(const Solution& solution, const FrontGoal& goal) {
     const FrontFigure* const figure = figure_of(goal);
-    if (figure == nullptr) return disk_cam(solution.cam->cam).value()[std::get<DimensionIndex>(goal)];
+    if (figure == nullptr) return delivered_dimension(solution, std::get<DimensionIndex>(goal)).value();
     return cost_term(*figure).measured.of(solution.peaks);
 }
 

@@ -6,7 +6,6 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
 #include "studies/solve/limit_curve.hpp"
@@ -68,16 +67,16 @@ double dimension_of(const CamRecord& cam, const std::string& name, const Dimensi
     return found->second;
 }
 
-std::vector<double> dimensions_of(const MechanismSpec& spec, const CamRecord& record) {
+std::vector<double> dimensions_of(const CamSpec& spec, const CamRecord& record) {
     std::vector<double> numbers;
-    for (const MechanismDimension& dimension : spec.dimensions)
+    for (const CamDimension& dimension : spec.dimensions)
         numbers.push_back(
             dimension_of(record, dimension.name + (dimension.is_angle ? "_rad" : "_m"), dimension.value));
     return numbers;
 }
 
 Delivered delivered_of(const Scene& scene, const ResultRecord& record) {
-    const std::optional<MechanismSpec> cam = cam_of(scene);
+    const std::optional<CamSpec>& cam = scene.cam;
     if (cam.has_value() != record.cam.has_value())
         refuse(fmt::format("found {} cam; allowed: {}", record.cam ? "a" : "no", cam ? "one" : "none"));
     return {chain_of(scene, record), cam ? dimensions_of(*cam, *record.cam) : std::vector<double>{}};

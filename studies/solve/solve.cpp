@@ -5,7 +5,6 @@
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/written_limits.hpp"
 #include "solvers/certificate/forget_proof.hpp"
@@ -77,7 +76,7 @@ std::string general_solver() {
 
 bool is_general(const Scene& scene, SceneModels& models) {
     const bool own = !scene.own_terms.empty() || !scene.own_limits.empty();
-    return (has_cam(scene) || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
+    return (scene.cam.has_value() || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
 }
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.

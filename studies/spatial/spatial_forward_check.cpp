@@ -4,7 +4,6 @@
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "profiles/scene_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
 #include "studies/check/check_cam.hpp"
@@ -186,14 +185,14 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
 }
 
 bool has_spatial_cam(const Solution& solution) {
-    const std::optional<MechanismSpec> cam = cam_of(solution.scene);
+    const std::optional<CamSpec>& cam = solution.scene.cam;
     return cam && is_spatial(*cam);
 }
 
 SpatialCam solved_spatial_cam(const Solution& solution) {
     if (!has_spatial_cam(solution) || !solution.cam)
         throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
-    const MechanismSpec spec = cam_of(solution.scene).value();
+    const CamSpec& spec = solution.scene.cam.value();
     return spatial_cam(spatial_follower(spec), spec.rotation, solution.cam->cam.dimensions);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_run.hpp"
 
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve_sequence.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +30,11 @@ void set_train(SweepRow& row, const TrainReport& train) {
 }
 
 void set_dimensions(SweepRow& row, const Solution& solution) {
-    const std::optional<DiskCam> cam = disk_cam(solution.cam->cam);
     for (int i = 0; i < dimension_count; ++i) {
         const auto index = static_cast<DimensionIndex>(i);
-        if (cam && (*solution.scene.cam)[index].is_variable())
-            row.dimensions[static_cast<std::size_t>(i)] = finite((*cam)[index]);
+        const Dimension* const own = solution.scene.cam->find(index);
+        if (own != nullptr && own->is_variable())
+            row.dimensions[static_cast<std::size_t>(i)] = finite(delivered_dimension(solution, index).value());
     }
 }
 

@@ -31,11 +31,11 @@ std::string forces(FollowerType follower) {
 }
 
 std::function<double(const Scene&)> low(DimensionIndex index) {
-    return [index](const Scene& s) { return s.cam.value()[index].low; };
+    return [index](const Scene& s) { return s.cam.value().find(index)->low; };
 }
 
 std::function<double(const Scene&)> high(DimensionIndex index) {
-    return [index](const Scene& s) { return s.cam.value()[index].high; };
+    return [index](const Scene& s) { return s.cam.value().find(index)->high; };
 }
 
 std::function<double(const Scene&)> of_forces(double ForceSpec::*member) {
@@ -152,7 +152,7 @@ std::vector<KeyCase> cam_cases() {
         {"cam.base_radius_in", "{ max = 3.0, min = 2 }", 0.0508, low(base_radius),
          cam(roller, "base_radius")},
         {"cam.base_radius_in", "{ max = 3.0, min = 2 }", 0.0254,
-         [](const Scene& s) { return s.cam.value()[base_radius].unit; }, cam(roller, "base_radius")},
+         [](const Scene& s) { return s.cam.value().find(base_radius)->unit; }, cam(roller, "base_radius")},
         {"cam.base_radius_m", "0.05", 0.05, low(base_radius), cam(arm, "base_radius")},
         {"cam.roller_radius_mm", "8", 0.008, low(roller_radius), cam(roller, "roller_radius")},
         {"cam.roller_radius_in", "0.5", 0.0127, low(roller_radius), cam(arm, "roller_radius")},

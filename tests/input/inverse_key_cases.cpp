@@ -29,14 +29,14 @@ std::vector<KeyCase> inverse_cases() {
     using namespace inverse_key_cases;
     std::vector<KeyCase> all = {
         {"cam.type", "\"inverse\"", 1,
-         [](const Scene& s) { return s.mechanism.value().type == "inverse" ? 1.0 : 0.0; },
+         [](const Scene& s) { return s.cam.value().type == "inverse" ? 1.0 : 0.0; },
          inverse("cam.type")},
     };
     for (int i = 0; i < inverse_number_count; ++i) {
         const std::string name = name_of_number(static_cast<InverseNumber>(i));
         const std::string key = "cam." + name;
         const auto low = [i](const Scene& s) {
-            return s.mechanism.value().dimensions.at(static_cast<std::size_t>(i)).value.low;
+            return s.cam.value().dimensions.at(static_cast<std::size_t>(i)).value.low;
         };
         std::ranges::move(dimension_cases(key, is_angle(name), low, inverse(key)), std::back_inserter(all));
     }

@@ -27,13 +27,13 @@ std::string remote(RemoteLinkage linkage, const std::string& except = "") {
 
 std::function<double(const Scene&)> low(RemoteDimension which) {
     return [which](const Scene& s) {
-        return s.mechanism.value().dimensions.at(static_cast<std::size_t>(which)).value.low;
+        return s.cam.value().dimensions.at(static_cast<std::size_t>(which)).value.low;
     };
 }
 
 std::function<double(const Scene&)> chosen(const char* name, const char* value) {
     return
-        [name, value](const Scene& s) { return s.mechanism.value().choices.at(name) == value ? 1.0 : 0.0; };
+        [name, value](const Scene& s) { return s.cam.value().choices.at(name) == value ? 1.0 : 0.0; };
 }
 
 RemoteLinkage linkage_with(RemoteDimension which) {
@@ -47,7 +47,7 @@ std::vector<KeyCase> remote_cases() {
     using namespace remote_key_cases;
     const auto two_dyads = lever_coupler_lever_coupler_slider;
     std::vector<KeyCase> all = {
-        {"cam.type", "\"remote\"", 1, [](const Scene& s) { return s.mechanism && !s.cam ? 1.0 : 0.0; },
+        {"cam.type", "\"remote\"", 1, [](const Scene& s) { return s.cam && !s.cam ? 1.0 : 0.0; },
          remote(two_dyads, "cam.type")},
         {"linkage.type", "\"lever_coupler_slider\"", 1, chosen("linkage", "lever_coupler_slider"),
          remote(lever_coupler_slider, "linkage.type")},
@@ -56,10 +56,10 @@ std::vector<KeyCase> remote_cases() {
         {"cam.pressure_angle_at", "\"contact_point\"", 1, chosen("pressure_angle_at", "contact_point"),
          remote(two_dyads)},
         {"cam.rotation", "\"clockwise\"", 1,
-         [](const Scene& s) { return s.mechanism.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },
+         [](const Scene& s) { return s.cam.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },
          remote(two_dyads)},
         {"linkage.coupler_mm", "{ min = 20, max = 60 }", 0.06,
-         [](const Scene& s) { return s.mechanism.value().dimensions.at(std::size_t(coupler)).value.high; },
+         [](const Scene& s) { return s.cam.value().dimensions.at(std::size_t(coupler)).value.high; },
          remote(two_dyads, "linkage.coupler")},
     };
     for (int i = 0; i < remote_dimension_count; ++i) {

@@ -214,14 +214,14 @@ const std::string knife =
 
 TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
     const Scene scene = read(drd + jerk_only + knife + "cam.offset_in = { min = 0, max = 1 }\n");
-    const Dimension& offset = scene.cam.value()[DimensionIndex::offset];
+    const Dimension& offset = *scene.cam.value().find(DimensionIndex::offset);
     EXPECT_TRUE(offset.is_variable());
     EXPECT_EQ(offset.key, "cam.offset_in");
     EXPECT_EQ(offset.unit, 0.0254);
-    const Dimension& base = scene.cam.value()[DimensionIndex::base_radius];
+    const Dimension& base = *scene.cam.value().find(DimensionIndex::base_radius);
     EXPECT_FALSE(base.is_variable());
     EXPECT_EQ(base.key, "cam.base_radius_mm");
-    EXPECT_EQ(scene.cam.value()[DimensionIndex::roller_radius].high, 0.0);
+    EXPECT_EQ(scene.cam.value().find(DimensionIndex::roller_radius)->high, 0.0);
 }
 
 TEST(SceneReader, TheSceneRemembersTheUnitOfItsLengths) {
@@ -255,7 +255,7 @@ TEST(SceneReader, AbsentForcesAndDimensionsKeepTheirDefaults) {
     const Scene scene = read(drd + jerk_only + knife + "motion.speed_rpm = 60\n[forces]\n");
     EXPECT_EQ(scene.cam.value().rotation, Rotation::counterclockwise);
     EXPECT_FALSE(scene.cam->face_half_width);
-    EXPECT_EQ((*scene.cam)[DimensionIndex::offset].low, 0.0);
+    EXPECT_EQ(scene.cam->find(DimensionIndex::offset)->low, 0.0);
     EXPECT_EQ(scene.forces.value().mass, 0.0);
     EXPECT_EQ(scene.forces->cam_modulus, 210e9);
     EXPECT_FALSE(scene.forces->contact_width);
@@ -303,9 +303,9 @@ TEST(Overrides, SetCamsAndTheirLimits) {
     const Scene scene = read(drd + jerk_only + knife + "cam.offset_in = 1\n",
                              {"cam.base_radius_mm={min=20,max=60}", "cam.base_radius_mm.max=50",
                               "cam.offset_mm=-3", "cam.rotation=clockwise", "limits.pressure_angle_deg=30"});
-    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::base_radius].low, 0.02);
-    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::base_radius].high, 0.05);
-    EXPECT_DOUBLE_EQ(scene.cam.value()[DimensionIndex::offset].low, -0.003);
+    EXPECT_DOUBLE_EQ(scene.cam.value().find(DimensionIndex::base_radius)->low, 0.02);
+    EXPECT_DOUBLE_EQ(scene.cam.value().find(DimensionIndex::base_radius)->high, 0.05);
+    EXPECT_DOUBLE_EQ(scene.cam.value().find(DimensionIndex::offset)->low, -0.003);
     EXPECT_EQ(scene.cam.value().rotation, Rotation::clockwise);
     EXPECT_DOUBLE_EQ(scene.limits.pressure_angle.value().given(), 30.0);
 }

@@ -33,17 +33,17 @@ std::string spatial(SpatialFollower follower, const std::string& except = "") {
 
 std::function<double(const Scene&)> low(SpatialNumber which) {
     return [which](const Scene& s) {
-        return s.mechanism.value().dimensions.at(static_cast<std::size_t>(which)).value.low;
+        return s.cam.value().dimensions.at(static_cast<std::size_t>(which)).value.low;
     };
 }
 std::function<double(const Scene&)> high(SpatialNumber which) {
     return [which](const Scene& s) {
-        return s.mechanism.value().dimensions.at(static_cast<std::size_t>(which)).value.high;
+        return s.cam.value().dimensions.at(static_cast<std::size_t>(which)).value.high;
     };
 }
 std::function<double(const Scene&)> kind(SpatialFollower follower) {
     return [follower](const Scene& s) {
-        return s.mechanism && !s.cam && spatial_follower(*s.mechanism) == follower ? 1.0 : 0.0;
+        return s.cam && !s.cam && spatial_follower(*s.cam) == follower ? 1.0 : 0.0;
     };
 }
 
@@ -60,7 +60,7 @@ std::vector<KeyCase> spatial_cases() {
         {"cam.follower", "\"translating\"", 1, kind(cylindrical_translating),
          spatial(cylindrical_translating, "follower")},
         {"cam.rotation", "\"clockwise\"", 1,
-         [](const Scene& s) { return s.mechanism.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },
+         [](const Scene& s) { return s.cam.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },
          spatial(barrel)},
         {"cam.roller_radius_mm", "{ min = 5, max = 8 }", 0.008, high(roller_radius),
          spatial(barrel, "roller_radius")},

@@ -13,13 +13,15 @@
 
 #if defined(KIND_remote)
 #include "profiles/remote/remote_cam.hpp"
-#define FORMULAS(spec) std::make_shared<RemoteCam>(spec)
+#define FORMULAS remote_mechanism
 #elif defined(KIND_inverse)
 #include "profiles/inverse/inverse_mechanism.hpp"
-#define FORMULAS(spec) inverse_mechanism(spec)
+#define FORMULAS inverse_mechanism
 #elif defined(KIND_spatial)
 #include "profiles/spatial/spatial_mechanism.hpp"
-#define FORMULAS(spec) spatial_mechanism(spec)
+#define FORMULAS spatial_mechanism
+#else
+#define FORMULAS disk_formulas
 #endif
 
 namespace camopt {
@@ -28,24 +30,22 @@ namespace {
 
 Scene scene_of(const char* file) {
     const std::vector<std::string> small = {"spline.segments=12", "solver.starts=1"};
-    Scene scene = input::read_scene_file(file, known_names(), small);
-#ifdef FORMULAS
-    scene.mechanism.value().formulas = FORMULAS(*scene.mechanism);
-#endif
-    return scene;
+    input::KnownNames known = names_of_laws_and_solvers();
+    known.cam_formulas = FORMULAS;
+    return input::read_scene_file(file, known, small);
 }
 
 bool solved_by_its_own_formulas(const char* file) {
     const Solution solution = solve(scene_of(file));
     std::printf("%s, %ld points of a profile\n", name_of(solution.certificate.verdict),
                 solution.evaluations.profile_points);
-#ifdef FORMULAS
-    return solution.motion && solution.cam && !disk_cam(solution.cam->cam) &&
-           solution.evaluations.profile_points > 0;
+#ifdef KIND_disk
+    constexpr bool is_disk = true;
 #else
-    return solution.motion && solution.cam && disk_cam(solution.cam->cam) &&
-           solution.evaluations.profile_points > 0;
+    constexpr bool is_disk = false;
 #endif
+    return solution.motion && solution.cam && disk_cam(solution.cam->cam).has_value() == is_disk &&
+           solution.evaluations.profile_points > 0;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "output/json/result_json.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +77,6 @@ class SameResult : public testing::TestWithParam<Case> {
         Scene scene =
             input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + GetParam().scene + ".toml",
                                    known_names(), settings);
-        complete_mechanism(scene);
         return scene;
     }
     bool is_available() const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "profiles/disk/disk_mechanism.hpp"
 #include "sample_solution.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/scene_cam.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/solution_report.hpp"
 
@@ -52,7 +52,7 @@ DualityProof small_proof() {
 
 /// The cam of the scene's dimensions on the motion the solution has.
 void add_cam(Solution& solution) {
-    solution.cam = cam_report(solution.scene, cam_of(solution.scene)->middle(), *solution.motion);
+    solution.cam = cam_report(solution.scene, solution.scene.cam->middle(), *solution.motion);
     for (const ConstraintReport& row : cam_constraints(solution.scene, *solution.cam))
         solution.constraints.push_back(row);
 }
@@ -110,9 +110,9 @@ Solution cam_solution() {
     Solution solution = sample_solution();
     Scene& scene = solution.scene;
     scene.title = "Four segments on a cam";
-    scene.cam = CamSpec{};
-    (*scene.cam)[DimensionIndex::base_radius] = 30 * units::millimetre;
-    (*scene.cam)[DimensionIndex::roller_radius] = 10 * units::millimetre;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
+    scene.cam->set(DimensionIndex::roller_radius, 10 * units::millimetre);
     scene.limits.pressure_angle =
         WrittenLimit{30 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     scene.forces = ForceSpec{};
@@ -126,8 +126,8 @@ Solution cam_solution() {
 
 Solution undercut_solution() {
     Solution solution = cam_solution();
-    (*solution.scene.cam)[DimensionIndex::base_radius] = 5 * units::millimetre;
-    (*solution.scene.cam)[DimensionIndex::roller_radius] = 30 * units::millimetre;
+    solution.scene.cam->set(DimensionIndex::base_radius, 5 * units::millimetre);
+    solution.scene.cam->set(DimensionIndex::roller_radius, 30 * units::millimetre);
     solution.constraints.pop_back();
     add_cam(solution);
     return solution;

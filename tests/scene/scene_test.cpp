@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes written in C++: what validate() refuses, and with which words.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/scene.hpp"
 
 #include "core/errors.hpp"
@@ -115,13 +116,13 @@ Scene program_scene() {
 Scene cam_scene(FollowerType follower = FollowerType::translating_roller) {
     Scene scene = good_scene();
     scene.motion.lift_is_angle = is_oscillating(follower);
-    CamSpec cam;
+    DiskSpec cam;
     cam.follower = follower;
     for (const DimensionIndex index : {DimensionIndex::base_radius, DimensionIndex::roller_radius,
                                        DimensionIndex::center_distance, DimensionIndex::arm_length})
         if (has_dimension(follower, index)) cam[index] = 0.05;
     if (has_dimension(follower, DimensionIndex::arm_length)) cam[DimensionIndex::arm_length] = 0.07;
-    scene.cam = cam;
+    scene.cam = disk_spec(cam);
     return scene;
 }
 
@@ -176,21 +177,20 @@ TEST(Scene, WrongCamsAreNamed) {
          "cam.follower: found \"translating_roller\" where the lift is an angle; allowed: an oscillating "
          "follower, or "
          "a lift in mm, in or m"},
-        {[](Scene& s) { (*s.cam)[DimensionIndex::base_radius] = nan; },
+        {[](Scene& s) { s.cam->set(DimensionIndex::base_radius, nan); },
          "cam.base_radius: found nan; allowed: a number > 0"},
         {[](Scene& s) {
-             (*s.cam)[DimensionIndex::base_radius] = {0.06, 0.02};
+             s.cam->set(DimensionIndex::base_radius, {0.06, 0.02});
          },
          "cam.base_radius: found a range from 0.06 to 0.02; allowed: a range that ascends"},
-        {[](Scene& s) { (*s.cam)[DimensionIndex::arm_length] = 0.1; },
-         "cam.arm_length: found a dimension that the follower \"translating_roller\" does not have; allowed: "
-         "only "
-         "with \"oscillating_roller\""},
+        {[](Scene& s) { s.cam->set(DimensionIndex::arm_length, 0.1); },
+         "cam.arm_length: found a dimension that this cam of type \"disk\" does not have; allowed: "
+         "base_radius, roller_radius, offset"},
         {[](Scene& s) { s.cam->face_half_width = 0.1; },
          "cam.face_half_width: found a dimension that the follower \"translating_roller\" does not have; "
          "allowed: "
          "only with \"translating_flat\""},
-        {[](Scene& s) { (*s.cam)[DimensionIndex::offset] = -0.2; },
+        {[](Scene& s) { s.cam->set(DimensionIndex::offset, -0.2); },
          "cam.offset: found an offset of -200 mm; allowed: less than 100 mm to either side, the largest base "
          "radius + "
          "roller radius"},
@@ -235,14 +235,14 @@ TEST(Scene, ProgramsAndCamsInTheirRangesAreAllowed) {
         EXPECT_EQ(message_of(cam_scene(follower), nothing), "accepted") << name_of(follower);
     EXPECT_EQ(message_of(cam_scene(FollowerType::oscillating_flat),
                          [](Scene& s) {
-                             (*s.cam)[DimensionIndex::base_radius] = {0.04, 0.06};
+                             s.cam->set(DimensionIndex::base_radius, {0.04, 0.06});
                          }),
               "accepted");
     EXPECT_EQ(message_of(cam_scene(),
                          [](Scene& s) {
                              s.objective.jerk = 0;
                              s.objective.dimensions[0] = 1;
-                             (*s.cam)[DimensionIndex::base_radius] = {0.02, 0.06};
+                             s.cam->set(DimensionIndex::base_radius, {0.02, 0.06});
                          }),
               "accepted");
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/scene.hpp"
 
 namespace camopt::testing_support {
@@ -31,11 +32,9 @@ inline Scene pressure_angle_scene(double prime_radius_mm, int segments = 24) {
     scene.motion.rise = 60.0 * units::degree;
     scene.spline.segments = segments;
     paper_weights(scene);
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = (prime_radius_mm - 10.0) * 1e-3;
-    (*scene.cam)[DimensionIndex::base_radius].key = "cam.base_radius_mm";
-    (*scene.cam)[DimensionIndex::roller_radius] = 10e-3;
-    (*scene.cam)[DimensionIndex::roller_radius].key = "cam.roller_radius_mm";
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, (prime_radius_mm - 10.0) * 1e-3);
+    scene.cam->set(DimensionIndex::roller_radius, 10e-3);
     scene.limits.pressure_angle = degrees(30.0, "limits.pressure_angle_deg");
     return scene;
 }
@@ -48,9 +47,8 @@ inline Scene flat_scene(double base_mm, double radius_mm) {
     scene.motion.rise = 70.0 * units::degree;
     scene.spline.segments = 24;
     paper_weights(scene);
-    scene.cam.emplace();
-    scene.cam->follower = FollowerType::translating_flat;
-    (*scene.cam)[DimensionIndex::base_radius] = base_mm * 1e-3;
+    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
+    scene.cam->set(DimensionIndex::base_radius, base_mm * 1e-3);
     scene.limits.cam_radius_min = millimetres(radius_mm, "limits.cam_radius_min_mm");
     return scene;
 }

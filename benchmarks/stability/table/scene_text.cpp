@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/stability/table/scene_text.hpp"
 
+#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/written_limits.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +110,7 @@ void write_objective(Lines& lines, const ObjectiveSpec& objective) {
     lines.number("rms_jerk", reference.rms_jerk);
 }
 
-void write_cam(Lines& lines, const CamSpec& cam) {
+void write_cam(Lines& lines, const DiskSpec& cam) {
     lines.table("cam");
     lines.word("type", "disk");
     lines.word("follower", name_of(cam.follower));
@@ -153,9 +154,9 @@ bool has_other_parts(const Scene& scene) {
     bool ranges = false;
     for (const ProgramSegment& segment : scene.motion.segments)
         ranges = ranges || segment.angle_range.has_value();
-    return ranges || scene.mechanism || scene.dynamics || scene.measured || !scene.own_terms.empty() ||
+    return ranges || (scene.cam && scene.cam->type != disk_type) || scene.dynamics || scene.measured || !scene.own_terms.empty() ||
            !scene.own_limits.empty() || scene.spline.free_knots ||
-           (scene.cam && scene.cam->form.type != CamForm::open);
+           (scene.cam && scene.cam->formulas()->stations() > 1);
 }
 
 }  // namespace
@@ -167,8 +168,8 @@ std::optional<std::string> scene_text(const Scene& given) {
     write_motion(lines, scene.motion);
     write_spline(lines, scene.spline);
     write_objective(lines, scene.objective);
-    if (scene.cam) write_cam(lines, *scene.cam);
-    if (scene.cam && scene.forces) write_forces(lines, *scene.forces, is_oscillating(scene.cam->follower));
+    if (scene.cam) write_cam(lines, disk_of(*scene.cam));
+    if (scene.cam && scene.forces) write_forces(lines, *scene.forces, scene.cam->formulas()->swings());
     write_limits(lines, scene.limits);
     lines.table("solver");
     lines.word("name", scene.solver.name);

@@ -6,7 +6,6 @@
 #include "motions/laws/law_catalogue.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
 #include "studies/compare/law_motion.hpp"
@@ -143,7 +142,7 @@ std::vector<std::string> excursion_sentences(const Solution& solution) {
             range = fmt::format("the stroke of segment {} ({} to {})", one.segment + 1,
                                 short_text(unit.per_normalised * one.low), unit.normalised_text(one.high));
         sentences.push_back(fmt::format("The {} goes {} {} {} at {} deg.",
-                                        has_cam(solution.scene) ? "follower" : "output",
+                                        solution.scene.cam.has_value() ? "follower" : "output",
                                         unit.normalised_text(one.beyond), one.below() ? "below" : "above",
                                         range, degrees_at(solution, one.farthest.at)));
     }

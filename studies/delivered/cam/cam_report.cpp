@@ -5,7 +5,6 @@
 #include "core/infinity.hpp"
 #include "core/units.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/scene_cam.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 
@@ -130,10 +129,8 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
 }  // namespace
 
 CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion) {
-    const std::optional<MechanismSpec> spec = cam_of(scene);
-    if (!spec || !spec->formulas) throw InputError("a mechanism cannot be reported without its formulas");
     CamReport report;
-    report.cam = {spec->formulas, std::move(dimensions)};
+    report.cam = {scene.cam.value().formulas(), std::move(dimensions)};
     report.summary = cam_summary(report.cam, motion, scene);
     if (const auto disk = disk_cam(report.cam)) report.smallest = smallest_of_any_motion(scene, *disk);
     return report;

@@ -49,7 +49,7 @@ bool is_normalised(const SetPoint& point) {
 
 /// Whether the least objective can only fall where an angle grows (solve_free_angles.hpp).
 bool falls_with_angles(const Scene& scene) {
-    if (scene.cam || scene.mechanism || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
+    if (scene.cam || !scene.own_terms.empty() || !scene.own_limits.empty()) return false;
     // A mean over the turn weighs segments by their angles.
     for (const CostTerm& term : cost_terms())
         if (term.kind == CostTerm::Kind::rms && term.weight_in(scene.objective) > 0.0) return false;

@@ -263,7 +263,7 @@ TEST(CSolve, MakesCamsOfOtherKinds) {
     std::size_t count = 0;
     EXPECT_OK(camopt_parameter_count(tappet.get(), &count));
     std::size_t written = 0;
-    for (const MechanismDimension& dimension : cpp.scene.mechanism->dimensions)
+    for (const CamDimension& dimension : cpp.scene.cam->dimensions)
         written += dimension.value.key.empty() ? 0 : 1;
     ASSERT_EQ(count, written);
     camopt_parameter parameter{};

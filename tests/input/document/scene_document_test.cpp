@@ -109,7 +109,7 @@ TEST(SceneDocument, LeavesWhatIsMissingToItsReaders) {
     document.set("cam.follower", std::string("translating_knife"));
     const Scene scene = document.scene();
     ASSERT_TRUE(scene.cam);
-    EXPECT_EQ((*scene.cam)[DimensionIndex::base_radius].low, 0.03);
+    EXPECT_EQ(scene.cam->find(DimensionIndex::base_radius)->low, 0.03);
 }
 
 TEST(SceneDocument, IsTheSceneOfItsText) {

@@ -3,6 +3,7 @@
 #include "core/derivative_check.hpp"
 #include "objectives/free_knots/free_knot_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "solvers/exchange/exchange.hpp"
 
 #include <gtest/gtest.h>
@@ -32,9 +33,9 @@ Scene scene_of(const Case& source) {
     if (source.via) scene.motion.via.push_back({0.45, 0.4, {}, {}});
     if (source.cam) {
         scene.motion.lift = 0.02;
-        scene.cam.emplace();
-        (*scene.cam)[DimensionIndex::base_radius] = {0.03, 0.06};
-        (*scene.cam)[DimensionIndex::roller_radius] = {0.01, 0.01};
+        scene.cam = disk_spec({});
+        scene.cam->set(DimensionIndex::base_radius, {0.03, 0.06});
+        scene.cam->set(DimensionIndex::roller_radius, {0.01, 0.01});
         scene.limits.pressure_angle = WrittenLimit{0.5, "limits.pressure_angle_rad", 1.0, "rad"};
     }
     return scene;

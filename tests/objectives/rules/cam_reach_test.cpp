@@ -31,8 +31,7 @@ Scene scene_of(FollowerType follower) {
     scene.motion.rise = 90.0 * units::degree;
     scene.spline.segments = 3;
     scene.objective.velocity = 1.0;
-    scene.cam.emplace();
-    scene.cam->follower = follower;
+    scene.cam = disk_spec({.follower = follower});
     return scene;
 }
 
@@ -42,10 +41,10 @@ CamModel model_of(const Scene& scene) {
 
 /// The dimensions that are numbers, and these.
 DiskCam cam_of(const Scene& scene, const std::array<double, dimension_count>& values) {
-    DiskCam cam = middle_cam(*scene.cam);
+    DiskCam cam = middle_cam(disk_of(*scene.cam));
     for (int d = 0; d < dimension_count; ++d) {
         const auto which = static_cast<DimensionIndex>(d);
-        if ((*scene.cam)[which].is_variable()) cam.dimensions[static_cast<std::size_t>(d)] = values[d];
+        if (scene.cam->find(which)->is_variable()) cam.dimensions[static_cast<std::size_t>(d)] = values[d];
     }
     return cam;
 }
@@ -82,9 +81,9 @@ Scene random_scene(FollowerType follower, Random& random) {
         if (!has_dimension(follower, which)) continue;
         const double least = which == offset || which == face_offset ? -50e-3 : 1e-3;
         const double one = random.between(least, 50e-3), other = random.between(least, 50e-3);
-        (*scene.cam)[which] = random.between(0.0, 3.0) < 1.0
+        scene.cam->set(which, random.between(0.0, 3.0) < 1.0
                                   ? Dimension(one)
-                                  : Dimension(std::min(one, other), std::max(one, other));
+                                  : Dimension(std::min(one, other), std::max(one, other)));
     }
     return scene;
 }
@@ -101,7 +100,7 @@ TEST(CamReach, IsARowWhereDimensionsAreFree) {
             for (int draw = 0; draw < 50; ++draw) {
                 std::array<double, dimension_count> values{};
                 for (int d = 0; d < dimension_count; ++d) {
-                    const Dimension& dimension = (*scene.cam)[static_cast<DimensionIndex>(d)];
+                    const Dimension& dimension = *scene.cam->find(static_cast<DimensionIndex>(d));
                     values[static_cast<std::size_t>(d)] = random.between(dimension.low, dimension.high);
                 }
                 const DiskCam cam = cam_of(scene, values);
@@ -120,10 +119,10 @@ TEST(CamReach, IsARowWhereDimensionsAreFree) {
 /// An arm of 80 mm, 100 mm from the cam: a prime radius between 20 and 180 mm is reached.
 Scene arm(const Dimension& base) {
     Scene scene = scene_of(FollowerType::oscillating_roller);
-    (*scene.cam)[center_distance] = 100e-3;
-    (*scene.cam)[arm_length] = 80e-3;
-    (*scene.cam)[roller_radius] = 10e-3;
-    (*scene.cam)[base_radius] = base;
+    scene.cam->set(center_distance, 100e-3);
+    scene.cam->set(arm_length, 80e-3);
+    scene.cam->set(roller_radius, 10e-3);
+    scene.cam->set(base_radius, base);
     return scene;
 }
 

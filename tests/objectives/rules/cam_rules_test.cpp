@@ -40,12 +40,11 @@ Scene scene_of(const Case& which) {
     scene.motion.lift_is_angle = swings;
     scene.motion.rise = 90.0 * units::degree;
     scene.motion.speed = 30.0;
-    scene.cam.emplace();
-    scene.cam->follower = which.follower;
+    scene.cam = disk_spec({.follower = which.follower});
     scene.cam->rotation = which.rotation;
     const auto set = [&](DimensionIndex dimension, double value) {
         if (!has_dimension(which.follower, dimension)) return;
-        (*scene.cam)[dimension] = which.variable ? Dimension(0.9 * value, 1.1 * value) : Dimension(value);
+        scene.cam->set(dimension, which.variable ? Dimension(0.9 * value, 1.1 * value) : Dimension(value));
     };
     set(base_radius, swings ? 60e-3 : 40e-3);
     set(roller_radius, 10e-3);
@@ -63,7 +62,8 @@ Scene scene_of(const Case& which) {
         limits.concave_radius_min = limit(40e-3, "limits.concave_radius_min_m");
     limits.undercut_margin = limit(0.2, "limits.undercut_margin");
     if (which.form == CamForm::open) limits.contact_force_min = limit(10.0, "limits.contact_force_min_n");
-    FormSpec& form = scene.cam->form;
+    DiskSpec disk = disk_of(*scene.cam);
+    FormSpec& form = disk.form;
     form.type = which.form;
     if (which.form == CamForm::grooved) form.groove_clearance = 0.2e-3;
     if (which.form == CamForm::conjugate) {
@@ -74,6 +74,7 @@ Scene scene_of(const Case& which) {
         form.second_roller_radius = 9e-3;
         scene.forces->preload = -20.0;  // both disks carry
     }
+    scene.cam = disk_spec(disk);
     limits.torque_max = limit(15.0, "limits.torque_max_nm");
     if (which.follower != FollowerType::translating_knife)
         limits.hertz_pressure_max = limit(8e8, "limits.hertz_pressure_max_pa");
@@ -82,10 +83,10 @@ Scene scene_of(const Case& which) {
 
 std::shared_ptr<const CamVariables> variables_of(const Scene& scene) {
     auto cam = std::make_shared<CamVariables>();
-    cam->cam = disk_mechanism(middle_cam(*scene.cam));
+    cam->cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
     cam->scale = {scene.motion.lift, scene.motion.unit_angle()};
     int parameter = 0;
-    const std::vector<MechanismDimension> all = disk_spec(*scene.cam).dimensions;
+    const std::vector<CamDimension>& all = scene.cam->dimensions;
     for (std::size_t d = 0; d < all.size(); ++d)
         if (all[d].value.is_variable())
             cam->variables.push_back({static_cast<int>(d), parameter++, all[d].value.high});
@@ -257,7 +258,7 @@ TEST(CamRules, AnArmsPressureAngleIsConvexOnlyNearTheRightAngle) {
         scene.limits.pressure_angle = limit(30.0 * units::degree, "limits.pressure_angle_rad");
         const double a = 100e-3, l = 80e-3;
         const double prime = std::sqrt(a * a + l * l - 2 * a * l * std::cos(start_degrees * units::degree));
-        (*scene.cam)[base_radius] = prime - 10e-3;
+        scene.cam->set(base_radius, prime - 10e-3);
         int convex = 0;
         for (const auto& rule : cam_limits(scene, *variables_of(scene))) {
             convex += rule->curvature(-0.2, 1.2) == Curvature::convex ? 1 : 0;

@@ -27,7 +27,7 @@ using units::degree, units::millimetre, units::inch;
 
 struct Case {
     std::string name;
-    MechanismSpec spec;
+    CamSpec spec;
     double lift = 0.0;
     std::shared_ptr<const CamMechanism> formulas;
     double at = 0.0;  ///< x
@@ -37,29 +37,29 @@ void PrintTo(const Case& which, std::ostream* stream) {
 }
 
 template <class Number>
-Dimension& number_of(MechanismSpec& spec, Number which) {
+Dimension& number_of(CamSpec& spec, Number which) {
     return spec.dimensions[static_cast<std::size_t>(which)].value;
 }
 
 /// Of its number's size.
 template <class Number>
-void set_free(MechanismSpec& spec, Number which) {
+void set_free(CamSpec& spec, Number which) {
     Dimension& own = number_of(spec, which);
     const double middle = own.low, part = 0.05 * std::abs(middle);
     own = Dimension(middle - part, middle + part);
 }
 
 using Spatial = std::vector<std::pair<SpatialNumber, double>>;
-MechanismSpec spatial(SpatialFollower follower, Rotation rotation, const Spatial& numbers,
+CamSpec spatial(SpatialFollower follower, Rotation rotation, const Spatial& numbers,
                       const std::vector<SpatialNumber>& free) {
-    MechanismSpec spec = spatial_spec(follower);
+    CamSpec spec = spatial_spec(follower);
     spec.rotation = rotation;
     for (const auto& [which, value] : numbers) number_of(spec, which) = Dimension(value);
     for (const SpatialNumber which : free) set_free(spec, which);
     return spec;
 }
 
-MechanismSpec barrel(Rotation rotation, const std::vector<SpatialNumber>& free) {
+CamSpec barrel(Rotation rotation, const std::vector<SpatialNumber>& free) {
     using enum SpatialNumber;
     return spatial(SpatialFollower::barrel, rotation,
                    {{roller_radius, 0.03},
@@ -71,7 +71,7 @@ MechanismSpec barrel(Rotation rotation, const std::vector<SpatialNumber>& free) 
                    free);
 }
 
-MechanismSpec wheel(Rotation rotation, const std::vector<SpatialNumber>& free) {
+CamSpec wheel(Rotation rotation, const std::vector<SpatialNumber>& free) {
     using enum SpatialNumber;
     return spatial(SpatialFollower::cylindrical_rotating, rotation,
                    {{roller_radius, 0.008},
@@ -83,7 +83,7 @@ MechanismSpec wheel(Rotation rotation, const std::vector<SpatialNumber>& free) {
                    free);
 }
 
-MechanismSpec slide(const std::vector<SpatialNumber>& free) {
+CamSpec slide(const std::vector<SpatialNumber>& free) {
     using enum SpatialNumber;
     return spatial(
         SpatialFollower::cylindrical_translating, Rotation::clockwise,
@@ -91,9 +91,9 @@ MechanismSpec slide(const std::vector<SpatialNumber>& free) {
         free);
 }
 
-MechanismSpec remote(RemoteLinkage linkage, PressurePoint point, const std::vector<RemoteDimension>& free) {
+CamSpec remote(RemoteLinkage linkage, PressurePoint point, const std::vector<RemoteDimension>& free) {
     using enum RemoteDimension;
-    MechanismSpec spec = remote_spec(linkage);
+    CamSpec spec = remote_spec(linkage);
     spec.choices["pressure_angle_at"] = name_of(point);
     if (linkage != RemoteLinkage::lever) spec.choices["lever_branch"] = "right";
     std::vector<std::pair<RemoteDimension, double>> numbers = {
@@ -121,9 +121,9 @@ MechanismSpec remote(RemoteLinkage linkage, PressurePoint point, const std::vect
     return spec;
 }
 
-MechanismSpec inverse(const std::vector<InverseNumber>& free) {
+CamSpec inverse(const std::vector<InverseNumber>& free) {
     using enum InverseNumber;
-    MechanismSpec spec = inverse_spec();
+    CamSpec spec = inverse_spec();
     const std::pair<InverseNumber, double> lengths[] = {
         {roller_radius, 0.5},      {roller_rest, 1.5},   {roller_end, 13.982},
         {roller_from, 3.0},        {pin_distance, 15.0}, {rocker_pivot_x, 18.3756},
@@ -138,7 +138,7 @@ MechanismSpec inverse(const std::vector<InverseNumber>& free) {
 std::vector<Case> cases() {
     constexpr auto back = Rotation::clockwise, on = Rotation::counterclockwise;
     std::vector<Case> all;
-    const auto add_spatial = [&](const char* name, const MechanismSpec& spec, double lift) {
+    const auto add_spatial = [&](const char* name, const CamSpec& spec, double lift) {
         all.push_back({name, spec, lift, spatial_mechanism(spec)});
     };
     add_spatial("barrel", barrel(on, {}), 50 * degree);
@@ -151,7 +151,7 @@ std::vector<Case> cases() {
                 wheel(back, {Of::center_distance, Of::lateral_offset, Of::roller_radius}), 45 * degree);
     add_spatial("slide", slide({}), 40 * millimetre);
     add_spatial("slide, free", slide({Of::center_distance, Of::roller_radius}), 40 * millimetre);
-    const auto add_remote = [&](const char* name, const MechanismSpec& spec, double lift) {
+    const auto add_remote = [&](const char* name, const CamSpec& spec, double lift) {
         all.push_back({name, spec, lift, std::make_shared<RemoteCam>(spec)});
     };
     using enum RemoteLinkage;
@@ -168,7 +168,7 @@ std::vector<Case> cases() {
     add_remote("two dyads, free",
                remote(lever_coupler_lever_coupler_slider, roller_center, {lever_pivot_y, rocker_input_arm}),
                80 * millimetre);
-    const auto add_inverse = [&](const char* name, const MechanismSpec& spec, double at) {
+    const auto add_inverse = [&](const char* name, const CamSpec& spec, double at) {
         all.push_back({name, spec, 2.694 * inch, inverse_mechanism(spec), at});
     };
     add_inverse("inverse, early", inverse({}), 0.2);
@@ -183,8 +183,8 @@ Scene scene_of(const Case& which) {
     scene.motion.lift_is_angle = which.formulas->swings();
     scene.motion.rise = 150 * degree;
     scene.objective.jerk = 1.0;
-    scene.mechanism = which.spec;
-    scene.mechanism->formulas = which.formulas;
+    scene.cam = which.spec;
+    scene.cam->make = [formulas = which.formulas](const CamSpec&) { return formulas; };
     scene.limits.pressure_angle = WrittenLimit{30 * degree, "limits.pressure_angle_deg", degree, "deg"};
     scene.limits.undercut_margin = WrittenLimit{0.3, "limits.undercut_margin", 1.0, ""};
     if (which.formulas->planar()) {

@@ -25,7 +25,7 @@ Scene scene() {
     own.motion.lift = 30 * millimetre;
     own.motion.rise = 120 * degree;
     own.objective.jerk = 1.0;
-    MechanismSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
+    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
     spec.choices["lever_branch"] = "right";
     const std::pair<RemoteDimension, double> numbers[] = {
         {RemoteDimension::roller_radius, 15},   {RemoteDimension::roller_arm, 100},
@@ -35,8 +35,8 @@ Scene scene() {
     for (const auto& [which, value] : numbers)
         spec.dimensions[static_cast<std::size_t>(which)].value = Dimension(value * millimetre);
     spec.dimensions[static_cast<std::size_t>(RemoteDimension::slider_angle)].value = Dimension(90 * degree);
-    own.mechanism = spec;
-    own.mechanism->formulas = std::make_shared<RemoteCam>(spec);
+    own.cam = spec;
+    own.cam->make = remote_mechanism;
     return own;
 }
 
@@ -88,13 +88,13 @@ TEST(MechanismRule, KeptJustWhereThePointOfTheCamKeepsTheLimit) {
     own.limits.concave_radius_min = limit("limits.concave_radius_min_mm", 0.06);
     own.limits.undercut_margin = limit("limits.undercut_margin", 0.5);
     const CamModel model = scene_model(own, DesignKind::states, reference_peaks(own));
-    const std::vector<double> numbers = own.mechanism->middle();
+    const std::vector<double> numbers = own.cam->middle();
     std::mt19937 generator(7);
     std::map<std::string, std::array<int, 2>> seen;
     for (int trial = 0; trial < 2000; ++trial) {
         const MotionPoint motion = random_point(generator);
         const FollowerState state = state_of(motion, model.cam->scale);
-        const MechanismPoint point = own.mechanism->formulas->point(0.0, {numbers, state}, 0);
+        const MechanismPoint point = own.cam->formulas()->point(0.0, {numbers, state}, 0);
         std::map<std::string, bool> kept;
         for (const PlacedRule& rule : model.rules) {
             if (!rule->limit()) continue;
@@ -123,7 +123,7 @@ TEST(MechanismRule, PartialsAreTheDifferences) {
     own.limits.cam_radius_min = limit("limits.cam_radius_min_mm", 0.01);
     own.limits.undercut_margin = limit("limits.undercut_margin", 0.5);
     const auto free = [&](RemoteDimension which, double low, double high) {
-        own.mechanism->dimensions[static_cast<std::size_t>(which)].value =
+        own.cam->dimensions[static_cast<std::size_t>(which)].value =
             Dimension(low * millimetre, high * millimetre);
     };
     free(RemoteDimension::roller_radius, 10, 20);

@@ -26,11 +26,11 @@ Scene scene_of(SpatialFollower follower, Rotation rotation, double lift, const N
     scene.motion.lift_is_angle = swings(follower);
     scene.motion.rise = 160 * degree;
     scene.objective.jerk = 1.0;
-    MechanismSpec spec = spatial_spec(follower);
+    CamSpec spec = spatial_spec(follower);
     spec.rotation = rotation;
     for (const auto& [which, value] : numbers) spec.dimensions[static_cast<std::size_t>(which)].value = value;
-    scene.mechanism = spec;
-    scene.mechanism->formulas = spatial_mechanism(spec);
+    scene.cam = spec;
+    scene.cam->make = spatial_mechanism;
     scene.limits.pressure_angle = WrittenLimit{limit, "limits.pressure_angle_deg", degree, "deg"};
     return scene;
 }
@@ -123,7 +123,7 @@ TEST(MechanismShape, TheOthersClaimNothing) {
 TEST(MechanismShape, ABarrelsRuleIsContinuedOnTheSafeSide) {
     for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
         const Scene scene = barrel(rotation);
-        const std::vector<double> numbers = scene.mechanism->middle();
+        const std::vector<double> numbers = scene.cam->middle();
         const std::vector<PlacedRule> rules = limits_of(scene);
         std::mt19937 generator(12);
         int within = 0, beyond = 0;
@@ -133,9 +133,9 @@ TEST(MechanismShape, ABarrelsRuleIsContinuedOnTheSafeSide) {
             double worst = -infinity;
             for (const PlacedRule& rule : rules) worst = std::max(worst, at(rule, place).value);
             double largest = 0.0;
-            for (int station = 0; station < scene.mechanism->formulas->stations(); ++station) {
+            for (int station = 0; station < scene.cam->formulas()->stations(); ++station) {
                 const FollowerState state{50 * degree * place[0], 50.0 / 160.0 * place[1], 0.0};
-                const MechanismPoint point = scene.mechanism->formulas->point(0.0, {numbers, state}, station);
+                const MechanismPoint point = scene.cam->formulas()->point(0.0, {numbers, state}, station);
                 largest = std::max(largest, std::abs(point.pressure_angle));
             }
             const bool kept = largest <= limit && std::abs(angle) < 90 * degree;

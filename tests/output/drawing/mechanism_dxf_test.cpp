@@ -6,7 +6,6 @@
 #include "input/scene_reader.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
@@ -28,7 +27,6 @@ Solution solved(const std::string& name, const std::vector<std::string>& setting
     quick.insert(quick.end(), settings.begin(), settings.end());
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
                                          known_names(), quick);
-    complete_mechanism(scene);
     return solve(scene);
 }
 

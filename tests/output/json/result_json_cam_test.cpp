@@ -50,7 +50,7 @@ TEST(ResultJsonCam, DimensionsAreThoseOfTheFollower) {
     EXPECT_EQ(json["dimensions"].dump(),
               R"({"base_radius_mm":30.0,"roller_radius_mm":10.0,"offset_mm":0.0,"prime_radius_mm":40.0})");
     Solution free = test::infeasible_cam_solution();
-    (*free.scene.cam)[DimensionIndex::base_radius] = Dimension(0.02, 0.06);
+    free.scene.cam->set(DimensionIndex::base_radius, Dimension(0.02, 0.06));
     const Json other = json_of(free);
     EXPECT_TRUE(other["dimensions"]["base_radius_mm"].is_null());
     EXPECT_TRUE(other["dimensions"]["prime_radius_mm"].is_null());
@@ -100,7 +100,8 @@ TEST(ResultJsonCam, WhatDoesNotExistIsNull) {
 
 TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
     Solution solution = test::cam_solution();
-    solution.scene.cam->follower = FollowerType::oscillating_flat;
+    solution.scene.cam = disk_spec({.follower = FollowerType::oscillating_flat});
+    solution.scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
     solution.cam->cam = disk_mechanism(middle_cam(*solution.scene.cam));
     solution.cam->summary.contact_offset = CamExtreme{2e-3, 0.5};
     solution.scene.motion.lift_is_angle = true;

@@ -6,7 +6,7 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/words/shown_units.hpp"
-#include "profiles/scene_cam.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
@@ -119,9 +119,10 @@ TEST(PageData, ADisplacementOutsideItsStrokeIsMarked) {
 
 TEST(PageData, AFlatFaceHasNoCurveOfThePressureAngleZero) {
     Solution solution = test::cam_solution();
-    solution.scene.cam->follower = FollowerType::translating_flat;
+    solution.scene.cam = disk_spec({.follower = FollowerType::translating_flat});
+    solution.scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
     solution.scene.limits.pressure_angle.reset();
-    solution.cam = cam_report(solution.scene, cam_of(solution.scene)->middle(), *solution.motion);
+    solution.cam = cam_report(solution.scene, solution.scene.cam->middle(), *solution.motion);
     EXPECT_THROW((void)curve(data_of(solution), "pressure_angle"), std::runtime_error);
     EXPECT_NO_THROW((void)curve(data_of(solution), "curvature"));
 }

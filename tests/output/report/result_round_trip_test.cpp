@@ -8,7 +8,6 @@
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/temporary_folder.hpp"
@@ -30,7 +29,6 @@ using Json = nlohmann::ordered_json;
 Scene loaded(const std::string& text, const std::string& name,
              const std::vector<std::string>& settings = {}) {
     Scene scene = input::read_scene(text, name, known_names(), settings);
-    complete_mechanism(scene);
     return scene;
 }
 

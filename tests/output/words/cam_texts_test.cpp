@@ -90,7 +90,7 @@ TEST(CamWords, DimensionsOfTheFollowerAndThePrimeRadius) {
     EXPECT_EQ(dimensions_text(test::cam_solution()),
               "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm");
     Solution free = test::infeasible_cam_solution();
-    (*free.scene.cam)[DimensionIndex::base_radius] = Dimension(0.02, 0.06);
+    free.scene.cam->set(DimensionIndex::base_radius, Dimension(0.02, 0.06));
     EXPECT_EQ(dimensions_text(free), "base radius free, roller radius 10 mm, offset 0 mm, prime radius free");
 }
 
@@ -109,7 +109,7 @@ TEST(CamRemarks, SayWhatLimitsTheCamAndHowSmallItCouldBe) {
     EXPECT_TRUE(says(remarks_of(solution), "the sector of the motion, 90 deg"));
     solution.constraints.back().active = true;
     EXPECT_TRUE(says(remarks_of(solution), "What limits it: the pressure angle at "));
-    (*solution.scene.cam)[DimensionIndex::base_radius] = Dimension(0.03, 0.06);
+    solution.scene.cam->set(DimensionIndex::base_radius, Dimension(0.03, 0.06));
     EXPECT_TRUE(says(remarks_of(solution), "; the base radius is the least allowed."));
 }
 

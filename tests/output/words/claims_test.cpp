@@ -6,6 +6,7 @@
 #include "output/words/cam_remarks.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/solution_text.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -34,9 +35,9 @@ Scene roller_scene(int segments, double base_mm) {
     scene.spline.segments = segments;
     scene.objective.velocity = scene.objective.acceleration = 0.4;
     scene.objective.jerk = 0.2;
-    scene.cam.emplace();
-    (*scene.cam)[base_radius] = base_mm * millimetre;
-    (*scene.cam)[roller_radius] = 10 * millimetre;
+    scene.cam = disk_spec({});
+    scene.cam->set(base_radius, base_mm * millimetre);
+    scene.cam->set(roller_radius, 10 * millimetre);
     scene.limits.pressure_angle = WrittenLimit{30 * degree, "limits.pressure_angle_deg", degree, "deg"};
     scene.solver.explain_changes = 100;
     return scene;
@@ -85,7 +86,7 @@ void apply(Scene& scene, const Change& change) {
         limit->value = change.value * limit->unit_value;
     };
     const auto dimension = [&](DimensionIndex which) {
-        (*scene.cam)[which].low = (*scene.cam)[which].high = change.value * millimetre;
+        scene.cam->find(which)->low = scene.cam->find(which)->high = change.value * millimetre;
     };
     const std::map<std::string, std::function<void()>> setters = {
         {"segments", [&] { scene.spline.segments = static_cast<int>(change.value); }},

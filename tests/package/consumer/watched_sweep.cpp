@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sweep with progress that is stopped after its third row, and a cam drawn into memory.
+#include <camopt/disk_cam.hpp>
 #include <camopt/drawings.hpp>
 #include <camopt/solve.hpp>
 #include <camopt/sweep.hpp>
@@ -15,9 +16,9 @@ int main() {
     scene.motion.rise = 90 * units::degree;
     scene.spline.segments = 12;
     scene.objective.velocity = 1.0;
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 40 * units::millimetre;
-    (*scene.cam)[DimensionIndex::roller_radius] = 8 * units::millimetre;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 40 * units::millimetre);
+    scene.cam->set(DimensionIndex::roller_radius, 8 * units::millimetre);
 
     bool told = false;
     int rows = 0;

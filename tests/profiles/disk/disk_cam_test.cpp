@@ -199,7 +199,7 @@ TEST(ExtremeLift, StaysFinite) {
 }
 
 TEST(MiddleCam, TakesTheMiddleOfEachRange) {
-    CamSpec spec;
+    DiskSpec spec;
     spec.follower = FollowerType::oscillating_roller;
     spec.rotation = Rotation::clockwise;
     spec[DimensionIndex::base_radius] = Dimension(0.02, 0.06);

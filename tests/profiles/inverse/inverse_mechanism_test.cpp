@@ -147,7 +147,7 @@ TEST(InverseMechanism, SaysWhatDoesNotReach) {
     EXPECT_TRUE(none.gradient.array().isNaN().all());
     numbers[static_cast<std::size_t>(InverseNumber::roller_from)] = 20.0 * inch;
     EXPECT_NE(mechanism().fault(numbers, 0.0, 2.7 * inch).find("ascend"), std::string::npos);
-    MechanismSpec other = inverse_spec();
+    CamSpec other = inverse_spec();
     other.type = "barrel";
     EXPECT_EQ(refusal([&] { (void)inverse_mechanism(other); }),
               "a mechanism of type \"barrel\"; allowed: \"inverse\"");

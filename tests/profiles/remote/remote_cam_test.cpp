@@ -39,7 +39,7 @@ const Row rows[] = {
 
 class Tappet : public ::testing::TestWithParam<Row> {
  protected:
-    MechanismSpec spec = tappet(GetParam().farther);
+    CamSpec spec = tappet(GetParam().farther);
     std::vector<double> numbers = spec.middle();
     RemoteCam cam{spec};
     TappetMotion motion{GetParam().law, GetParam().dwell};
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Paper003, Tappet, ::testing::ValuesIn(rows),
                          [](const auto& row) { return row.param.name; });
 
 TEST(RemoteCam, MT60At100Degrees) {
-    const MechanismSpec spec = tappet();
+    const CamSpec spec = tappet();
     const std::vector<double> numbers = spec.middle();
     const RemoteCam cam(spec);
     const FollowerState state = TappetMotion("modified_trapezoid", 60).at(100);
@@ -101,7 +101,7 @@ TEST(RemoteCam, MT60At100Degrees) {
 
 /// The radius of the cam is that of the circle through three of its points, near each other.
 TEST(RemoteCam, ItsRadiusIsThatOfItsContactPoints) {
-    const MechanismSpec spec = tappet();
+    const CamSpec spec = tappet();
     const std::vector<double> numbers = spec.middle();
     const RemoteCam cam(spec);
     const TappetMotion motion("modified_trapezoid", 60);
@@ -121,7 +121,7 @@ TEST(RemoteCam, ItsRadiusIsThatOfItsContactPoints) {
 /// The cam is the envelope of the roller: the distance from its points to every other position of the
 /// roller's centre is at least the radius, and just that at their own.
 TEST(RemoteCam, PointsLieOnTheEnvelopeOfTheRoller) {
-    const MechanismSpec spec = tappet();
+    const CamSpec spec = tappet();
     const std::vector<double> numbers = spec.middle();
     const RemoteCam cam(spec);
     const TappetMotion motion("modified_trapezoid", 60);
@@ -137,8 +137,8 @@ TEST(RemoteCam, PointsLieOnTheEnvelopeOfTheRoller) {
 }
 
 TEST(RemoteCam, ClockwiseIsTheMirrorImageOfTheMirroredMechanism) {
-    const MechanismSpec spec = tappet();
-    MechanismSpec mirrored = spec;
+    const CamSpec spec = tappet();
+    CamSpec mirrored = spec;
     mirrored.rotation = Rotation::clockwise;
     mirrored.choices["lever_branch"] = "left";
     mirrored.choices["rocker_branch"] = "right";
@@ -164,7 +164,7 @@ TEST(RemoteCam, LinkageRunForwardsFindsTheOutputAgain) {
     for (const RemoteLinkage type :
          {RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider, RemoteLinkage::lever_coupler_lever,
           RemoteLinkage::lever_coupler_lever_coupler_slider}) {
-        MechanismSpec spec = tappet();
+        CamSpec spec = tappet();
         spec.choices["linkage"] = name_of(type);
         const bool swings = output_swings(type);
         if (type == RemoteLinkage::lever_coupler_lever) set(spec, output_angle, 185);

@@ -10,7 +10,7 @@ namespace remote_fault_test {
 
 using namespace test;
 
-std::string fault_of(const MechanismSpec& spec, double most = 0.08) {
+std::string fault_of(const CamSpec& spec, double most = 0.08) {
     return RemoteCam(spec).fault(spec.middle(), 0.0, most);
 }
 
@@ -24,7 +24,7 @@ TEST(RemoteFault, TheReferenceHasNone) {
 }
 
 TEST(RemoteFault, NamesTheDyadThatIsTooShortAndByHowMuch) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     set(spec, second_coupler, 40);
     // (10, 560) is 296.816 mm from (260, 400): 6.816 mm more than 250 + 40.
     expect_words(fault_of(spec),
@@ -35,32 +35,32 @@ TEST(RemoteFault, NamesTheDyadThatIsTooShortAndByHowMuch) {
 }
 
 TEST(RemoteFault, NamesTheDyadThatCannotFold) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     set(spec, second_coupler, 600);
     expect_words(fault_of(spec), {"second_coupler", "cannot fold", "by 53.18"});
 }
 
 TEST(RemoteFault, FindsWhatOnlyTheTopOfTheLiftReaches) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     EXPECT_EQ(fault_of(spec, 0.08), "");
     expect_words(fault_of(spec, 0.4), {"at displacement"});
 }
 
 TEST(RemoteFault, NamesALeverThatTheCamCannotMove) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     set(spec, center_x, 100);  // the arm, at -7 deg at first, passes -3 deg on its way
     set(spec, center_y, 72);
     expect_words(fault_of(spec), {"line to the cam's centre"});
 }
 
 TEST(RemoteFault, NamesADimensionThatIsNotPositive) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     set(spec, coupler, 0);
     expect_words(fault_of(spec), {"the coupler of 0 mm is not positive"});
 }
 
 TEST(RemoteFault, RefusesAnUnknownBranch) {
-    MechanismSpec spec = tappet();
+    CamSpec spec = tappet();
     spec.choices["lever_branch"] = "up";
     try {
         const RemoteCam cam(spec);

@@ -63,7 +63,7 @@ class RemoteQuantity : public ::testing::TestWithParam<Case> {
         return situation;
     }
 
-    MechanismSpec spec;
+    CamSpec spec;
 };
 
 TEST_P(RemoteQuantity, IsWhatThePointSays) {

@@ -17,19 +17,19 @@ namespace camopt::test {
 
 using enum RemoteDimension;
 
-inline Dimension& dimension(MechanismSpec& spec, RemoteDimension which) {
+inline Dimension& dimension(CamSpec& spec, RemoteDimension which) {
     return spec.dimensions[static_cast<std::size_t>(which)].value;
 }
 
 /// mm, deg.
-inline void set(MechanismSpec& spec, RemoteDimension which, double value) {
+inline void set(CamSpec& spec, RemoteDimension which, double value) {
     Dimension& own = dimension(spec, which);
     own.low = own.high = value * (is_angle(which) ? units::degree : units::millimetre);
 }
 
 /// farther: the cam's axis 10 mm lower.
-inline MechanismSpec tappet(bool farther = false) {
-    MechanismSpec spec = remote_spec(RemoteLinkage::lever_coupler_lever_coupler_slider);
+inline CamSpec tappet(bool farther = false) {
+    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_lever_coupler_slider);
     spec.choices["lever_branch"] = "right";
     set(spec, roller_radius, 30);
     set(spec, roller_arm, 160);

@@ -39,7 +39,7 @@ struct Row {
 
     Row(const Situation& at, int which)
         : follower(at.cam.follower), rotation(at.cam.rotation), station(which) {
-        MechanismSpec spec = spatial_spec(follower);
+        CamSpec spec = spatial_spec(follower);
         spec.rotation = rotation;
         mechanism = spatial_mechanism(spec);
         values = {at.state.s, at.state.velocity, at.state.acceleration};
@@ -208,7 +208,7 @@ struct BarrelState {
     std::vector<double> numbers = {0.01, 0.07, 0.15, 0.075, 0.004, 0.03, -0.4};
 
     explicit BarrelState(Rotation which) : rotation(which) {
-        MechanismSpec spec = spatial_spec(SpatialFollower::barrel);
+        CamSpec spec = spatial_spec(SpatialFollower::barrel);
         spec.rotation = rotation;
         mechanism = spatial_mechanism(spec);
     }
@@ -267,13 +267,13 @@ TEST(BarrelPressureAngle, GoesOnAlongItsTangentsBothWaysRound) {
 TEST(SpatialSpec, KnowsItsKindsAndNoOther) {
     for (const SpatialFollower follower : {SpatialFollower::barrel, SpatialFollower::cylindrical_rotating,
                                            SpatialFollower::cylindrical_translating}) {
-        const MechanismSpec spec = spatial_spec(follower);
+        const CamSpec spec = spatial_spec(follower);
         EXPECT_EQ(spatial_follower(spec), follower);
         EXPECT_EQ(spec.dimensions.size(), static_cast<std::size_t>(spatial_number_count));
         EXPECT_EQ(spatial_mechanism(spec)->swings(), swings(follower));
         EXPECT_FALSE(spatial_mechanism(spec)->planar());
     }
-    MechanismSpec other;
+    CamSpec other;
     other.type = "remote";
     EXPECT_EQ(refusal([&] { (void)spatial_mechanism(other); }),
               "a mechanism of type \"remote\"; allowed: \"barrel\", or \"cylindrical\" with a follower "

@@ -37,8 +37,8 @@ Scene roller_scene(const RollerCase& which) {
     Scene scene = pressure_angle_scene(which.base + which.roller, which.segments);
     scene.motion.lift = which.lift * 1e-3;
     scene.motion.rise = which.rise * units::degree;
-    (*scene.cam)[base_radius] = which.base * 1e-3;
-    (*scene.cam)[roller_radius] = which.roller * 1e-3;
+    scene.cam->set(base_radius, which.base * 1e-3);
+    scene.cam->set(roller_radius, which.roller * 1e-3);
     scene.limits.pressure_angle = degrees(which.angle, "limits.pressure_angle_deg");
     scene.limits.cam_radius_min = millimetres(which.radius, "limits.cam_radius_min_mm");
     return scene;

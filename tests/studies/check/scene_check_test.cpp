@@ -6,7 +6,6 @@
 #include "input/loading/known_names.hpp"
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +20,6 @@ namespace scene_check_test {
 Scene scene_of(const std::string& name, const std::vector<std::string>& settings = {}) {
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml",
                                          known_names(), settings);
-    complete_mechanism(scene);
     return scene;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws beside the optimum: figures known in closed form, or computed here a second way.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include "core/units.hpp"
@@ -37,9 +38,9 @@ Scene pressure_scene(double base_radius) {
     Scene scene = scene_of(MotionType::drd, 24);
     scene.motion.lift = 20e-3;
     scene.motion.rise = pi / 3;
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = base_radius;
-    (*scene.cam)[DimensionIndex::roller_radius] = 10e-3;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, base_radius);
+    scene.cam->set(DimensionIndex::roller_radius, 10e-3);
     scene.limits.pressure_angle = WrittenLimit{pi / 6, "limits.pressure_angle_deg", units::degree, "deg"};
     return scene;
 }
@@ -93,8 +94,8 @@ TEST(Comparison, LawsThatCannotWorkStandBelowThoseThatCan) {
     scene.motion.lift = 9e-3;
     scene.motion.rise = 65.0 * units::degree;
     scene.motion.speed = 314.16;
-    scene.cam.emplace().follower = FollowerType::translating_flat;
-    (*scene.cam)[DimensionIndex::base_radius] = 26.0e-3;
+    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
+    scene.cam->set(DimensionIndex::base_radius, 26.0e-3);
     ForceSpec& forces = scene.forces.emplace();
     forces.mass = 0.15;
     forces.spring_rate = 35e3;
@@ -237,9 +238,8 @@ TEST(Comparison, TheBaseRadiusOfTheFlatFaceIsThatOfADenseComputation) {
     scene.motion.lift = 10e-3;
     scene.motion.rise = 1.3;
     scene.motion.return_angle = 1.1;  // breakpoints of the mirrored laws are rounded
-    scene.cam.emplace();
-    scene.cam->follower = FollowerType::translating_flat;
-    (*scene.cam)[DimensionIndex::base_radius] = 80e-3;
+    scene.cam = disk_spec({.follower = FollowerType::translating_flat});
+    scene.cam->set(DimensionIndex::base_radius, 80e-3);
     scene.limits.cam_radius_min = WrittenLimit{5e-3, "limits.cam_radius_min_mm", units::millimetre, "mm"};
     const Comparison comparison = compare(scene);
     for (const LawInfo& info : rises()) {
@@ -291,11 +291,11 @@ TEST(Comparison, NoBaseRadiusHelpsAgainstALimitThatKnowsNone) {
 
 TEST(Comparison, AVariableBaseRadiusIsTheOptimumsForAll) {
     Scene scene = pressure_scene(30e-3);
-    (*scene.cam)[DimensionIndex::base_radius] = Dimension(20e-3, 60e-3);
+    scene.cam->set(DimensionIndex::base_radius, Dimension(20e-3, 60e-3));
     scene.objective.dimensions[0] = 0.5;
     const Comparison comparison = compare(scene);
     ASSERT_TRUE(comparison.cam);
-    const double base = (*comparison.cam)[DimensionIndex::base_radius];
+    const double base = *comparison.cam->find(DimensionIndex::base_radius);
     EXPECT_NEAR(row_of(comparison, "modified_sine").objective, 1.0 + 0.5 * base / 20e-3, 1e-9);
     EXPECT_NEAR(row_of(comparison, "").base->radius.value_or(0.0), base, 1e-6);
 }

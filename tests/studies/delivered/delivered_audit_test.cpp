@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is delivered is what is said of it: the objective by its definition from knots and coefficients, every
 // condition, every limit, whatever way the motion was found.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 
 #include "splines/extrema.hpp"
@@ -263,11 +264,10 @@ Scene pressed_flat_arm() {
     scene.objective.velocity = 0.31363388334334169;
     scene.objective.acceleration = 0.8194988418231377;
     scene.objective.jerk = 0.428741647420322;
-    scene.cam.emplace();
-    scene.cam->follower = FollowerType::oscillating_flat;
+    scene.cam = disk_spec({.follower = FollowerType::oscillating_flat});
     scene.cam->rotation = Rotation::clockwise;
-    (*scene.cam)[DimensionIndex::base_radius] = 0.060709346929363382;
-    (*scene.cam)[DimensionIndex::center_distance] = 0.16772536077587732;
+    scene.cam->set(DimensionIndex::base_radius, 0.060709346929363382);
+    scene.cam->set(DimensionIndex::center_distance, 0.16772536077587732);
     scene.forces.emplace();
     scene.forces->mass = 0.027041736743809223;
     scene.forces->spring_rate = 365.45022010326585;

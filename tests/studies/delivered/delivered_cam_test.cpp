@@ -66,7 +66,7 @@ void set_motion(Scene& scene, MotionType type, Random& random) {
 }
 
 void set_cam(Scene& scene, FollowerType follower, Random& random) {
-    CamSpec& cam = scene.cam.emplace();
+    DiskSpec cam;
     cam.follower = follower;
     const bool swings = is_oscillating(follower);
     scene.motion.lift_is_angle = swings;
@@ -77,11 +77,15 @@ void set_cam(Scene& scene, FollowerType follower, Random& random) {
     cam[base_radius] = prime - roller;
     if (roller > 0.0) cam[roller_radius] = roller;
     if (has_dimension(follower, offset)) cam[offset] = prime * random.between(-0.3, 0.3);
-    if (!swings) return;
+    if (!swings) {
+        scene.cam = disk_spec(cam);
+        return;
+    }
     cam[center_distance] = prime * random.between(1.3, 2.2);
     if (follower == FollowerType::oscillating_roller)
         cam[arm_length] = cam[center_distance].low * random.between(0.75, 1.05);
     if (follower == FollowerType::oscillating_flat) cam[face_offset] = prime * random.between(-0.2, 0.2);
+    scene.cam = disk_spec(cam);
 }
 
 void set_forces(Scene& scene, Random& random) {
@@ -119,7 +123,7 @@ void set_limits(Scene& scene, const CamReport& free, Random& random) {
     if (random.chance(0.4))
         limits.torque_max = {forces.torque.value * random.between(0.85, 1.1), "limits.torque_max_nm", 1.0,
                              "N m"};
-    if (scene.cam->follower == FollowerType::translating_knife || !random.chance(0.7)) return;
+    if (disk_of(*scene.cam).follower == FollowerType::translating_knife || !random.chance(0.7)) return;
     const double pressure = forces.hertz_pressure && std::isfinite(forces.hertz_pressure->value)
                                 ? std::min(forces.hertz_pressure->value, 4e9)
                                 : 1.5e9;

@@ -4,7 +4,6 @@
 #include "studies/delivered/cam/enclosed_limits.hpp"
 
 #include "input/scene_reader.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -24,7 +23,6 @@ Scene scene_of(const std::string& name) {
     const input::KnownNames known{{"modified_sine", "modified_trapezoid", "cycloidal", "constant_velocity"},
                                   {"ipopt", "structured"}};
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml", known);
-    complete_mechanism(scene);
     scene.solver.starts = 1;
     return scene;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/explain/relaxation.hpp"
 
 #include "studies/explain/adjustment.hpp"
@@ -118,7 +119,7 @@ TEST(SmallestOfAnyMotion, IsOfTheStrokeThatNeedsMost) {
                              {SegmentKind::spline, 60 * degree, {}, 0.0},
                              {SegmentKind::dwell, 160 * degree, {}, {}}};
     scene.limits.return_pressure_angle = degrees(25.0, "limits.return_pressure_angle_deg");
-    const auto smallest = smallest_of_any_motion(scene, middle_cam(*scene.cam));
+    const auto smallest = smallest_of_any_motion(scene, middle_cam(disk_of(*scene.cam)));
     ASSERT_TRUE(smallest);
     // r = s0 exp(θ tan φ) from s0 + 10 mm to s0 + 20 mm.
     const double needed = 10.0 / std::expm1(20 * degree * std::tan(25 * degree)) - 10.0;
@@ -135,11 +136,11 @@ TEST(SmallestOfAnyMotion, BoundsRealMotions) {
     scene.motion.type = MotionType::rr;
     scene.motion.rise = 120 * units::degree;
     scene.motion.return_angle = 60 * units::degree;
-    const double bound = smallest_of_any_motion(scene, middle_cam(*scene.cam))->prime_radius;
-    (*scene.cam)[base_radius] = 1.2 * bound - 10e-3;
+    const double bound = smallest_of_any_motion(scene, middle_cam(disk_of(*scene.cam)))->prime_radius;
+    scene.cam->set(base_radius, 1.2 * bound - 10e-3);
     EXPECT_TRUE(solve(scene).motion);
     EXPECT_TRUE(kept_by_no_motion(scene).empty());
-    (*scene.cam)[base_radius] = 0.999 * bound - 10e-3;
+    scene.cam->set(base_radius, 0.999 * bound - 10e-3);
     EXPECT_EQ(kept_by_no_motion(scene), std::vector<std::string>{"limits.pressure_angle_deg"});
     EXPECT_FALSE(solve(scene).motion);
 }

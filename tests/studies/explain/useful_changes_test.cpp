@@ -5,7 +5,6 @@
 #include "input/scene_reader.hpp"
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -28,7 +27,6 @@ struct Case {
 Scene scene_of(const Case& one) {
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/" + one.file + ".toml",
                                          known_names(), one.settings);
-    complete_mechanism(scene);
     return scene;
 }
 

@@ -5,7 +5,6 @@
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/inverse/inverse_forward.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -30,7 +29,6 @@ constexpr double step = 1e-4;  // of the rise, for differences
 Scene scene_of_the_feeder() {
     Scene scene =
         input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/inverse_feeder.toml", known_names());
-    complete_mechanism(scene);
     return scene;
 }
 

@@ -182,12 +182,12 @@ TEST(OwnCamKind, IsReadByItsKeysAndSolvedByItsFormulas) {
     kind.rows.clear();  // its keys are those of the kind it was made from
     for (CamVariant& variant : kind.variants)
         variant.spec = [spec = variant.spec] {
-            MechanismSpec own = spec();
+            CamSpec own = spec();
             own.type = "rocking";
             return own;
         };
-    kind.formulas = [](const MechanismSpec& spec) -> std::shared_ptr<const CamMechanism> {
-        MechanismSpec same = spec;
+    kind.formulas = [](const CamSpec& spec) -> std::shared_ptr<const CamMechanism> {
+        CamSpec same = spec;
         same.type = remote_type;
         return std::make_shared<RemoteCam>(same);
     };

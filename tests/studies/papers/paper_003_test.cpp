@@ -58,7 +58,7 @@ TEST(Paper003, ReportsTheReferenceNumbersAndBothVerdicts) {
 
 TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
     // A polygon's, MT60: 2.9e-6, 5.9e-9, 1.8e-11 mm; ours goes through the points with a smoother curve.
-    const MechanismSpec spec = tappet_spec(false);
+    const CamSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
     const MotionChain motion = tappet_motion("modified_trapezoid", 60);
     const std::pair<int, double> rows[] = {{360, 2.9e-9}, {1440, 5.9e-12}, {6000, 1e-12}};
@@ -70,7 +70,7 @@ TEST(Paper003, ForwardCheckFindsTheFrameFromProfilePointsAlone) {
 }
 
 TEST(Paper003, ForwardCheckDoesNotMindWhereTheFrameHasItsOrigin) {
-    MechanismSpec spec = tappet_spec(true);
+    CamSpec spec = tappet_spec(true);
     using enum RemoteDimension;
     const std::initializer_list<std::pair<RemoteDimension, double>> moved = {
         {lever_pivot_x, 40}, {center_x, 40}, {rocker_pivot_x, 40}, {slider_x, 40},
@@ -85,7 +85,7 @@ TEST(Paper003, ForwardCheckDoesNotMindWhereTheFrameHasItsOrigin) {
 }
 
 TEST(Paper003, ForwardCheckSeesACamThatIsNotTheDesignedOne) {
-    const MechanismSpec spec = tappet_spec(false);
+    const CamSpec spec = tappet_spec(false);
     const DrivenMechanism mechanism{std::make_shared<RemoteCam>(spec), spec.middle()};
     const MotionChain motion = tappet_motion("modified_trapezoid", 60);
     ForwardCheckInput input = forward_check_input(mechanism, motion, tappet_scale(), 1440);

@@ -6,7 +6,6 @@
 #include "core/units.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
@@ -69,7 +68,6 @@ double pressure_angle(const Displacement& s, double theta) {
 
 Scene scene_of(const std::string& file) {
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + file, known_names());
-    complete_mechanism(scene);
     return scene;
 }
 
@@ -123,11 +121,11 @@ INSTANTIATE_TEST_SUITE_P(Dwells, TappetScene, ::testing::Values(75, 90));
 
 TEST(TappetScenes, TheFileAndTheStudyAreTheSameScene) {
     const Scene file = scene_of("tappet_75.toml"), study = tappet_scene(75, 30);
-    ASSERT_EQ(file.mechanism->dimensions.size(), study.mechanism->dimensions.size());
-    for (std::size_t i = 0; i < file.mechanism->dimensions.size(); ++i)
-        EXPECT_NEAR(file.mechanism->dimensions[i].value.low, study.mechanism->dimensions[i].value.low, 1e-15)
-            << file.mechanism->dimensions[i].name;
-    EXPECT_EQ(file.mechanism->choices, study.mechanism->choices);
+    ASSERT_EQ(file.cam->dimensions.size(), study.cam->dimensions.size());
+    for (std::size_t i = 0; i < file.cam->dimensions.size(); ++i)
+        EXPECT_NEAR(file.cam->dimensions[i].value.low, study.cam->dimensions[i].value.low, 1e-15)
+            << file.cam->dimensions[i].name;
+    EXPECT_EQ(file.cam->choices, study.cam->choices);
     EXPECT_NEAR(file.limits.pressure_angle->value, study.limits.pressure_angle->value, 1e-15);
     EXPECT_EQ(file.spline.segments, study.spline.segments);
     EXPECT_EQ(file.objective.jerk, study.objective.jerk);
@@ -151,7 +149,7 @@ TEST(TappetScenes, NoMotionKeepsWhatTheDwellItselfBreaks) {
 TEST(TappetScenes, AVariableDimensionIsUsed) {
     Scene scene = tappet_scene(90, 30);
     Dimension& height =
-        scene.mechanism->dimensions[static_cast<std::size_t>(RemoteDimension::center_y)].value;
+        scene.cam->dimensions[static_cast<std::size_t>(RemoteDimension::center_y)].value;
     height.low = -0.02;
     height.high = 0.0;
     scene.solver.starts = 2;
@@ -166,11 +164,11 @@ TEST(TappetScenes, AVariableDimensionIsUsed) {
 
 TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {
     Scene scene = tappet_scene(75, 30);
-    MechanismSpec& spec = *scene.mechanism;
+    CamSpec& spec = *scene.cam;
     Dimension& coupler = spec.dimensions[static_cast<std::size_t>(RemoteDimension::second_coupler)].value;
     coupler.low = coupler.high = 0.04;
     try {
-        complete_mechanism(scene);
+        validate(scene);
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("second_coupler"), std::string::npos) << error.what();
@@ -180,10 +178,8 @@ TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {
 
 TEST(TappetScenes, FormulasAreNotTakenForGranted) {
     Scene scene = tappet_scene(75, 30);
-    scene.mechanism->formulas.reset();
-    EXPECT_EQ(refusal([&] { (void)solve(scene); }),
-              "mechanism: a cam of type \"remote\" without its formulas; allowed: a scene that "
-              "profiles/factory, or the program itself, has completed");
+    scene.cam->make = nullptr;
+    EXPECT_EQ(refusal([&] { (void)solve(scene); }), "a cam of type \"remote\" without formulas");
 }
 
 }  // namespace tappet_scenes_test

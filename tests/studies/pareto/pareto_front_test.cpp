@@ -203,10 +203,10 @@ TEST(ParetoFront, TradesTheBaseCircleForJerk) {
     Scene scene = paper_objective(MotionType::drd, 3, 24);
     scene.motion.lift = 0.02;
     scene.motion.rise = std::numbers::pi / 3.0;
-    CamSpec cam;
+    DiskSpec cam;
     cam[DimensionIndex::base_radius] = Dimension(0.005, 0.06);
     cam[DimensionIndex::roller_radius] = 0.01;
-    scene.cam = cam;
+    scene.cam = disk_spec(cam);
     const double degree = std::numbers::pi / 180.0;
     scene.limits.pressure_angle = WrittenLimit{30.0 * degree, "limits.pressure_angle_deg", degree, "deg"};
     FrontRequest request = request_of(DimensionIndex::base_radius, J);

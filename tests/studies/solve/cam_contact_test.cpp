@@ -27,7 +27,7 @@ constexpr int dense_points = 20000;
 
 Scene pressed_scene(FollowerType follower) {
     Scene scene;
-    scene.cam.emplace().follower = follower;
+    scene.cam = disk_spec({.follower = follower});
     scene.solver.starts = 2;
     scene.solver.max_seconds = 20.0;
     ForceSpec& forces = scene.forces.emplace();
@@ -49,7 +49,7 @@ Scene flat_scene_under_pressure(double limit_mpa) {
     scene.objective.velocity = 0.503;
     scene.objective.acceleration = 0.418;
     scene.objective.jerk = 0.0913;
-    (*scene.cam)[base_radius] = 0.13678;
+    scene.cam->set(base_radius, 0.13678);
     scene.forces->mass = 2.679;
     scene.forces->spring_rate = 162445.0;
     scene.forces->preload = 2488.3;
@@ -70,8 +70,8 @@ Scene flat_arm_under_pressure(double base) {
     scene.objective.acceleration = 0.8195;
     scene.objective.jerk = 0.4287;
     scene.cam->rotation = Rotation::clockwise;
-    (*scene.cam)[base_radius] = base;
-    (*scene.cam)[center_distance] = 0.16773;
+    scene.cam->set(base_radius, base);
+    scene.cam->set(center_distance, 0.16773);
     scene.forces->mass = 0.02704;
     scene.forces->spring_rate = 365.45;
     scene.forces->preload = 102.8;
@@ -90,9 +90,9 @@ Scene roller_under_pressure(double limit_mpa) {
     scene.objective.velocity = 0.7561;
     scene.objective.acceleration = 0.6605;
     scene.objective.jerk = 0.3113;
-    (*scene.cam)[base_radius] = 0.027401;
-    (*scene.cam)[roller_radius] = 0.019809;
-    (*scene.cam)[offset] = -0.011157;
+    scene.cam->set(base_radius, 0.027401);
+    scene.cam->set(roller_radius, 0.019809);
+    scene.cam->set(offset, -0.011157);
     scene.forces->mass = 2.1166;
     scene.forces->spring_rate = 127893.6;
     scene.forces->preload = 1862.1;
@@ -207,12 +207,12 @@ Scene resting_arm(double general_deg, MotionType type) {
     scene.motion.lift = 0.1858;
     scene.motion.rise = 2.527;
     scene.spline.segments = 10;
-    scene.cam.emplace().follower = FollowerType::oscillating_roller;
+    scene.cam = disk_spec({.follower = FollowerType::oscillating_roller});
     scene.cam->rotation = Rotation::clockwise;
-    (*scene.cam)[base_radius] = 0.045157;
-    (*scene.cam)[roller_radius] = 0.010807;
-    (*scene.cam)[center_distance] = 0.067974;
-    (*scene.cam)[arm_length] = 0.066768;
+    scene.cam->set(base_radius, 0.045157);
+    scene.cam->set(roller_radius, 0.010807);
+    scene.cam->set(center_distance, 0.067974);
+    scene.cam->set(arm_length, 0.066768);
     scene.limits.pressure_angle = degrees(general_deg, "limits.pressure_angle_deg");
     scene.limits.rise_pressure_angle = degrees(36.0, "limits.rise_pressure_angle_deg");
     scene.limits.return_pressure_angle = degrees(34.4, "limits.return_pressure_angle_deg");
@@ -244,7 +244,7 @@ TEST(PressureAtRest, IsThatOfTheLeastOfAllThreeLimits) {
 
 TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
     Scene scene = resting_arm(26.4, MotionType::drd);
-    Dimension& arm = (*scene.cam)[arm_length];
+    Dimension& arm = *scene.cam->find(arm_length);
     arm = Dimension{};
     arm.low = 0.055;
     arm.high = 0.0668;
@@ -263,10 +263,10 @@ TEST(PressureAtRest, OfAnOffsetFollowerIsLimitedByTheGeneralLimit) {
         paper_weights(scene);
         scene.motion.lift = 0.02;
         scene.motion.rise = 2.0;
-        scene.cam.emplace().follower = follower;
-        (*scene.cam)[base_radius] = 0.03;
-        if (has_roller(follower)) (*scene.cam)[roller_radius] = 0.01;
-        (*scene.cam)[offset] = follower == FollowerType::translating_knife ? 0.015 : 0.02;  // 30° at rest
+        scene.cam = disk_spec({.follower = follower});
+        scene.cam->set(base_radius, 0.03);
+        if (has_roller(follower)) scene.cam->set(roller_radius, 0.01);
+        scene.cam->set(offset, follower == FollowerType::translating_knife ? 0.015 : 0.02);  // 30° at rest
         scene.limits.rise_pressure_angle = degrees(45.0, "limits.rise_pressure_angle_deg");
         scene.limits.return_pressure_angle = degrees(45.0, "limits.return_pressure_angle_deg");
         scene.limits.pressure_angle = degrees(25.0, "limits.pressure_angle_deg");

@@ -53,19 +53,19 @@ const Extreme extremes[] = {
          return scene;
      }},
     {"base_just_below_the_limit", [] { return pressure_angle_scene(27.00587, 24); }},
-    {"offset_near_the_prime_radius", [] { return changed([](Scene& s) { (*s.cam)[offset] = 39.9e-3; }); }},
+    {"offset_near_the_prime_radius", [] { return changed([](Scene& s) { s.cam->set(offset, 39.9e-3); }); }},
     {"offset_near_the_prime_radius_clockwise",
      [] {
          return changed([](Scene& s) {
-             (*s.cam)[offset] = 39.9e-3;
+             s.cam->set(offset, 39.9e-3);
              s.cam->rotation = Rotation::clockwise;
          });
      }},
     {"roller_as_large_as_the_pitch_curvature",
      [] {
          return changed([](Scene& s) {
-             (*s.cam)[base_radius] = 10.5e-3;
-             (*s.cam)[roller_radius] = 29.5e-3;
+             s.cam->set(base_radius, 10.5e-3);
+             s.cam->set(roller_radius, 29.5e-3);
              s.limits.cam_radius_min = millimetres(0.0, "limits.cam_radius_min_mm");
          });
      }},

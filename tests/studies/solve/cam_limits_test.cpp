@@ -2,6 +2,7 @@
 // Three beats for every limit of a cam: broken without it, kept with it on a dense grid, rows added for it.
 #include "objectives/grid/cam_problem.hpp"
 #include "objectives/scene_model.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
@@ -31,17 +32,16 @@ Scene oscillating_scene(FollowerType follower) {
     scene.motion.rise = 90.0 * units::degree;
     scene.spline.segments = 16;
     paper_weights(scene);
-    scene.cam.emplace();
-    scene.cam->follower = follower;
-    (*scene.cam)[center_distance] = 100e-3;
+    scene.cam = disk_spec({.follower = follower});
+    scene.cam->set(center_distance, 100e-3);
     if (follower == FollowerType::oscillating_roller) {
-        (*scene.cam)[base_radius] = 40e-3;
-        (*scene.cam)[roller_radius] = 10e-3;
-        (*scene.cam)[arm_length] = 80e-3;
+        scene.cam->set(base_radius, 40e-3);
+        scene.cam->set(roller_radius, 10e-3);
+        scene.cam->set(arm_length, 80e-3);
     } else {
         scene.motion.lift = 10.0 * units::degree;
-        (*scene.cam)[base_radius] = 60e-3;
-        (*scene.cam)[face_offset] = 5e-3;
+        scene.cam->set(base_radius, 60e-3);
+        scene.cam->set(face_offset, 5e-3);
     }
     return scene;
 }
@@ -52,18 +52,22 @@ void add_forces(Scene& scene) {
 }
 
 Scene grooved(Scene scene) {
-    scene.cam->form.type = CamForm::grooved;
-    scene.cam->form.groove_clearance = 0.1e-3;
+    DiskSpec cam = disk_of(*scene.cam);
+    cam.form.type = CamForm::grooved;
+    cam.form.groove_clearance = 0.1e-3;
+    scene.cam = disk_spec(cam);
     return scene;
 }
 
 /// Both disks carry: no preload.
 Scene conjugate(Scene scene) {
-    scene.cam->form.type = CamForm::conjugate;
+    DiskSpec cam = disk_of(*scene.cam);
+    cam.form.type = CamForm::conjugate;
     if (scene.motion.lift_is_angle)
-        scene.cam->form.arm_angle = 75.0 * units::degree;
+        cam.form.arm_angle = 75.0 * units::degree;
     else
-        scene.cam->form.roller_distance = 120e-3;
+        cam.form.roller_distance = 120e-3;
+    scene.cam = disk_spec(cam);
     return scene;
 }
 
@@ -107,7 +111,7 @@ const Beat beats[] = {
      [] {
          Scene scene = roller_scene();
          scene.motion.type = MotionType::rr;
-         (*scene.cam)[offset] = 3e-3;
+         scene.cam->set(offset, 3e-3);
          return scene;
      },
      [](Scene& s, double v) {
@@ -126,9 +130,8 @@ const Beat beats[] = {
     {"knife_radius",
      [] {
          Scene scene = roller_scene();
-         scene.cam->follower = FollowerType::translating_knife;
-         (*scene.cam)[base_radius] = 40e-3;
-         (*scene.cam)[roller_radius] = 0.0;
+         scene.cam = disk_spec({.follower = FollowerType::translating_knife});
+         scene.cam->set(base_radius, 40e-3);
          return scene;
      },
      [](Scene& s, double v) { s.limits.cam_radius_min = written(v, "limits.cam_radius_min_mm"); },

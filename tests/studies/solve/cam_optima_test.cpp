@@ -90,7 +90,7 @@ constexpr double any_motion_mm = 24.0813;  // h / (exp(β tan φ) − 1)
 
 Scene smallest_cam_scene(int segments, double weight) {
     Scene scene = pressure_angle_scene(0, segments);
-    (*scene.cam)[base_radius] = Dimension(1e-3, 60e-3);
+    scene.cam->set(base_radius, Dimension(1e-3, 60e-3));
     scene.objective.dimensions[0] = weight;
     return scene;
 }
@@ -125,7 +125,6 @@ TEST(SmallestCam, ForItselfAloneItIsTheSplinesLeast) {
 
 TEST(SmallestCam, BelowTheLimitOfAnyMotionItIsProvedInfeasibleAndExplained) {
     Scene scene = pressure_angle_scene(24.0);
-    (*scene.cam)[base_radius].key = "cam.base_radius_mm";
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     EXPECT_FALSE(solution.conflict.empty());
@@ -160,7 +159,7 @@ TEST(Explanation, EachChangeIsEnoughAndNeeded) {
             } else if (relaxation.key == "motion.rise_deg") {
                 changed.motion.rise = value * units::degree;
             } else if (relaxation.key == "cam.base_radius_mm") {
-                (*changed.cam)[base_radius] = value * 1e-3;
+                changed.cam->set(base_radius, value * 1e-3);
             } else {
                 continue;
             }
@@ -182,7 +181,7 @@ TEST(FlatFace, UndercutIsLinearSoTheOptimumIsProved) {
     EXPECT_LT(free.certificate.objective, limited.certificate.objective);
     // With the base radius free the peaks cost what they cost without the limit, or the cam grows.
     scene = flat_scene(30, 8);
-    (*scene.cam)[base_radius] = Dimension(1e-3, 200e-3);
+    scene.cam->set(base_radius, Dimension(1e-3, 200e-3));
     scene.objective.dimensions[0] = 1e-3;
     const Solution large = solve(scene);
     ASSERT_EQ(large.certificate.verdict, Verdict::optimal);
@@ -212,11 +211,11 @@ TEST(NoCam, NoProfileIsEverTouched) {
 
 TEST(ClockwiseCams, AnOffsetActsTheOtherWay) {
     Scene scene = pressure_angle_scene(40);
-    (*scene.cam)[offset] = 8e-3;
+    scene.cam->set(offset, 8e-3);
     const double counterclockwise = solve(scene).certificate.objective;
     scene.cam->rotation = Rotation::clockwise;
     const double clockwise = solve(scene).certificate.objective;
-    (*scene.cam)[offset] = -8e-3;
+    scene.cam->set(offset, -8e-3);
     const double mirrored = solve(scene).certificate.objective;
     EXPECT_NEAR(counterclockwise, mirrored, 1e-9);
     EXPECT_GT(clockwise, counterclockwise + 1e-3);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random roller cams whose undercut limit is not convex: what is delivered keeps every limit, nearly all of
 // it is proved, and more starts find nothing below what is proved.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/solve/solve_without_explaining.hpp"
@@ -42,12 +43,12 @@ Scene random_scene(unsigned seed) {
     scene.objective.velocity = uniform(random, 0.1, 1.0);
     scene.objective.acceleration = uniform(random, 0.1, 1.0);
     scene.objective.jerk = uniform(random, 0.05, 0.5);
-    scene.cam.emplace();
+    scene.cam = disk_spec({});
     const double prime = scene.motion.lift * uniform(random, 1.8, 3.5);
     const double roller = prime * uniform(random, 0.15, 0.3);
-    (*scene.cam)[base_radius] = prime - roller;
-    (*scene.cam)[roller_radius] = roller;
-    (*scene.cam)[offset] = prime * uniform(random, -0.15, 0.25);
+    scene.cam->set(base_radius, prime - roller);
+    scene.cam->set(roller_radius, roller);
+    scene.cam->set(offset, prime * uniform(random, -0.15, 0.25));
     scene.cam->rotation = random() % 2 == 0 ? Rotation::counterclockwise : Rotation::clockwise;
     scene.limits.pressure_angle = degrees(uniform(random, 28.0, 45.0), "limits.pressure_angle_deg");
     const Solution free = solve(scene);
@@ -62,7 +63,7 @@ Scene random_scene(unsigned seed) {
 /// The largest relative violation of the limits, from the motion alone: formulas of a translating roller,
 /// written out by its pitch curve.
 double worst_violation(const Scene& scene, const Motion& motion) {
-    const CamSpec& cam = *scene.cam;
+    const DiskSpec& cam = *scene.cam;
     const double roller = cam[roller_radius].low;
     const double prime = cam[base_radius].low + roller;
     const double e = (scene.cam->rotation == Rotation::counterclockwise ? 1.0 : -1.0) * cam[offset].low;

@@ -2,6 +2,7 @@
 // Limits set from C++ with nothing but their number: reported with key, unit and value all the same.
 #include "core/errors.hpp"
 #include "core/units.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
@@ -26,9 +27,9 @@ Scene rise() {
 
 Scene roller_cam() {
     Scene scene = rise();
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 40.0 * units::millimetre;
-    (*scene.cam)[DimensionIndex::roller_radius] = 10.0 * units::millimetre;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 40.0 * units::millimetre);
+    scene.cam->set(DimensionIndex::roller_radius, 10.0 * units::millimetre);
     return scene;
 }
 

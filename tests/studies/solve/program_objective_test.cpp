@@ -3,6 +3,7 @@
 // |s'| β / |h|, |s''| β² / |h|, |s'''| β³ / |h| with that segment's own angle β and displacement h, the
 // lift where h is 0 or free. Everything is recomputed from the published knots and control points alone.
 #include "core/errors.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "solvers/certificate/certificate.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/solve/solve.hpp"
@@ -216,9 +217,9 @@ TEST(ProgramObjective, OfAFreeLawIsMeasuredByTheLift) {
 
 TEST(ProgramObjective, OnACamIsMeasuredByTheLift) {
     Scene scene = program({dwell(30), spline(60), spline(80, 1.0), dwell(30), spline(160, 0.0)});
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 25e-3;
-    (*scene.cam)[DimensionIndex::roller_radius] = 8e-3;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 25e-3);
+    scene.cam->set(DimensionIndex::roller_radius, 8e-3);
     scene.limits.pressure_angle =
         WrittenLimit{35.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     const Solution solution = solve(scene);

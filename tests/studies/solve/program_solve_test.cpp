@@ -2,6 +2,7 @@
 // Whole turns: several spline segments optimized together, dwells and laws kept, joints as smooth as
 // promised.
 #include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
@@ -149,10 +150,10 @@ TEST(Program, CapsInTimeHoldForLawsToo) {
 
 TEST(Program, APressureAngleHoldsOverTheWholeTurn) {
     Scene scene = program({dwell(40), spline(80, 0.5), dwell(30), spline(60, 1.0), spline(150, 0.0)});
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 25e-3;
-    (*scene.cam)[DimensionIndex::roller_radius] = 8e-3;
-    (*scene.cam)[DimensionIndex::offset] = 4e-3;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 25e-3);
+    scene.cam->set(DimensionIndex::roller_radius, 8e-3);
+    scene.cam->set(DimensionIndex::offset, 4e-3);
     const Solution free = solve(scene);
     ASSERT_EQ(free.certificate.verdict, Verdict::optimal);
     const double limit = 0.9 * free.cam->summary.pressure_angle.value;
@@ -162,7 +163,7 @@ TEST(Program, APressureAngleHoldsOverTheWholeTurn) {
     EXPECT_NEAR(kept.cam->summary.pressure_angle.value, limit, 1e-7);
     EXPECT_GE(kept.certificate.objective, free.certificate.objective - 1e-9);  // here the limit costs nothing
     // The same with the base radius free: it pays for itself.
-    (*scene.cam)[DimensionIndex::base_radius] = Dimension(10e-3, 80e-3);
+    scene.cam->set(DimensionIndex::base_radius, Dimension(10e-3, 80e-3));
     scene.objective.dimensions[0] = 1e-2;
     const Solution sized = solve(scene);
     EXPECT_EQ(sized.certificate.verdict, Verdict::optimal);

@@ -24,8 +24,8 @@ Scene sharp_cam(int segments) {
     Scene scene = pressure_angle_scene(29.0, segments);
     scene.motion.lift = 10e-3;
     scene.motion.rise = 45 * units::degree;
-    (*scene.cam)[base_radius] = 20e-3;
-    (*scene.cam)[roller_radius] = 9e-3;
+    scene.cam->set(base_radius, 20e-3);
+    scene.cam->set(roller_radius, 9e-3);
     scene.limits.pressure_angle = degrees(30, "limits.pressure_angle_deg");
     scene.limits.cam_radius_min = millimetres(5, "limits.cam_radius_min_mm");
     return scene;

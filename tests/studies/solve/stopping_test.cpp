@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Time limits, iteration limits and Ctrl-C: the best feasible point so far is kept and labelled.
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
@@ -70,9 +71,9 @@ Scene searched_scene() {
     Scene scene = paper_objective(MotionType::drd, 5, 16);
     scene.motion.lift = 0.02;
     scene.motion.rise = 1.6;
-    scene.cam.emplace();
-    (*scene.cam)[DimensionIndex::base_radius] = 0.03;
-    (*scene.cam)[DimensionIndex::roller_radius] = 0.01;
+    scene.cam = disk_spec({});
+    scene.cam->set(DimensionIndex::base_radius, 0.03);
+    scene.cam->set(DimensionIndex::roller_radius, 0.01);
     scene.limits.cam_radius_min = WrittenLimit(0.012);
     scene.limits.concave_radius_min = WrittenLimit(0.05);
     return scene;

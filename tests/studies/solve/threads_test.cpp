@@ -46,7 +46,7 @@ Scene linkage_scene() {
     scene.motion.rise = 120 * units::degree;
     scene.solver.starts = 1;
     scene.limits.pressure_angle = degrees(45.0, "limits.pressure_angle_deg");
-    MechanismSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
+    CamSpec spec = remote_spec(RemoteLinkage::lever_coupler_slider);
     spec.choices["lever_branch"] = "right";
     const std::pair<RemoteDimension, double> millimetres[] = {
         {RemoteDimension::roller_radius, 15},   {RemoteDimension::roller_arm, 100},
@@ -57,8 +57,8 @@ Scene linkage_scene() {
         spec.dimensions[static_cast<std::size_t>(which)].value = Dimension(value * units::millimetre);
     spec.dimensions[static_cast<std::size_t>(RemoteDimension::slider_angle)].value =
         Dimension(90 * units::degree);
-    scene.mechanism = spec;
-    scene.mechanism->formulas = std::make_shared<RemoteCam>(spec);
+    scene.cam = spec;
+    scene.cam->make = remote_mechanism;
     return scene;
 }
 

@@ -2,7 +2,6 @@
 // solver.max_seconds is the time of everything: search, proof, tie-break, explanation.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 #include "tests/support/counting_clock.hpp"
@@ -33,7 +32,6 @@ Scene scene_of(const Case& one) {
     settings.push_back("solver.name=\"" + one.solver + "\"");
     Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + one.scene + ".toml",
                                          known_names(), settings);
-    complete_mechanism(scene);
     return scene;
 }
 

@@ -28,12 +28,13 @@ Scene arm_too_long() {
     scene.objective.acceleration = 0.38359018138971257;
     scene.objective.dimensions[static_cast<std::size_t>(base_radius)] = 0.024490334214622812;
     scene.objective.dimensions[static_cast<std::size_t>(center_distance)] = 0.28051354531770495;
-    CamSpec& cam = scene.cam.emplace();
+    DiskSpec cam;
     cam.follower = FollowerType::oscillating_roller;
     cam[center_distance] = Dimension(0.051345198818442156, 0.10696161028767007);
     cam[base_radius] = Dimension(24.71066742037014e-3, 30.466071074961253e-3);
     cam[roller_radius] = Dimension(3.5521661892715626e-3, 7.3066012090840848e-3);
     cam[arm_length] = 0.08163069663055654;
+    scene.cam = disk_spec(cam);
     scene.limits.pressure_angle =
         testing_support::degrees(0.60172141662463197 / units::degree, "limits.pressure_angle_deg");
     scene.solver.starts = 2;

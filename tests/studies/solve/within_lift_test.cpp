@@ -3,7 +3,6 @@
 // unequal angles are proved; a free displacement is measured by the lift.
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
@@ -23,7 +22,6 @@ using namespace testing_support;
 Scene scene_of(const std::string& name) {
     Scene scene = input::read_scene_file(
         std::string(CAMOPT_SOURCE_DIR) + "/tests/support/cases/" + name + ".toml", known_names());
-    complete_mechanism(scene);
     return scene;
 }
 

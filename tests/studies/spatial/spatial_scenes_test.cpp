@@ -2,7 +2,6 @@
 // Optimised scenes with barrel and cylindrical cams, rebuilt from the delivered motion alone: pressure angle
 // by the short formulas of each mechanism, undercut by the distance of the flank from the roller's sweep.
 #include "input/scene_reader.hpp"
-#include "profiles/factory/mechanism_factory.hpp"
 #include "profiles/spatial/interference.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
@@ -27,7 +26,6 @@ Solution solved(const std::string& name) {
     const std::string path = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
     Scene scene =
         input::read_scene_file(path, {.laws = {"modified_sine"}, .solvers = {"ipopt", "structured"}});
-    complete_mechanism(scene);
     // One start finds what all find; and it may take the time it takes.
     scene.solver.starts = 1;
     scene.solver.max_seconds = 600.0;

@@ -123,8 +123,8 @@ TEST(SweepScenes, WeightsAreSetAsTheReaderWouldAndReadOnce) {
         EXPECT_EQ(scene.objective.jerk, read.objective.jerk);
         EXPECT_EQ(scene.objective.rms_jerk, read.objective.rms_jerk);
         EXPECT_EQ(scene.objective.dimensions, read.objective.dimensions);
-        EXPECT_EQ((*scene.cam)[DimensionIndex::roller_radius].low,
-                  (*read.cam)[DimensionIndex::roller_radius].low);
+        EXPECT_EQ(scene.cam->find(DimensionIndex::roller_radius)->low,
+                  read.cam->find(DimensionIndex::roller_radius)->low);
     }
     EXPECT_EQ(reader.count, 2);  // once a roller
 }

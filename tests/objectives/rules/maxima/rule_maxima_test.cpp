@@ -35,7 +35,7 @@ Scene small_cam(FollowerType follower, Rotation rotation) {
     scene.motion.rise = 60.0 * units::degree;
     scene.motion.speed = 40.0;
     scene.spline.segments = 6;
-    CamSpec& cam = scene.cam.emplace();
+    DiskSpec cam;
     cam.follower = follower;
     cam.rotation = rotation;
     cam[base_radius] = swings ? 0.03 : 0.006;
@@ -43,6 +43,7 @@ Scene small_cam(FollowerType follower, Rotation rotation) {
     if (swings) cam[center_distance] = 0.06;
     if (follower == FollowerType::oscillating_roller) cam[arm_length] = 0.055;
     if (follower == FollowerType::oscillating_flat) cam[face_offset] = 0.004;
+    scene.cam = disk_spec(cam);
     LimitSpec& limits = scene.limits;
     limits.pressure_angle = {35.0 * units::degree, "limits.pressure_angle_deg", units::degree, "deg"};
     limits.cam_radius_min = {1e-3, "limits.cam_radius_min_mm", 1e-3, "mm"};
@@ -98,7 +99,7 @@ TEST(RuleMaxima, EncloseTheFormulasOfEveryFollower) {
     for (const FollowerType follower : followers) {
         const Scene scene = small_cam(follower, Rotation::clockwise);
         auto variables = std::make_shared<CamVariables>();
-        variables->cam = disk_mechanism(middle_cam(*scene.cam));
+        variables->cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
         variables->scale = {scene.motion.lift, scene.motion.unit_angle()};
         // y = 0.3 + 0.5 x − 0.7 x² + 0.4 x³ on a stretch about 0.2.
         const auto derivatives = [](double x) {

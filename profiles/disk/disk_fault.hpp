@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Whether a scene's disk cam can be built and moved at all. Internal to profiles/disk.
+#pragma once
+
+#include "profiles/disk/disk_spec.hpp"
+#include "scene/scene.hpp"
+
+#include <optional>
+
+namespace camopt {
+
+/// The first thing wrong with it, whatever its dimensions are within their ranges; none: nothing is.
+[[nodiscard]] std::optional<SceneFault> disk_fault(const DiskSpec& cam, const MotionSpec& motion);
+
+}  // namespace camopt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A disk cam in its own words: follower, form, dimensions. m, rad; frames: profiles/disk/disk_cam.hpp.
+#pragma once
+
+#include "scene/cam_spec.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace camopt {
+
+struct SceneFault;
+
+/// cam.type of a disk cam.
+inline constexpr const char* disk_type = "disk";
+
+/// How the cam holds its follower.
+enum class CamForm {
+    open,      ///< on one side: a force presses the follower on it
+    grooved,   ///< its roller runs in a groove, between two flanks: the cam drives both ways
+    conjugate  ///< two disks on one shaft, each with a roller of the one follower: the cam drives both ways
+};
+
+[[nodiscard]] const char* name_of(CamForm value);
+
+/// The form of a disk cam and the numbers it needs; those that another form needs are left alone. m, rad.
+struct FormSpec {
+    CamForm type = CamForm::open;
+    double groove_clearance = 0.0;      ///< groove: its width less the roller's diameter, half on either side
+    std::optional<double> groove_wall;  ///< groove: of its outer wall where it is thinnest; roller radius
+    double roller_distance = 0.0;       ///< conjugate, translating: between the rollers' axes along the lift
+    double arm_angle = 0.0;             ///< conjugate, oscillating: between the arms, in (0, 2π)
+    /// Of the second roller, conjugate; none: as those of the first.
+    std::optional<double> second_roller_radius, second_offset, second_arm_length;
+
+    [[nodiscard]] bool is_grooved() const { return type == CamForm::grooved; }
+    [[nodiscard]] bool is_conjugate() const { return type == CamForm::conjugate; }
+    /// The cam pulls the follower back too: no force has to press it on.
+    [[nodiscard]] bool drives_both_ways() const { return type != CamForm::open; }
+};
+
+/// A disk cam: cam centre at the origin, follower at the top (translating, lift along +y, axis at x = offset)
+/// or with its pivot at (center_distance, 0) (oscillating). Prime radius = base radius + roller radius.
+struct DiskSpec {
+    FollowerType follower = FollowerType::translating_roller;
+    Rotation rotation = Rotation::counterclockwise;
+    std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
+    std::optional<double> face_half_width;                ///< translating flat face, m: |s'| <= it
+    FormSpec form = {};                                   ///< rollers only: others are open
+
+    [[nodiscard]] Dimension& operator[](DimensionIndex index) {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+    [[nodiscard]] const Dimension& operator[](DimensionIndex index) const {
+        return dimensions[static_cast<std::size_t>(index)];
+    }
+};
+
+/// The dimensions a follower has, in the order in which they stand in a CamSpec.
+[[nodiscard]] std::vector<DimensionIndex> dimensions_of(FollowerType follower);
+
+/// The numbers of the form that are given, as fixed dimensions with their keys.
+[[nodiscard]] std::vector<CamDimension> form_dimensions(FollowerType follower, const FormSpec& form);
+
+/// A number that this follower or this form has not; none: there is no such one.
+[[nodiscard]] std::optional<SceneFault> foreign_fault(const DiskSpec& cam);
+
+/// The cam as scenes hold it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the choices
+/// "follower" and "form", a key for every dimension. Throws SceneError for a number that this follower or this form has
+/// not.
+[[nodiscard]] CamSpec blank_disk_spec(const DiskSpec& cam);
+
+/// Back again. Throws InputError for another type, and for a follower or a form that does not exist.
+[[nodiscard]] DiskSpec disk_of(const CamSpec& cam);
+
+}  // namespace camopt
