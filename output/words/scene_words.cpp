@@ -8,6 +8,7 @@
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "profiles/scene_cam.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/motion/set_points.hpp"
@@ -152,12 +153,14 @@ std::string range_text(const Dimension& dimension, const ShownUnit& unit) {
                        unit.text(dimension.high));
 }
 
-/// Of a follower with a roller: base and roller as one range.
-std::optional<Dimension> prime_radius(const Scene& scene) {
-    if (!scene.cam || !has_roller(scene.cam->follower)) return {};
-    Dimension prime = (*scene.cam)[DimensionIndex::base_radius];
-    prime.low += (*scene.cam)[DimensionIndex::roller_radius].low;
-    prime.high += (*scene.cam)[DimensionIndex::roller_radius].high;
+/// Of a follower whose roller touches the cam: base and roller as one range.
+std::optional<Dimension> prime_radius(const MechanismSpec& cam) {
+    if (!cam.formulas || !cam.formulas->is_direct() || cam.formulas->roller_radius() < 0) return {};
+    const auto range = [&cam](int index) { return cam.dimensions[static_cast<std::size_t>(index)].value; };
+    Dimension prime = range(cam.formulas->base_radius_index());
+    const Dimension roller = range(cam.formulas->roller_radius());
+    prime.low += roller.low;
+    prime.high += roller.high;
     return prime;
 }
 
@@ -171,7 +174,7 @@ std::string cam_line(const Scene& scene) {
                fmt::format("{} {}", words_of(dimension.name),
                            range_text(dimension.value, dimension.is_angle ? shown.angle : shown.length)));
     }
-    if (const std::optional<Dimension> prime = prime_radius(scene))
+    if (const std::optional<Dimension> prime = prime_radius(cam))
         append(text, fmt::format("prime radius {}", range_text(*prime, shown.length)));
     if (scene.cam && scene.cam->face_half_width)
         append(text,
