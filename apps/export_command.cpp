@@ -296,7 +296,7 @@ void export_piece(const ExportRequest& request, const Solution& solution, const 
 void export_disk(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                  Exported& result) {
     const MotionChain motion = drawn_motion(solution);
-    const std::optional<ProfileShape> shape = disk_shape(solution, motion);
+    const std::optional<ProfileShape> shape = delivered_shape(solution, motion);
     if (!shape) return;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -62,6 +62,8 @@ struct MechanismValue {
     double by_angle = 0.0;  ///< partial by MechanismState::theta; 0 where the input turns evenly
 };
 
+struct DrivenMechanism;
+
 /// One side of a limit on the pressure angle, at one station.
 struct PressureSide {
     double limit = 0.0;  ///< φm, rad
@@ -112,6 +114,14 @@ struct MechanismPoint {
     double cam_radius = 0.0;         ///< signed, m: > 0 convex, < 0 concave; NaN where it has none
     double regularity = 0.0;
     double contact_offset = 0.0;  ///< m: where a flat face is touched (profiles/disk/disk_cam.hpp)
+};
+
+/// A dimension with its number, as drawings list it.
+struct NamedDimension {
+    std::string name;  ///< "base_radius"
+    double value = 0.0;
+    bool is_angle = false;  ///< rad, else m
+    bool of_form = false;   ///< of what holds the follower (groove, second roller), not of cam and follower
 };
 
 /// A part of a drawing of the mechanism in the frame that stands still, in its plane, m.
@@ -299,6 +309,28 @@ class CamMechanism {
                                                                    int station) const;
     [[nodiscard]] virtual MechanismPoint point(double theta, const MechanismState& state,
                                                int station) const = 0;
+
+    // What drawings of a direct cam need. The defaults are for other cams, whose drawings show `shapes`.
+    /// "translating_roller"; empty: the follower has no name.
+    [[nodiscard]] virtual std::string follower_name() const { return {}; }
+    /// How the cam holds its follower, as a scene names it: "grooved"; empty: it is open.
+    [[nodiscard]] virtual std::string form_name() const { return {}; }
+    /// The same after the name of the follower: "in a groove"; empty: it is open.
+    [[nodiscard]] virtual std::string form_words() const { return {}; }
+    /// All of them, in their order; empty: drawings list none.
+    [[nodiscard]] virtual std::vector<NamedDimension> named_dimensions(
+        std::span<const double> dimensions) const;
+    /// Pivot of the arm that touches the cam, in the frame that stands still, m; none: the follower is pushed
+    /// along +y.
+    [[nodiscard]] virtual std::optional<Eigen::Vector2d> arm_pivot(std::span<const double> dimensions) const;
+    /// Of a cam whose stations are the flanks of one groove in a disk: what the disk keeps beyond the outer
+    /// flank where that reaches farthest, m; none: its stations are outlines.
+    [[nodiscard]] virtual std::optional<double> groove_wall(std::span<const double> dimensions) const;
+    /// What is made separately, one for each station, as open cams: their dimensions and words, while the
+    /// points are those of the station. The base radius of all but the first follows from its points. Empty:
+    /// the cam is made in one piece.
+    [[nodiscard]] virtual std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const;
+
     /// By how much the cam frame has turned where the mechanism is in this state, rad: σθ of a cam that turns
     /// evenly.
     [[nodiscard]] virtual double turned(const MechanismState& state) const {

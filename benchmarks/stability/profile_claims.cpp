@@ -56,7 +56,7 @@ StabilityRow deviation_of(const std::string& file, const Expectation& expected, 
 StabilityRow polyline_of(const std::string& file) {
     const Solution solution = solved(file);
     const Scene& scene = solution.scene;
-    const ProfileShape shape = profile_shape(disk_cam(solution.cam.value().cam).value(), *solution.motion,
+    const ProfileShape shape = profile_shape(solution.cam.value().cam, *solution.motion,
                                              {scene.motion.lift, scene.motion.unit_angle()});
     std::istringstream lines(cam_files(solution).front().text);
     std::string line;
@@ -75,7 +75,7 @@ StabilityRow polyline_of(const std::string& file) {
         if (!first && theta > before_theta && theta <= shape.end() && chord.norm() > 0.0) {
             for (const double part : {0.25, 0.5, 0.75}) {
                 const Eigen::Vector2d away =
-                    shape.at(before_theta + part * (theta - before_theta)).contact - before;
+                    in_plane(shape.at(before_theta + part * (theta - before_theta)).contact) - before;
                 worst = std::max(worst, std::abs(chord.x() * away.y() - chord.y() * away.x()) / chord.norm());
             }
         }

@@ -6,11 +6,10 @@
 #include "output/chart/turn_diagram.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
+#include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>
 
@@ -30,15 +29,16 @@ using units::degree;
 constexpr int diagram_steps = 2880;     // an eighth of a degree
 constexpr double most_curvature = 6.0;  // of the largest of base circle's and limits' curvature: then cut off
 
-using Pieces = std::vector<std::vector<ProfilePoint>>;
+using Pieces = std::vector<std::vector<MechanismPoint>>;
 
 /// value: in the unit shown.
-std::vector<std::vector<Eigen::Vector2d>> curve_of(const Pieces& pieces,
-                                                   const std::function<double(const ProfilePoint&)>& value) {
+std::vector<std::vector<Eigen::Vector2d>> curve_of(
+    const Pieces& pieces, const std::function<double(const MechanismPoint&)>& value) {
     std::vector<std::vector<Eigen::Vector2d>> curve;
-    for (const std::vector<ProfilePoint>& piece : pieces) {
+    for (const std::vector<MechanismPoint>& piece : pieces) {
         curve.emplace_back();
-        for (const ProfilePoint& point : piece) curve.back().emplace_back(point.theta / degree, value(point));
+        for (const MechanismPoint& point : piece)
+            curve.back().emplace_back(point.theta / degree, value(point));
     }
     return curve;
 }
@@ -48,7 +48,8 @@ TurnPanel pressure_panel(const Pieces& pieces, const ProfileDiagramLimits& limit
     panel.least_range = 2.0;
     panel.caption = "Pressure angle φ";
     panel.unit = "deg";
-    panel.pieces = curve_of(pieces, [](const ProfilePoint& point) { return point.pressure_angle / degree; });
+    panel.pieces =
+        curve_of(pieces, [](const MechanismPoint& point) { return point.pressure_angle / degree; });
     panel.words = [](double value) { return fmt::format("φ = {}°", short_text(value, 4)); };
     for (const PressureLimit& limit : limits.pressure)
         for (const double sign : {1.0, -1.0})
@@ -64,12 +65,12 @@ TurnPanel curvature_panel(const ProfileShape& shape, const Pieces& pieces,
     TurnPanel panel;
     panel.caption = "Curvature of the cam 1/ρ (convex > 0, concave < 0)";
     panel.unit = "1/" + length.name;
-    panel.pieces =
-        curve_of(pieces, [&](const ProfilePoint& point) { return 1.0 / (length.factor * point.cam_radius); });
+    panel.pieces = curve_of(
+        pieces, [&](const MechanismPoint& point) { return 1.0 / (length.factor * point.cam_radius); });
     panel.words = [name = length.name](double value) {
         return fmt::format("ρ = {} {}", short_text(1.0 / value, 4), name);
     };
-    panel.bound = most_curvature / (length.factor * shape.cam[DimensionIndex::base_radius]);
+    panel.bound = most_curvature / (length.factor * shape.base_radius());
     const auto add = [&](const std::optional<double>& radius, double sign, const char* name) {
         if (!radius || !(*radius > 0.0)) return;
         const double value = sign / (length.factor * *radius);
@@ -92,23 +93,24 @@ std::vector<TurnMark> shown_marks(const std::vector<ProfileMark>& marks, double 
 }
 
 /// The curvature of either side, and of conjugate disks the pressure angle of either.
-TurnDiagram two_sided(TurnDiagram diagram, TurnPanel pressure, const ProfileShape& shape,
+TurnDiagram two_sided(TurnDiagram diagram, const TurnPanel& pressure, const ProfileShape& shape,
                       const ProfileDiagramLimits& limits) {
-    const FormSpec& form = shape.cam.form;
+    const CamMechanism& cam = shape.formulas();
+    const bool two_disks = shape.has_two_disks();
     const ProfileShape other = other_side(shape);
     const std::array<const ProfileShape*, 2> sides = {&shape, &other};
     for (int side = 0; side < 2; ++side) {
         const ProfileShape& own = *sides[static_cast<std::size_t>(side)];
         const Pieces pieces = profile_pieces(own, diagram_steps);
-        if (side == 0 || form.is_conjugate()) {
+        if (side == 0 || two_disks) {
             TurnPanel panel = pressure_panel(pieces, limits);
-            if (form.is_conjugate()) panel.caption += ", " + side_name(form, side);
-            if (side == 0 && form.is_grooved()) panel.marks = pressure.marks;
+            if (two_disks) panel.caption += ", " + cam.station_name(side);
+            if (side == 0 && !two_disks) panel.marks = pressure.marks;
             diagram.panels.push_back(std::move(panel));
         }
         diagram.panels.push_back(curvature_panel(own, pieces, limits));
         diagram.panels.back().caption =
-            fmt::format("Curvature, {}, 1/ρ (convex > 0, concave < 0)", side_name(form, side));
+            fmt::format("Curvature, {}, 1/ρ (convex > 0, concave < 0)", cam.station_name(side));
     }
     return diagram;
 }
@@ -134,9 +136,8 @@ struct LoadPicture {
 
 /// The forces jump where the acceleration does: each piece between two breakpoints is seen from inside.
 LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
-    const DiskCam cam = disk_cam(solution.cam->cam).value();
-    const ForceSpec& forces = *solution.scene.forces;
-    const double speed = *solution.scene.motion.speed;
+    const DrivenMechanism& cam = solution.cam->cam;
+    const LoadsAt loads = delivered_loads(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const std::vector<double> places = motion.breakpoints();
     LoadPieces pieces;
@@ -148,11 +149,9 @@ LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
         std::vector<LoadPoint>& piece = pieces.emplace_back();
         for (int k = 0; k <= count; ++k) {
             const double x = k == count ? places[i + 1] : places[i] + length * k / count;
-            const FollowerState state = state_of(motion.at(x, k == count ? Side::left : Side::right), scale);
-            const double theta = scale.unit_angle * x;
+            const MotionPoint point = motion.at(x, k == count ? Side::left : Side::right);
             piece.push_back(
-                {theta / degree, follower_loads(cam, forces, speed, state,
-                                                mechanism_point(profile_point(cam, theta, state)))});
+                {scale.unit_angle * x / degree, loads(point, mechanism_point(cam, point, scale))});
         }
     }
     return pieces;
@@ -261,10 +260,9 @@ std::string profile_diagrams_svg(const ProfileShape& shape, const ProfileDiagram
     }
     TurnDiagram diagram{std::string(title), shape.begin() / degree, shape.end() / degree, {}, {}};
     for (const double knot : shape.knots) diagram.knots.push_back(knot / degree);
-    if (shape.other)
-        return turn_diagram_svg(two_sided(std::move(diagram), std::move(pressure), shape, limits));
+    if (shape.other) return turn_diagram_svg(two_sided(std::move(diagram), pressure, shape, limits));
     // The pressure angle of a translating flat face is 0 everywhere: nothing to draw.
-    if (shape.cam.follower != FollowerType::translating_flat) diagram.panels.push_back(std::move(pressure));
+    if (!shape.has_pushed_face()) diagram.panels.push_back(std::move(pressure));
     diagram.panels.push_back(std::move(curvature));
     return turn_diagram_svg(diagram);
 }

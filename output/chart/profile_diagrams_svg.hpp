@@ -35,10 +35,11 @@ struct ProfileDiagramMarks {
                                                std::string_view title,
                                                const std::optional<ProfileDiagramMarks>& marks = {});
 
-// forces.svg: what the follower of a disk cam and its contact carry over the cam angle: the force (swinging:
-// moment) on the follower, the force along the normal, the torque of the camshaft and the Hertz pressure,
-// with their limits dotted and their extremes marked where the report names them. Where the follower cannot
-// touch the cam as designed the normal force and the pressure are left out: they do not exist.
+// forces.svg: what the follower of a direct cam and its contact carry over the cam angle: the force
+// (swinging: moment) on the follower, the force along the normal, the torque of the camshaft and the Hertz
+// pressure, with their limits dotted and their extremes marked where the report names them. Where the
+// follower cannot touch the cam as designed the normal force and the pressure are left out: they do not
+// exist.
 
 /// motion: of the whole cam (cam_motion of studies/check/check_cam.hpp). Throws InputError where the solution
 /// has no forces.

@@ -37,7 +37,7 @@ struct MotionRow {
 // torque_nm, normal_force_n and, with a width of contact, hertz_pressure_mpa
 // (studies/delivered/cam/follower_loads.hpp); the last two are empty where the follower cannot touch the cam
 // as designed. Radii are signed, > 0 convex, and empty where infinite. Cam frame of
-// profiles/disk/disk_cam.hpp.
+// output/drawing/profile_shape.hpp.
 
 /// What the columns depend on.
 struct ProfileColumns {

@@ -6,7 +6,6 @@
 #include "output/disk/disk_solid.hpp"
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/nc/milling/plane_passes.hpp"
-#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +29,8 @@ void require(bool holds, const char* what, double found) {
 std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
     std::vector<Eigen::Vector2d> points;
     for (int k = 0; k < count; ++k)
-        points.push_back(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact);
+        points.push_back(
+            shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact.head<2>());
     return points;
 }
 
@@ -52,7 +52,7 @@ Blank blank_of(const ProfileShape& shape, const DiskNcOptions& options) {
 /// The roller in its groove, as wide as the groove: upright, its far end at the floor.
 RollerPath groove_roller(const ProfileShape& shape) {
     return [&shape](double theta, double station) {
-        const ProfilePoint point = shape.at(theta);
+        const MechanismPoint point = shape.at(theta);
         return RollerPose{{point.pitch.x(), point.pitch.y(), -station},
                           {0.0, 0.0, -1.0},
                           {-point.normal.x(), -point.normal.y(), 0.0}};
@@ -87,7 +87,7 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     require(depth > 0.0 && depth < options.thickness, "the groove must be less deep than the cam is thick, m",
             depth);
     CutterLocation location;
-    location.roller_radius = surface_offset(shape.cam, 1);
+    location.roller_radius = shape.formulas().surface_offset(shape.cam.dimensions, 1);
     location.diameter = options.cutter_diameter.value_or(2.0 * location.roller_radius);
     location.stock = options.stock;
     location.station = depth;
@@ -125,7 +125,7 @@ NcWork groove_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 
 NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
     check_closed(shape);
-    if (shape.cam.form.is_conjugate())
+    if (shape.has_two_disks())
         throw InputError("an NC program: found two disks; allowed: either of them (made_pieces)");
     require(std::isfinite(options.thickness) && options.thickness > 0.0, "the thickness must be > 0 m",
             options.thickness);
@@ -142,8 +142,8 @@ NcWork disk_nc_work(const ProfileShape& shape, const DiskNcOptions& options) {
 
     CuttingTask& task = work.task;
     const PlaneContour around = [&shape](double theta) {
-        const ProfilePoint point = shape.at(theta);
-        return ContourPoint{point.contact, point.normal};
+        const MechanismPoint point = shape.at(theta);
+        return ContourPoint{in_plane(point.contact), in_plane(point.normal)};
     };
     task.finished = plane_finished_cam({around, shape.knots});
     MillingPasses milled = plane_passes({around,

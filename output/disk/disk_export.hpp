@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Plane cams for the machine: the checked program of an end mill around them, or along their groove.
 //
-// Frame of profiles/disk/disk_cam.hpp, the cam between z = −thickness and z = 0. Only cams that close. Of a
-// grooved cam the disk with its rim is the blank, and the program mills the groove into its upper face: in
-// one pass with a cutter as wide as the groove, else along either flank (groove_passes.hpp). A conjugate cam
-// is two such pieces (made_pieces). m.
+// Frame of output/drawing/profile_shape.hpp, the cam between z = −thickness and z = 0. Only cams that close.
+// Of a grooved cam the disk with its rim is the blank, and the program mills the groove into its upper face:
+// in one pass with a cutter as wide as the groove, else along either flank (groove_passes.hpp). A conjugate
+// cam is two such pieces (made_pieces). m.
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"

@@ -46,7 +46,7 @@ double groove_depth_of(const DrawingSpec& drawing) {
 void check_solid(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_closed(shape);
     static_cast<void>(thickness_of(drawing));
-    if (shape.cam.form.is_conjugate())
+    if (shape.has_two_disks())
         throw InputError("plane cam: found two disks; allowed: either of them (made_pieces)");
     const auto undercut = [](const ProfileShape& side) {
         return !cusp_angles(side).empty() || !(side.at(side.begin()).regularity > 0.0);
@@ -182,7 +182,8 @@ Polygon even_polygon(const ProfileShape& shape, int count) {
             fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
     Polygon polygon;
     for (int k = 0; k < count; ++k)
-        polygon.push_back(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact);
+        polygon.push_back(
+            shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact.head<2>());
     return polygon;
 }
 
@@ -192,11 +193,11 @@ double sagitta(const ProfileShape& shape, int count) {
     double worst = 0.0;
     const double step = (shape.end() - shape.begin()) / count;
     for (int k = 0; k < count; ++k) {
-        const Vector2d from = shape.at(shape.begin() + step * k).contact,
-                       to = shape.at(std::min(shape.begin() + step * (k + 1), shape.end())).contact;
+        const Vector2d from = in_plane(shape.at(shape.begin() + step * k).contact),
+                       to = in_plane(shape.at(std::min(shape.begin() + step * (k + 1), shape.end())).contact);
         const Vector2d chord = (to - from).normalized();
         for (const double part : {0.25, 0.5, 0.75}) {
-            const Vector2d out = shape.at(shape.begin() + step * (k + part)).contact - from;
+            const Vector2d out = in_plane(shape.at(shape.begin() + step * (k + part)).contact) - from;
             worst = std::max(worst, std::abs(chord.x() * out.y() - chord.y() * out.x()));
         }
     }
@@ -218,7 +219,7 @@ Polygon contour_polygon(const ProfileShape& shape, const DiskMeshOptions& option
 bool is_dwell(const ProfileShape& shape, double begin, double end) {
     const double radius = shape.at(begin).contact.norm();
     for (int i = 1; i < dwell_samples; ++i) {
-        const Vector2d point = shape.at(begin + (end - begin) * i / dwell_samples).contact;
+        const Vector2d point = in_plane(shape.at(begin + (end - begin) * i / dwell_samples).contact);
         if (std::abs(point.norm() - radius) > same_radius * radius) return false;
     }
     return true;
@@ -232,7 +233,7 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
         for (int i = 0; i < count; ++i) grid.u.push_back(begin + (end - begin) * i / (count - 1));
         for (const double height : grid.v)
             for (const double theta : grid.u) {
-                const Vector2d point = shape.at(theta).contact;
+                const Vector2d point = in_plane(shape.at(theta).contact);
                 grid.points.emplace_back(point.x(), point.y(), height);
             }
         const BsplineSurface surface = bspline_surfaces(grid).front();
@@ -240,9 +241,9 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
         for (int i = 0; i + 1 < count; ++i) {
             const double theta =
                 0.5 * (grid.u[static_cast<std::size_t>(i)] + grid.u[static_cast<std::size_t>(i + 1)]);
-            const ProfilePoint point = shape.at(theta);
-            const Vector2d gap = surface.at(theta, 0.0).head<2>() - point.contact;
-            worst = std::max(worst, std::abs(gap.dot(point.normal)));
+            const MechanismPoint point = shape.at(theta);
+            const Vector2d gap = surface.at(theta, 0.0).head<2>() - in_plane(point.contact);
+            worst = std::max(worst, std::abs(gap.dot(in_plane(point.normal))));
         }
         if (worst > curve_tolerance && count < most_points) continue;
         PlateEdge edge;
@@ -262,12 +263,12 @@ std::vector<PlateEdge> contour_edges(const ProfileShape& shape) {
         PlateEdge edge;
         if (is_dwell(shape, begin, end)) {
             edge.kind = PlateEdge::Kind::arc;
-            edge.middle = shape.at(0.5 * (begin + end)).contact;
+            edge.middle = in_plane(shape.at(0.5 * (begin + end)).contact);
         } else {
             edge = curve_through(shape, begin, end);
         }
-        edge.from = i == 0 ? shape.at(begin).contact : outline.back().to;
-        edge.to = i + 2 < shape.knots.size() ? shape.at(end).contact
+        edge.from = i == 0 ? in_plane(shape.at(begin).contact) : outline.back().to;
+        edge.to = i + 2 < shape.knots.size() ? in_plane(shape.at(end).contact)
                   : outline.empty()          ? edge.from
                                              : outline.front().from;
         if (!edge.poles.empty()) {
@@ -308,7 +309,7 @@ void check_closed(const ProfileShape& shape) {
 
 double disk_volume(const ProfileShape& shape, const DrawingSpec& drawing) {
     check_solid(shape, drawing);
-    const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.cam)) : 0.0;
+    const double bore = drawing.bore ? area_of(bore_outline(drawing, shape.formulas().rotation())) : 0.0;
     const auto area = [](const ProfileShape& side) {
         return area_of(outline_chain(side, true, area_tolerance).vertices);
     };
@@ -325,7 +326,8 @@ DiskMesh disk_mesh(const ProfileShape& shape, const DrawingSpec& drawing, const 
     DiskMesh result;
     Polygon hole;
     const Polygon outline = contour_polygon(shape, options, result.deviation);
-    if (drawing.bore) hole = polygon_within(bore_outline(drawing, shape.cam), options.chord_tolerance);
+    if (drawing.bore)
+        hole = polygon_within(bore_outline(drawing, shape.formulas().rotation()), options.chord_tolerance);
     if (shape.other) {
         const Polygon outer = contour_polygon(other_side(shape), options, result.deviation);
         const Polygon rim = polygon_within(rim_outline(shape), options.chord_tolerance);
@@ -351,7 +353,7 @@ Plate disk_plate(const ProfileShape& shape, const DrawingSpec& drawing, const st
     } else {
         plate.outline = contour_edges(shape);
     }
-    if (drawing.bore) plate.hole = edges_of(bore_outline(drawing, shape.cam));
+    if (drawing.bore) plate.hole = edges_of(bore_outline(drawing, shape.formulas().rotation()));
     return plate;
 }
 

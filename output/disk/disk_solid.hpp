@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A disk cam as a solid with its bore and keyway: triangles for STL, exact edges for STEP.
 //
-// Frame of profiles/disk/disk_cam.hpp, between z = −thickness and z = 0. Only cams that close and that are
-// not undercut. m.
+// Frame of output/drawing/profile_shape.hpp, between z = −thickness and z = 0. Only cams that close and that
+// are not undercut. m.
 #pragma once
 
 #include "output/drawing/profile_shape.hpp"

@@ -14,10 +14,6 @@ using Eigen::Vector2d;
 constexpr double stem_length = 1.2, stem_half_width = 0.07, guide_begin = 0.6, guide_end = 1.0;
 constexpr double ghost_length = 0.45, plate = 0.07, face_margin = 0.12, pivot_radius = 0.06;
 
-double roller_of(const DiskCam& cam) {
-    return has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
-}
-
 Vector2d turned_left(const Vector2d& direction) {
     return {-direction.y(), direction.x()};
 }
@@ -27,8 +23,11 @@ Vector2d turned_left(const Vector2d& direction) {
 FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset, double largest_offset)
     : shape_(shape),
       start_(shape.at(shape.start)),
+      pitch_(in_plane(start_.pitch)),
+      contact_(in_plane(start_.contact)),
+      normal_(in_plane(start_.normal)),
       pose_(follower_pose(shape.cam, start_)),
-      size_(std::max(shape.cam[DimensionIndex::base_radius], roller_of(shape.cam))),
+      size_(std::max(shape.base_radius(), shape.roller_radius())),
       least_(least_offset - face_margin * size_),
       largest_(largest_offset + face_margin * size_) {
     if (const std::optional<double> half = pushed_face(); half) least_ = -*half, largest_ = *half;
@@ -36,20 +35,19 @@ FollowerDrawing::FollowerDrawing(const ProfileShape& shape, double least_offset,
 
 /// Half the width of a flat face that is pushed straight, where it is given.
 std::optional<double> FollowerDrawing::pushed_face() const {
-    if (!has_pushed_face(shape_.cam.follower)) return std::nullopt;
+    if (!shape_.has_pushed_face()) return std::nullopt;
     return shape_.face_half_width;
 }
 
 std::vector<Vector2d> FollowerDrawing::reach() const {
-    const DiskCam& cam = shape_.cam;
-    if (is_oscillating(cam.follower)) {
+    if (shape_.formulas().swings()) {
         const Vector2d around = Vector2d::Constant(2.5 * pivot_radius * size_);
-        return {pose_.pivot + around, pose_.pivot - around, start_.pitch};
+        return {pose_.pivot + around, pose_.pivot - around, pitch_};
     }
     std::vector<Vector2d> reach = {
-        start_.pitch + std::max(1.2 * roller_of(cam), (stem_length + plate) * size_) * pose_.lift};
-    if (has_flat_face(cam.follower)) {
-        const Vector2d along = along_face(pose_), foot = start_.contact - start_.contact_offset * along;
+        pitch_ + std::max(1.2 * shape_.roller_radius(), (stem_length + plate) * size_) * pose_.lift};
+    if (shape_.has_face()) {
+        const Vector2d along = along_face(pose_), foot = contact_ - start_.contact_offset * along;
         reach.emplace_back(foot + least_ * along);
         reach.emplace_back(foot + largest_ * along);
     }
@@ -62,20 +60,19 @@ Vector2d FollowerDrawing::along_face(const FollowerPose& pose) const {
 }
 
 void FollowerDrawing::draw_whole(const ProfileCanvas& canvas) const {
-    const DiskCam& cam = shape_.cam;
-    if (is_oscillating(cam.follower)) return draw_swinging(canvas);
-    if (has_flat_face(cam.follower)) {
-        const Vector2d along = along_face(pose_), foot = start_.contact - start_.contact_offset * along;
+    if (shape_.formulas().swings()) return draw_swinging(canvas);
+    if (shape_.has_face()) {
+        const Vector2d along = along_face(pose_), foot = contact_ - start_.contact_offset * along;
         const Vector2d up = plate * size_ * pose_.lift;
         canvas.polyline(std::array<Vector2d, 4>{foot + least_ * along, foot + largest_ * along,
                                                 foot + largest_ * along + up, foot + least_ * along + up},
                         true, "follower");
         return draw_stem(canvas, foot + up, 0.0);
     }
-    draw_stem(canvas, start_.pitch, has_roller(cam.follower) ? 0.0 : 2.0 * stem_half_width);
-    if (!has_roller(cam.follower)) return;
-    canvas.circle(start_.pitch, cam[DimensionIndex::roller_radius], "follower");
-    canvas.circle(start_.pitch, canvas.px(2.0), "pivot");
+    draw_stem(canvas, pitch_, shape_.has_roller() ? 0.0 : 2.0 * stem_half_width);
+    if (!shape_.has_roller()) return;
+    canvas.circle(pitch_, shape_.roller_radius(), "follower");
+    canvas.circle(pitch_, canvas.px(2.0), "pivot");
 }
 
 /// A stem in its guide; with a gap it ends in an edge at the foot.
@@ -92,13 +89,12 @@ void FollowerDrawing::draw_stem(const ProfileCanvas& canvas, const Vector2d& foo
 }
 
 void FollowerDrawing::draw_swinging(const ProfileCanvas& canvas) const {
-    const DiskCam& cam = shape_.cam;
-    if (has_roller(cam.follower)) {
-        canvas.line(pose_.pivot, start_.pitch, "arm");
-        canvas.circle(start_.pitch, cam[DimensionIndex::roller_radius], "follower");
-        canvas.circle(start_.pitch, canvas.px(2.0), "pivot");
+    if (shape_.has_roller()) {
+        canvas.line(pose_.pivot, pitch_, "arm");
+        canvas.circle(pitch_, shape_.roller_radius(), "follower");
+        canvas.circle(pitch_, canvas.px(2.0), "pivot");
     } else {
-        const Vector2d along = (start_.contact - pose_.foot).normalized(), up = plate * size_ * start_.normal;
+        const Vector2d along = (contact_ - pose_.foot).normalized(), up = plate * size_ * normal_;
         canvas.polyline(std::array<Vector2d, 5>{pose_.pivot, pose_.foot + std::max(least_, 0.0) * along,
                                                 pose_.foot + largest_ * along,
                                                 pose_.foot + largest_ * along + up, pose_.pivot + up},
@@ -116,33 +112,33 @@ void FollowerDrawing::draw_pivot(const ProfileCanvas& canvas, const Vector2d& pi
 }
 
 FollowerDrawing::Ghost FollowerDrawing::ghost_at(double theta) const {
-    const ProfilePoint point = shape_.at(theta);
+    const MechanismPoint point = shape_.at(theta);
+    const Vector2d pitch = in_plane(point.pitch), contact = in_plane(point.contact);
     const FollowerPose pose = follower_pose(shape_.cam, point);
     const double length = ghost_length * size_;
-    if (has_flat_face(shape_.cam.follower)) {
+    if (shape_.has_face()) {
         if (pushed_face()) {
-            const Vector2d direction = along_face(pose),
-                           foot = point.contact - point.contact_offset * direction;
-            return {point.contact, foot + least_ * direction, foot + largest_ * direction};
+            const Vector2d direction = along_face(pose), foot = contact - point.contact_offset * direction;
+            return {contact, foot + least_ * direction, foot + largest_ * direction};
         }
-        const Vector2d along = length * turned_left(point.normal);
-        return {point.contact, point.contact - along, point.contact + along};
+        const Vector2d along = length * turned_left(in_plane(point.normal));
+        return {contact, contact - along, contact + along};
     }
-    const bool swings = is_oscillating(shape_.cam.follower);
-    const Vector2d away = swings ? Vector2d((pose.pivot - point.pitch).normalized()) : pose.lift;
-    return {point.pitch, point.pitch, point.pitch + std::max(length, 1.2 * roller_of(shape_.cam)) * away};
+    const bool swings = shape_.formulas().swings();
+    const Vector2d away = swings ? Vector2d((pose.pivot - pitch).normalized()) : pose.lift;
+    return {pitch, pitch, pitch + std::max(length, 1.2 * shape_.roller_radius()) * away};
 }
 
 std::vector<Vector2d> FollowerDrawing::ghost_reach(double theta) const {
     const Ghost ghost = ghost_at(theta);
-    const Vector2d around = Vector2d::Constant(roller_of(shape_.cam));
+    const Vector2d around = Vector2d::Constant(shape_.roller_radius());
     return {ghost.center - around, ghost.center + around, ghost.from, ghost.to};
 }
 
 void FollowerDrawing::draw_ghost(const ProfileCanvas& canvas, double theta) const {
     const Ghost ghost = ghost_at(theta);
     canvas.line(ghost.from, ghost.to, "ghost");
-    if (has_roller(shape_.cam.follower)) canvas.circle(ghost.center, roller_of(shape_.cam), "ghost");
+    if (shape_.has_roller()) canvas.circle(ghost.center, shape_.roller_radius(), "ghost");
 }
 
 std::string_view follower_style() {

@@ -37,7 +37,8 @@ class FollowerDrawing {
     void draw_pivot(const ProfileCanvas& canvas, const Eigen::Vector2d& pivot) const;
 
     const ProfileShape& shape_;
-    ProfilePoint start_;
+    MechanismPoint start_;
+    Eigen::Vector2d pitch_, contact_, normal_;  ///< of start_
     FollowerPose pose_;
     double size_;  ///< what the parts without a dimension are measured by
     double least_, largest_;

@@ -5,7 +5,6 @@
 #include "output/chart/plot_frame.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 
 #include <fmt/format.h>
@@ -26,18 +25,30 @@ constexpr double heading_room = 8, sample_length = 30, sample_words = 40, number
 using units::degree;
 
 void add_lines(LegendColumn& column, const ProfileShape& shape, bool undercut) {
-    const FormSpec& form = shape.cam.form;
-    column.sample(shape.closed ? "cam" : "sector", form.is_conjugate() ? "first disk" : "cam");
-    if (form.is_conjugate()) column.sample(shape.closed ? "second" : "second-sector", "second disk");
-    if (form.is_grooved()) column.sample(shape.closed ? "groove" : "sector", "groove: inner, outer flank");
-    if (has_roller(shape.cam.follower)) column.sample("pitch", "pitch curve (roller centre)");
+    const CamMechanism& cam = shape.formulas();
+    const bool two_disks = shape.has_two_disks();
+    column.sample(shape.closed ? "cam" : "sector", two_disks ? cam.station_name(0) : "cam");
+    if (two_disks) column.sample(shape.closed ? "second" : "second-sector", cam.station_name(1));
+    if (shape.is_grooved()) column.sample(shape.closed ? "groove" : "sector", "groove: inner, outer flank");
+    if (shape.has_roller()) column.sample("pitch", "pitch curve (roller centre)");
     column.sample("circle", "base circle");
-    if (has_roller(shape.cam.follower)) column.sample("prime", "prime circle");
+    if (shape.has_roller()) column.sample("prime", "prime circle");
     column.sample("follower", fmt::format("follower at θ = {}°", short_text(shape.start / degree)));
     column.sample("ghost", "follower every 60°");
     column.sample("mark", "contact every 30°");
     if (!shape.closed && !shape.open_because.empty()) column.sample("open", "open: nothing given");
     if (undercut) column.sample("undercut", "undercut");
+}
+
+void add_named_dimensions(LegendColumn& column, const ProfileShape& shape, bool of_form) {
+    for (const NamedDimension& dimension : shape.formulas().named_dimensions(shape.cam.dimensions)) {
+        if (dimension.of_form != of_form) continue;
+        if (dimension.is_angle)
+            column.value(words_of(dimension.name),
+                         std::string_view(short_text(dimension.value / degree) + " deg"));
+        else
+            column.value(words_of(dimension.name), dimension.value);
+    }
 }
 
 }  // namespace
@@ -166,31 +177,19 @@ void ProfileCanvas::text(const Vector2d& middle, std::string_view words, std::st
 void draw_profile_legend(SvgCanvas& canvas, const ProfileShape& shape, bool undercut) {
     LegendColumn column(canvas, shape.length);
     add_lines(column, shape, undercut);
-    column.heading(words_of(name_of(shape.cam.follower)));
-    if (shape.cam.form.drives_both_ways())
-        column.words(fmt::format("form: {}", name_of(shape.cam.form.type)));
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto dimension = static_cast<DimensionIndex>(i);
-        if (has_dimension(shape.cam.follower, dimension))
-            column.value(words_of(name_of(dimension)), shape.cam[dimension]);
-    }
-    if (has_roller(shape.cam.follower))
-        column.value("prime radius",
-                     shape.cam[DimensionIndex::base_radius] + shape.cam[DimensionIndex::roller_radius]);
-    for (const CamDimension& dimension : form_dimensions(shape.cam.follower, shape.cam.form)) {
-        if (dimension.is_angle)
-            column.value(words_of(dimension.name),
-                         std::string_view(short_text(dimension.value.low / degree) + " deg"));
-        else
-            column.value(words_of(dimension.name), dimension.value.low);
-    }
-    if (has_flat_face(shape.cam.follower) && !is_oscillating(shape.cam.follower)) {
+    const CamMechanism& cam = shape.formulas();
+    column.heading(words_of(cam.follower_name()));
+    if (!cam.form_name().empty()) column.words(fmt::format("form: {}", cam.form_name()));
+    add_named_dimensions(column, shape, false);
+    if (shape.has_roller()) column.value("prime radius", shape.prime_radius());
+    add_named_dimensions(column, shape, true);
+    if (shape.has_pushed_face()) {
         if (shape.face_half_width)
             column.value("face half width", *shape.face_half_width);
         else
             column.words("face: no width given, drawn as needed");
     }
-    column.words(fmt::format("turns {}", name_of(shape.cam.rotation)));
+    column.words(fmt::format("turns {}", name_of(cam.rotation())));
     if (!shape.closed && shape.open_because.empty())
         column.words(fmt::format("open: θ from {}° to {}°", short_text(shape.begin() / degree),
                                  short_text(shape.end() / degree)));

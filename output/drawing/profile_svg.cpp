@@ -5,7 +5,6 @@
 #include "output/drawing/follower_drawing.hpp"
 #include "output/drawing/picture_page.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +49,7 @@ const char* page_style =
     ".ring{fill:none;stroke:#d00000;stroke-width:1.2}"
     ".undercut{fill:none;stroke:#d00000;stroke-width:3.2}";
 
-using Pieces = std::vector<std::vector<ProfilePoint>>;
+using Pieces = std::vector<std::vector<MechanismPoint>>;
 
 template <class Use>
 void for_each_angle(const ProfileShape& shape, double step, Use use) {
@@ -63,28 +62,27 @@ void for_each_angle(const ProfileShape& shape, double step, Use use) {
 
 PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const FollowerDrawing& follower) {
     PictureBox extent;
-    const double roller = has_roller(shape.cam.follower) ? shape.cam[DimensionIndex::roller_radius] : 0.0;
-    const Vector2d prime = Vector2d::Constant(shape.cam[DimensionIndex::base_radius] + roller);
+    const Vector2d prime = Vector2d::Constant(shape.prime_radius());
     extent.add(prime);
     extent.add(-prime);
-    for (const std::vector<ProfilePoint>& piece : pieces)
-        for (const ProfilePoint& point : piece) {
-            extent.add(point.contact);
-            extent.add(point.pitch);
+    for (const std::vector<MechanismPoint>& piece : pieces)
+        for (const MechanismPoint& point : piece) {
+            extent.add(in_plane(point.contact));
+            extent.add(in_plane(point.pitch));
         }
     if (shape.other)
-        for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape), steps))
-            for (const ProfilePoint& point : piece) {
-                extent.add(point.contact);
-                extent.add(point.pitch);
+        for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape), steps))
+            for (const MechanismPoint& point : piece) {
+                extent.add(in_plane(point.contact));
+                extent.add(in_plane(point.pitch));
             }
     if (const std::optional<double> rim = rim_radius(shape)) {
         extent.add(Vector2d::Constant(*rim));
         extent.add(-Vector2d::Constant(*rim));
     }
-    if (shape.cam.form.is_conjugate()) {
-        const Vector2d second = shape.other(shape.start).pitch,
-                       around = Vector2d::Constant(roller_radius_of(shape.cam, 1));
+    if (shape.has_two_disks()) {
+        const Vector2d second = in_plane(shape.other(shape.start).pitch),
+                       around = Vector2d::Constant(shape.roller_radius(1));
         extent.add(second - around);
         extent.add(second + around);
     }
@@ -97,8 +95,8 @@ PictureBox extent_of(const ProfileShape& shape, const Pieces& pieces, const Foll
 
 FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces) {
     double least = 0.0, largest = 0.0;
-    for (const std::vector<ProfilePoint>& piece : pieces)
-        for (const ProfilePoint& point : piece) {
+    for (const std::vector<MechanismPoint>& piece : pieces)
+        for (const MechanismPoint& point : piece) {
             least = std::min(least, point.contact_offset);
             largest = std::max(largest, point.contact_offset);
         }
@@ -109,10 +107,10 @@ FollowerDrawing follower_drawing(const ProfileShape& shape, const Pieces& pieces
 void draw_other_side(const ProfileCanvas& drawing, const ProfileShape& shape) {
     if (!shape.other) return;
     std::vector<Vector2d> outline, pitch;
-    for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape), steps))
-        for (const ProfilePoint& point : piece) {
-            outline.push_back(point.contact);
-            pitch.push_back(point.pitch);
+    for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape), steps))
+        for (const MechanismPoint& point : piece) {
+            outline.push_back(in_plane(point.contact));
+            pitch.push_back(in_plane(point.pitch));
         }
     if (const std::optional<double> rim = rim_radius(shape)) {
         if (shape.closed) drawing.circle({0.0, 0.0}, *rim, "cam");
@@ -125,35 +123,36 @@ void draw_other_side(const ProfileCanvas& drawing, const ProfileShape& shape) {
 
 /// The second roller where the motion begins, on the follower that carries the first.
 void draw_second_roller(const ProfileCanvas& drawing, const ProfileShape& shape) {
-    if (!shape.cam.form.is_conjugate()) return;
-    const Vector2d first = shape.at(shape.start).pitch, second = shape.other(shape.start).pitch;
-    const bool swings = is_oscillating(shape.cam.follower);
+    if (!shape.has_two_disks()) return;
+    const Vector2d first = in_plane(shape.at(shape.start).pitch),
+                   second = in_plane(shape.other(shape.start).pitch);
+    const bool swings = shape.formulas().swings();
     drawing.line(swings ? follower_pose(shape.cam, shape.at(shape.start)).pivot : first, second, "yoke");
-    drawing.circle(second, roller_radius_of(shape.cam, 1), "follower");
+    drawing.circle(second, shape.roller_radius(1), "follower");
     drawing.circle(second, drawing.px(2.0), "pivot");
 }
 
 void draw_cam(const ProfileCanvas& drawing, const ProfileShape& shape, const Pieces& pieces) {
     std::vector<Vector2d> outline, pitch;
-    for (const std::vector<ProfilePoint>& piece : pieces)
-        for (const ProfilePoint& point : piece) {
-            outline.push_back(point.contact);
-            pitch.push_back(point.pitch);
+    for (const std::vector<MechanismPoint>& piece : pieces)
+        for (const MechanismPoint& point : piece) {
+            outline.push_back(in_plane(point.contact));
+            pitch.push_back(in_plane(point.pitch));
         }
     drawing.polyline(outline, shape.closed, shape.closed ? "cam" : "sector");
     if (!shape.closed && !shape.open_because.empty())
-        drawing.line(shape.at(shape.begin()).contact, shape.at(shape.end()).contact, "open");
-    const double base = shape.cam[DimensionIndex::base_radius];
-    drawing.circle({0.0, 0.0}, base, "circle");
-    if (!has_roller(shape.cam.follower)) return;
-    drawing.circle({0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius], "prime");
+        drawing.line(in_plane(shape.at(shape.begin()).contact), in_plane(shape.at(shape.end()).contact),
+                     "open");
+    drawing.circle({0.0, 0.0}, shape.base_radius(), "circle");
+    if (!shape.has_roller()) return;
+    drawing.circle({0.0, 0.0}, shape.prime_radius(), "prime");
     drawing.polyline(pitch, shape.closed, "pitch");
 }
 
 /// Whether there is any.
 bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
     bool found = false;
-    for (const std::vector<ProfilePoint>& piece : pieces) {
+    for (const std::vector<MechanismPoint>& piece : pieces) {
         std::vector<Vector2d> stretch;
         const auto finish = [&] {
             if (!stretch.empty()) {
@@ -163,9 +162,9 @@ bool draw_undercut(const ProfileCanvas& drawing, const Pieces& pieces) {
             found = found || !stretch.empty();
             stretch.clear();
         };
-        for (const ProfilePoint& point : piece) {
+        for (const MechanismPoint& point : piece) {
             if (point.regularity <= 0.0)
-                stretch.push_back(point.contact);
+                stretch.push_back(in_plane(point.contact));
             else
                 finish();
         }
@@ -184,11 +183,12 @@ double turned_degrees(double theta) {
 void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
     std::vector<Vector2d> labels;
     for_each_angle(shape, mark_step, [&](double theta) {
-        const ProfilePoint point = shape.at(theta);
-        drawing.line(point.contact, point.contact - drawing.px(mark_length) * point.normal, "mark");
+        const MechanismPoint point = shape.at(theta);
+        const Vector2d contact = in_plane(point.contact), normal = in_plane(point.normal);
+        drawing.line(contact, contact - drawing.px(mark_length) * normal, "mark");
         // Beside a mark that lies flat the label needs room for its width, else the mark looks like a minus.
-        const double distance = mark_distance + mark_room * std::abs(point.normal.x());
-        const Vector2d place = point.contact - drawing.px(distance) * point.normal;
+        const double distance = mark_distance + mark_room * std::abs(normal.x());
+        const Vector2d place = contact - drawing.px(distance) * normal;
         const auto covers = [&](const Vector2d& other) {
             return std::abs(other.x() - place.x()) < drawing.px(label_width) &&
                    std::abs(other.y() - place.y()) < drawing.px(label_height);
@@ -200,11 +200,11 @@ void draw_marks(const ProfileCanvas& drawing, const ProfileShape& shape) {
     });
 }
 
-void draw_center(const ProfileCanvas& drawing, const DiskCam& cam) {
-    const double arm = drawing.px(9.0), radius = arrow_radius * cam[DimensionIndex::base_radius];
+void draw_center(const ProfileCanvas& drawing, const ProfileShape& shape) {
+    const double arm = drawing.px(9.0), radius = arrow_radius * shape.base_radius();
     drawing.line({-arm, 0.0}, {arm, 0.0}, "center");
     drawing.line({0.0, -arm}, {0.0, arm}, "center");
-    const bool left_turn = cam.rotation == Rotation::counterclockwise;
+    const bool left_turn = shape.formulas().rotation() == Rotation::counterclockwise;
     const auto at = [&](double angle) -> Vector2d {
         return radius * Vector2d(std::cos(angle), std::sin(angle));
     };
@@ -238,7 +238,7 @@ std::string profile_svg(const ProfileShape& shape, std::string_view title) {
     bool undercut = draw_undercut(drawing, pieces);
     if (shape.other) undercut = draw_undercut(drawing, profile_pieces(other_side(shape), steps)) || undercut;
     draw_marks(drawing, shape);
-    draw_center(drawing, shape.cam);
+    draw_center(drawing, shape);
     draw_second_roller(drawing, shape);
     follower.draw_whole(drawing);
     draw_profile_legend(canvas, shape, undercut);

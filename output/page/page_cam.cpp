@@ -5,7 +5,6 @@
 #include "output/chart/limit_spans.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/words/cam_words.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
@@ -26,7 +25,7 @@ constexpr double most_times =
 
 struct CamRow {
     MechanismPoint point;
-    FollowerState state;
+    MotionPoint motion;
 };
 
 /// All that curves of a cam are made from.
@@ -53,7 +52,7 @@ CamCurves cam_course(const Solution& solution, const PageRows& rows) {
         for (std::size_t station = 0; station < course.stations.size(); ++station)
             course.stations[station].push_back(
                 {cam.formulas->point(theta, {cam.dimensions, state, theta}, static_cast<int>(station)),
-                 state});
+                 motion});
     }
     return course;
 }
@@ -238,13 +237,11 @@ Json load_curve(const CamCurves& course, const LoadCurve& load, const std::vecto
 }
 
 void add_load_curves(Json& all, const CamCurves& course) {
-    const Scene& scene = course.solution.scene;
     const std::optional<ForceSummary>& summary = course.solution.cam->summary.forces;
-    const std::optional<DiskCam> cam = disk_cam(course.solution.cam->cam);
-    if (!summary || !cam) return;
+    const LoadsAt loads_at = delivered_loads(course.solution);
+    if (!loads_at) return;
     std::vector<FollowerLoads> loads;
-    for (const CamRow& row : course.stations.front())
-        loads.push_back(follower_loads(*cam, *scene.forces, *scene.motion.speed, row.state, row.point));
+    for (const CamRow& row : course.stations.front()) loads.push_back(loads_at(row.motion, row.point));
     const bool swings = course.solution.cam->cam.formulas->swings();
     std::vector<LoadCurve> curves = {
         {{"force", "forces", swings ? "Moment on the follower" : "Force on the follower", swings ? "M" : "F",

@@ -189,8 +189,8 @@ Json plane_drawing(const Solution& solution, const PageRows& rows) {
                center + Eigen::Rotation2Dd(course.turned[i]) * course.points[i].contact.head<2>());
     }
     append(middle, course.length, center);
-    const std::optional<ProfileShape> disk = disk_shape(solution, *rows.whole);
-    const std::optional<double> rim = disk ? rim_radius(*disk) : std::nullopt;
+    const std::optional<ProfileShape> shape = delivered_shape(solution, *rows.whole);
+    const std::optional<double> rim = shape ? rim_radius(*shape) : std::nullopt;
     return {{"rim", rim ? rounded_json(course.length.factor * *rim) : Json(nullptr)},
             {"unit", course.length.name},
             {"rotation", sense_of(solution.cam->cam.formulas->rotation())},

@@ -12,8 +12,6 @@
 #include "output/drawing/mechanism_svg.hpp"
 #include "output/drawing/profile_svg.hpp"
 #include "output/words/cam_words.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
@@ -99,18 +97,17 @@ std::vector<FollowerLoads> loads_of(const Solution& solution, const Motion& moti
     return all;
 }
 
-std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& motion,
-                   const CamFileOptions& options, int side) {
+std::string csv_of(const Solution& solution, const Motion& motion, const CamFileOptions& options, int side) {
+    const DrivenMechanism& cam = solution.cam->cam;
     const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
-    for (const ProfilePoint& point :
-         sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance}, side)) {
+    profile.points = sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance}, side);
+    for (const MechanismPoint& point : profile.points) {
         const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
-        profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
     ProfileColumns columns{
-        .swings = is_oscillating(cam.follower), .face = has_flat_face(cam.follower), .loads = {}};
+        .swings = cam.formulas->swings(), .face = !cam.formulas->has_pitch_curve(), .loads = {}};
     columns.loads = loads_of(solution, motion, profile, side);
     columns.pressure = solution.cam->summary.forces && solution.cam->summary.forces->hertz_pressure;
     return profile_csv(profile, columns);
@@ -200,18 +197,17 @@ std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptio
     const MotionChain motion = cam_motion(solution), drawn = drawn_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     // The diagrams show the motion alone: along a dwell arc nothing changes.
-    const ProfileShape shape = disk_shape(solution, motion).value(),
-                       whole = disk_shape(solution, drawn).value();
+    const ProfileShape shape = delivered_shape(solution, motion).value(),
+                       whole = delivered_shape(solution, drawn).value();
     const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
     const ProfileDiagramLimits limits{
         pressure_spans(solution.scene, motion),
         value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
         value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
     const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    std::vector<std::string> texts = {csv_of(solution, shape.cam, drawn, options, 0),
-                                      profile_svg(whole, title),
+    std::vector<std::string> texts = {csv_of(solution, drawn, options, 0), profile_svg(whole, title),
                                       profile_diagrams_svg(shape, limits, title, marks)};
-    if (side_count(shape.cam) > 1) texts.push_back(csv_of(solution, shape.cam, drawn, options, 1));
+    if (shape.other) texts.push_back(csv_of(solution, drawn, options, 1));
     return texts;
 }
 

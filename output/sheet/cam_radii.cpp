@@ -23,14 +23,14 @@ double side_of(const Vector2d& ray, const Vector2d& point) {
     return ray.x() * point.y() - ray.y() * point.x();
 }
 
-Vector2d point_of(const ProfilePoint& point, bool of_cam) {
-    return of_cam ? point.contact : point.pitch;
+Vector2d point_of(const MechanismPoint& point, bool of_cam) {
+    return in_plane(of_cam ? point.contact : point.pitch);
 }
 
 }  // namespace
 
-Vector2d ray_at(const DiskCam& cam, double cam_angle) {
-    const double turn = sense_of(cam.rotation) * cam_angle;
+Vector2d ray_at(Rotation rotation, double cam_angle) {
+    const double turn = sense_of(rotation) * cam_angle;
     return {std::sin(turn), std::cos(turn)};
 }
 
@@ -49,9 +49,9 @@ std::optional<double> radius_along(const ProfileShape& shape, const Vector2d& ra
         if (along > 0.0 && (!outermost || along > *outermost)) outermost = along;
     };
     // Over the joints of pieces too: a ray may pass through a knot.
-    std::optional<ProfilePoint> last;
-    for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, radius_samples))
-        for (const ProfilePoint& point : piece) {
+    std::optional<MechanismPoint> last;
+    for (const std::vector<MechanismPoint>& piece : profile_pieces(shape, radius_samples))
+        for (const MechanismPoint& point : piece) {
             const double after = side_of(ray, point_of(point, of_cam));
             if (last) {
                 const double before = side_of(ray, point_of(*last, of_cam));
@@ -70,8 +70,8 @@ std::optional<double> radius_along(const ProfileShape& shape, const Vector2d& ra
 
 double least_radius(const ProfileShape& shape) {
     double least = shape.at(shape.begin()).contact.norm();
-    for (const std::vector<ProfilePoint>& piece : profile_pieces(shape, radius_samples))
-        for (const ProfilePoint& point : piece) least = std::min(least, point.contact.norm());
+    for (const std::vector<MechanismPoint>& piece : profile_pieces(shape, radius_samples))
+        for (const MechanismPoint& point : piece) least = std::min(least, point.contact.norm());
     return least;
 }
 
@@ -80,7 +80,7 @@ DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, cons
     if (options.bore) drawing.bore = options.bore;
     if (options.thickness) drawing.thickness = options.thickness;
     if (!drawing.thickness) drawing.thickness = default_thickness;
-    if (shape.cam.form.is_grooved() && !drawing.groove_depth) drawing.groove_depth = 0.5 * *drawing.thickness;
+    if (shape.is_grooved() && !drawing.groove_depth) drawing.groove_depth = 0.5 * *drawing.thickness;
     const double least = least_radius(shape);
     const ShownUnit shown = shown_units(solution.scene).length;
     if (drawing.keyway && drawing.bore && !(drawing.keyway->width < *drawing.bore))
@@ -97,13 +97,13 @@ DrawingSpec drawing_of(const Solution& solution, const ProfileShape& shape, cons
     return drawing;
 }
 
-std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, const DiskCam& cam) {
+std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, Rotation rotation) {
     const double radius = 0.5 * drawing.bore.value();
     if (!drawing.keyway) return {{{radius, 0.0}, 1.0}, {{-radius, 0.0}, 1.0}};
     const Keyway& keyway = *drawing.keyway;
     const double half = 0.5 * keyway.width, edge = std::sqrt(radius * radius - half * half),
                  floor = radius + keyway.depth, angle = std::atan2(half, edge);
-    const Vector2d out = ray_at(cam, keyway.at), left(-out.y(), out.x());
+    const Vector2d out = ray_at(rotation, keyway.at), left(-out.y(), out.x());
     const auto at = [&](double along, double across) -> Vector2d { return along * out + across * left; };
     // From the left edge around the bore to the right edge, then around the slot.
     const double half_turn = 0.5 * (units::turn - 2.0 * angle);

@@ -6,7 +6,6 @@
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/sheet/sheet_furniture.hpp"
 #include "output/words/number_text.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 
@@ -97,30 +96,31 @@ class CamSheetMaker {
                   std::string piece)
         : solution_(solution),
           shape_(shape),
-          cam_(shape.cam),
+          cam_(shape.formulas()),
           drawing_(drawing),
           piece_(std::move(piece)),
           disk_(rim_radius(shape)) {
-        base_ = cam_[DimensionIndex::base_radius];
-        prime_ = base_ + (has_roller(cam_.follower) ? cam_[DimensionIndex::roller_radius] : 0.0);
-        for (const std::vector<ProfilePoint>& points : profile_pieces(shape, 1440))
-            for (const ProfilePoint& point : points) {
-                box_.add(point.contact);
-                box_.add(point.pitch);
-                if (point.contact.norm() > farthest_.norm()) farthest_ = point.contact;
-                rim_.push_back(point.contact);
-                if (has_roller(cam_.follower)) rim_.push_back(point.pitch);
+        base_ = shape.base_radius();
+        prime_ = shape.prime_radius();
+        for (const std::vector<MechanismPoint>& points : profile_pieces(shape, 1440))
+            for (const MechanismPoint& point : points) {
+                const Vector2d contact = in_plane(point.contact), pitch = in_plane(point.pitch);
+                box_.add(contact);
+                box_.add(pitch);
+                if (contact.norm() > farthest_.norm()) farthest_ = contact;
+                rim_.push_back(contact);
+                if (shape.has_roller()) rim_.push_back(pitch);
             }
         if (disk_) {
             box_.add(Vector2d::Constant(*disk_));
             box_.add(Vector2d::Constant(-*disk_));
-            rim_.push_back(*disk_ * ray_at(cam_, drawing.datum));
+            rim_.push_back(*disk_ * ray_at(cam_.rotation(), drawing.datum));
             farthest_ = other_side_farthest();
         }
         box_.add(Vector2d::Constant(prime_));
         box_.add(Vector2d::Constant(-prime_));
-        datum_ = ray_at(cam_, drawing.datum);
-        cut_ = drawing.keyway ? ray_at(cam_, drawing.keyway->at) : datum_;
+        datum_ = ray_at(cam_.rotation(), drawing.datum);
+        cut_ = drawing.keyway ? ray_at(cam_.rotation(), drawing.keyway->at) : datum_;
     }
 
     Sheet make() {
@@ -140,7 +140,7 @@ class CamSheetMaker {
  private:
     const Solution& solution_;
     const ProfileShape& shape_;
-    const DiskCam& cam_;
+    const CamMechanism& cam_;
     const DrawingSpec& drawing_;
     std::string piece_;
     std::optional<double> disk_;  ///< radius of the disk that a groove is cut into
@@ -155,9 +155,9 @@ class CamSheetMaker {
 
     [[nodiscard]] Vector2d other_side_farthest() const {
         Vector2d farthest = Vector2d::Zero();
-        for (const std::vector<ProfilePoint>& piece : profile_pieces(other_side(shape_), 1440))
-            for (const ProfilePoint& point : piece)
-                if (point.contact.norm() > farthest.norm()) farthest = point.contact;
+        for (const std::vector<MechanismPoint>& piece : profile_pieces(other_side(shape_), 1440))
+            for (const MechanismPoint& point : piece)
+                if (point.contact.norm() > farthest.norm()) farthest = in_plane(point.contact);
         return farthest;
     }
     [[nodiscard]] double thickness() const { return *drawing_.thickness; }
@@ -167,7 +167,7 @@ class CamSheetMaker {
     /// Rows every 10° on A4, every 5° on A3.
     [[nodiscard]] SheetTable radius_table(const SheetFormat& format) const {
         SheetTable table;
-        const bool rollers = has_roller(cam_.follower);
+        const bool rollers = shape_.has_roller();
         table.head = rollers ? std::vector<std::string>{"α", "R", "Rc"} : std::vector<std::string>{"α", "R"};
         if (disk_) table.head.emplace_back("Ro");
         const int step = format.width > 0.3 ? 5 : 10;
@@ -177,7 +177,7 @@ class CamSheetMaker {
                           : std::string("open");
         };
         for (int alpha = 0; alpha < 360; alpha += step) {
-            const Vector2d ray = ray_at(cam_, drawing_.datum + alpha * degree);
+            const Vector2d ray = ray_at(cam_.rotation(), drawing_.datum + alpha * degree);
             table.rows.push_back({fmt::format("{}°", alpha), shown(radius_along(shape_, ray, true))});
             if (rollers) table.rows.back().push_back(shown(radius_along(shape_, ray, false)));
             if (disk_) table.rows.back().push_back(shown(radius_along(other_side(shape_), ray, true)));
@@ -230,14 +230,14 @@ class CamSheetMaker {
             sheet_.circles.push_back({"CAM", SheetPen::thick, {0.0, 0.0}, *disk_});
         }
         sheet_.circles.push_back({"BASE_CIRCLE", SheetPen::chain, {0.0, 0.0}, base_});
-        if (has_roller(cam_.follower)) {
+        if (shape_.has_roller()) {
             const ArcChain pitch = outline_chain(shape_, false, outline_tolerance);
             sheet_.paths.push_back({"PITCH", SheetPen::dashed, pitch.vertices, pitch.closed});
             sheet_.circles.push_back({"PRIME_CIRCLE", SheetPen::chain, {0.0, 0.0}, prime_});
         }
         if (!shape_.closed)
-            sheet_.line("OPEN", SheetPen::dashed, shape_.at(shape_.begin()).contact,
-                        shape_.at(shape_.end()).contact);
+            sheet_.line("OPEN", SheetPen::dashed, in_plane(shape_.at(shape_.begin()).contact),
+                        in_plane(shape_.at(shape_.end()).contact));
         for (const Vector2d& axis : {Vector2d(1.0, 0.0), Vector2d(0.0, 1.0)})
             sheet_.line("AXES", SheetPen::chain, -(box_.exit(-axis) + paper(center_overhang)) * axis,
                         (box_.exit(axis) + paper(center_overhang)) * axis);
@@ -247,7 +247,7 @@ class CamSheetMaker {
         if (!drawing_.keyway)
             sheet_.circles.push_back({"BORE", SheetPen::thick, {0.0, 0.0}, 0.5 * *drawing_.bore});
         else
-            sheet_.paths.push_back({"BORE", SheetPen::thick, bore_outline(drawing_, cam_), true});
+            sheet_.paths.push_back({"BORE", SheetPen::thick, bore_outline(drawing_, cam_.rotation()), true});
     }
     void add_datum() {
         const double reach = box_.exit(datum_) + paper(datum_reach);
@@ -408,7 +408,7 @@ class CamSheetMaker {
 
     /// Outside of the outline, in a free direction.
     void add_rotation() {
-        const double middle = free_.next(), sense = sense_of(cam_.rotation);
+        const double middle = free_.next(), sense = sense_of(cam_.rotation());
         double radius = base_;
         for (const Vector2d& point : rim_)
             if (std::abs(std::remainder(direction_angle(point) - middle, units::turn)) < rotation_angle)
@@ -432,6 +432,15 @@ class CamSheetMaker {
     [[nodiscard]] std::string length_text(double metres) const {
         return drawn_length(metres, sheet_.lengths);
     }
+    /// "translating roller, roller radius 10 mm, offset 8 mm"
+    [[nodiscard]] std::string follower_text() const {
+        std::string text = words_of(cam_.follower_name());
+        const std::vector<NamedDimension> all = cam_.named_dimensions(shape_.cam.dimensions);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!all[i].of_form && static_cast<int>(i) != cam_.base_radius_index())
+                text += fmt::format(", {} {}", words_of(all[i].name), length_text(all[i].value));
+        return text;
+    }
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> notes;
         if (!shape_.closed)
@@ -442,18 +451,12 @@ class CamSheetMaker {
             notes.emplace_back("UNDERCUT: the outline crosses itself; this cam cannot be made as designed.");
         if (solution_.cam->summary.cusp())
             notes.emplace_back("CUSP: the least radius of curvature is 0, an edge that wears.");
-        std::string follower = words_of(name_of(cam_.follower));
-        for (int i = 0; i < dimension_count; ++i) {
-            const auto index = static_cast<DimensionIndex>(i);
-            if (index != DimensionIndex::base_radius && has_dimension(cam_.follower, index))
-                follower += fmt::format(", {} {}", words_of(name_of(index)), length_text(cam_[index]));
-        }
-        notes.push_back("Follower: " + follower + ".");
+        notes.push_back("Follower: " + follower_text() + ".");
         if (disk_)
             notes.push_back(fmt::format("Groove: {} wide, {} deep in the upper face.",
-                                        length_text(2.0 * surface_offset(cam_, 1)),
+                                        length_text(2.0 * cam_.surface_offset(shape_.cam.dimensions, 1)),
                                         length_text(*drawing_.groove_depth)));
-        notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation)));
+        notes.push_back(fmt::format("Turns {}, seen as drawn.", name_of(cam_.rotation())));
         std::string limits;
         for (const LimitRow& row : limit_rows())
             if (const auto& limit = row.in(solution_.scene.limits);
@@ -474,11 +477,11 @@ class CamSheetMaker {
                                         piece_.empty() ? "" : " of both disks", radii));
         const char* const radii_words =
             disk_ ? "R, Ro to the inner and the outer flank, Rc to the roller's centre, along one ray"
-            : has_roller(cam_.follower) ? "R to the cam, Rc to the roller's centre, along the same ray"
-                                        : "R to the cam";
+            : shape_.has_roller() ? "R to the cam, Rc to the roller's centre, along the same ray"
+                                  : "R to the cam";
         notes.push_back(fmt::format(
             "α from the datum mark, {} as drawn. {}.",
-            cam_.rotation == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
+            cam_.rotation() == Rotation::counterclockwise ? "clockwise" : "counterclockwise", radii_words));
         notes.push_back(fmt::format("Section through the {}.", drawing_.keyway ? "keyway" : "datum"));
         return notes;
     }
@@ -500,13 +503,13 @@ class CamSheetMaker {
 std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options) {
     if (!solution.cam) throw InputError("a workshop drawing needs a disk cam, and this solution has none");
     const MotionChain motion = drawn_motion(solution);
-    const std::optional<ProfileShape> shape = disk_shape(solution, motion);
+    const std::optional<ProfileShape> shape = delivered_shape(solution, motion);
     if (!shape) throw InputError("a workshop drawing needs a disk cam, and this solution has another kind");
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const DrawingSpec drawing = drawing_of(solution, pieces[i], options);
-        const std::string name = pieces.size() > 1 ? side_name(shape->cam.form, static_cast<int>(i)) : "";
+        const std::string name = pieces.size() > 1 ? shape->formulas().station_name(static_cast<int>(i)) : "";
         sheets.push_back(CamSheetMaker(solution, pieces[i], drawing, name).make());
     }
     return sheets;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The workshop drawing of a delivered disk cam: outline, pitch curve, base and prime circle, bore, keyway,
-// datum mark, sense of rotation, a section, dimensions, a table of radii, limits of form, title block.
+// The workshop drawing of a delivered cam that is a disk: outline, pitch curve, base and prime circle, bore,
+// keyway, datum mark, sense of rotation, a section, dimensions, a table of radii, limits of form, title
+// block.
 //
 // On A4, or on A3 where A4 would make it smaller than it is, at the largest scale of ISO 5455 that fits. The
-// model is the cam frame of profiles/disk/disk_cam.hpp; the section lies beside it. The table counts its
+// model is the cam frame (output/drawing/profile_shape.hpp); the section lies beside it. The table counts its
 // angle from the datum mark, as the cam angle grows: the ray at α is the one that points along +y at the cam
 // angle datum + α. R: from the centre to the cam along that ray, the outermost where there are several. Of a
 // grooved cam the outline is the rim of its disk; R and Ro are the radii of the inner and the outer flank,
@@ -38,7 +39,7 @@ struct CamSheetOptions {
 [[nodiscard]] Sheet cam_sheet(const Solution& solution, const CamSheetOptions& options = {});
 
 /// Unit vector of the cam frame that points along +y when the cam has turned by this cam angle.
-[[nodiscard]] Eigen::Vector2d ray_at(const DiskCam& cam, double cam_angle);
+[[nodiscard]] Eigen::Vector2d ray_at(Rotation rotation, double cam_angle);
 
 /// From the centre along a ray to the cam's outline, or to its pitch curve: the outermost crossing; none
 /// where the ray meets none.
@@ -50,6 +51,6 @@ struct CamSheetOptions {
 
 /// Of the bore with its keyway, in the cam frame: an open ring of lines and arcs, its last vertex joined to
 /// the first; turns to the left. Only where there is a bore.
-[[nodiscard]] std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, const DiskCam& cam);
+[[nodiscard]] std::vector<ArcVertex> bore_outline(const DrawingSpec& drawing, Rotation rotation);
 
 }  // namespace camopt

@@ -204,9 +204,9 @@ std::string play_remark(const Solution& solution, const ForwardCheckReport::Play
         degrees_at(solution, play.largest_at));
     if (!play.least_groove_width)
         return fmt::format("Both rollers at once: the sum of the gaps at both disks is {}.", range);
-    const double clearance = solution.scene.cam->find("groove_clearance")->low;
-    const double roller =
-        solution.cam->cam.dimensions[static_cast<std::size_t>(solution.cam->cam.formulas->roller_radius())];
+    const DrivenMechanism& cam = solution.cam->cam;
+    const double roller = cam.dimensions[static_cast<std::size_t>(cam.formulas->roller_radius())];
+    const double clearance = 2.0 * (cam.formulas->surface_offset(cam.dimensions, 0) - roller);
     const bool fits = *play.least_groove_width >= 2.0 * roller * (1.0 - moves_as_designed);
     return fmt::format(
         "The groove is {} wide where it is narrowest, the roller {}: it {}. Play of the follower, "

@@ -38,13 +38,6 @@ std::optional<CamExtreme> drawn_radius(const std::optional<CamExtreme>& radius) 
     return {};
 }
 
-/// " in a groove"; empty: the cam is open.
-std::string form_words(const CamSpec& cam) {
-    const auto form = cam.choices.find("form");
-    if (form == cam.choices.end() || form->second == "open") return {};
-    return form->second == "grooved" ? " in a groove" : " on conjugate disks";
-}
-
 /// Collects figures of one solution.
 class Figures {
  public:
@@ -138,10 +131,12 @@ std::string dimensions_text(const Solution& solution) {
 }
 
 std::string cam_text(const CamSpec& cam) {
+    if (const auto formulas = cam.formulas(); formulas->is_direct()) {
+        const std::string form = formulas->form_words();
+        return fmt::format("{}{}{}, the cam turning {}", words_of(formulas->follower_name()),
+                           form.empty() ? "" : " ", form, name_of(cam.rotation));
+    }
     const auto follower = cam.choices.find("follower");
-    if (cam.formulas()->is_direct())
-        return fmt::format("{}{}, the cam turning {}", words_of(follower->second), form_words(cam),
-                           name_of(cam.rotation));
     const auto linkage = cam.choices.find("linkage");
     std::string parts = linkage == cam.choices.end() ? std::string{} : words_of(linkage->second);
     std::ranges::replace(parts, ' ', '-');

@@ -111,6 +111,26 @@ class DiskMechanism final : public CamMechanism {
                                        int station) const override {
         return mechanism_point(profile_point(cam(state.dimensions), theta, state.output, station));
     }
+    [[nodiscard]] std::string follower_name() const override { return name_of(follower_); }
+    [[nodiscard]] std::string form_name() const override {
+        return form_.drives_both_ways() ? name_of(form_.type) : "";
+    }
+    [[nodiscard]] std::string form_words() const override {
+        if (form_.is_grooved()) return "in a groove";
+        return form_.is_conjugate() ? "on conjugate disks" : "";
+    }
+    [[nodiscard]] std::vector<NamedDimension> named_dimensions(
+        std::span<const double> dimensions) const override;
+    [[nodiscard]] std::optional<Eigen::Vector2d> arm_pivot(
+        std::span<const double> dimensions) const override {
+        if (!swings()) return std::nullopt;
+        return Eigen::Vector2d(cam(dimensions)[DimensionIndex::center_distance], 0.0);
+    }
+    [[nodiscard]] std::optional<double> groove_wall(std::span<const double> dimensions) const override {
+        if (!form_.is_grooved()) return std::nullopt;
+        return form_.groove_wall.value_or(cam(dimensions)[DimensionIndex::roller_radius]);
+    }
+    [[nodiscard]] std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
     [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
         return std::nullopt;
@@ -208,6 +228,28 @@ std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const
 int DiskMechanism::roller_radius_at(int station) const {
     if (station == 0 || !form_.is_conjugate() || !form_.second_roller_radius) return roller_radius();
     return static_cast<int>(which_.size() + form_dimensions(follower_, form_).size()) - 1;
+}
+
+std::vector<NamedDimension> DiskMechanism::named_dimensions(std::span<const double> dimensions) const {
+    std::vector<NamedDimension> all;
+    for (std::size_t i = 0; i < which_.size(); ++i) all.push_back({name_of(which_[i]), dimensions[i]});
+    for (const auto& dimension : form_dimensions(follower_, form_))
+        all.push_back({dimension.name, dimension.value.low, dimension.is_angle, true});
+    return all;
+}
+
+std::vector<DrivenMechanism> DiskMechanism::pieces(std::span<const double> dimensions) const {
+    if (!form_.is_conjugate()) return {};
+    DiskCam first = cam(dimensions);
+    first.form = {};
+    DiskCam second = first;
+    const auto set = [&second](DimensionIndex which, const std::optional<double>& value) {
+        if (value) second.dimensions[static_cast<std::size_t>(which)] = *value;
+    };
+    set(DimensionIndex::roller_radius, form_.second_roller_radius);
+    set(DimensionIndex::offset, form_.second_offset);
+    set(DimensionIndex::arm_length, form_.second_arm_length);
+    return {disk_mechanism(first), disk_mechanism(second)};
 }
 
 /// Where sign · N cos φm − D sin φm is convex in the motion (and, translating, in the dimensions):

@@ -5,7 +5,6 @@
 #include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
@@ -115,7 +114,7 @@ constexpr double pivot_size = 0.05, opening_text = 0.05;  // of the base radius
 
 /// Where the outline of a side lies: an open cam, or the first disk, is the CAM.
 const char* outline_layer(const ProfileShape& shape, int side) {
-    if (shape.cam.form.is_grooved()) return side == 0 ? "INNER_FLANK" : "OUTER_FLANK";
+    if (shape.is_grooved()) return side == 0 ? "INNER_FLANK" : "OUTER_FLANK";
     return side == 0 ? "CAM" : "SECOND_CAM";
 }
 
@@ -129,8 +128,8 @@ std::vector<DxfLayer> layers(const ProfileShape& shape) {
                                  {"AXES", 1, DxfLine::center}};
     if (!shape.other) return all;
     all.push_back({outline_layer(shape, 1), 7, DxfLine::continuous});
-    if (shape.cam.form.is_grooved()) all.push_back({"RIM", 8, DxfLine::continuous});
-    if (shape.cam.form.is_conjugate()) {
+    if (shape.is_grooved()) all.push_back({"RIM", 8, DxfLine::continuous});
+    if (shape.has_two_disks()) {
         all.push_back({"SECOND_PITCH", 5, DxfLine::dashed});
         all.push_back({"SECOND_ROLLER", 3, DxfLine::continuous});
     }
@@ -155,22 +154,22 @@ ArcChain drawn_chain(DxfDrawing& drawing, const char* layer, const ProfileShape&
 }
 
 void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach) {
-    const DiskCam& cam = shape.cam;
-    const ProfilePoint point = shape.at(shape.start);
-    const FollowerPose pose = follower_pose(cam, point);
-    if (has_roller(cam.follower)) drawing.circle("ROLLER", point.pitch, cam[DimensionIndex::roller_radius]);
-    if (is_oscillating(cam.follower)) {
-        const bool flat = has_flat_face(cam.follower);
+    const MechanismPoint point = shape.at(shape.start);
+    const Vector2d pitch = in_plane(point.pitch), contact = in_plane(point.contact);
+    const FollowerPose pose = follower_pose(shape.cam, point);
+    const bool flat = shape.has_face();
+    if (shape.has_roller()) drawing.circle("ROLLER", pitch, shape.roller_radius());
+    if (shape.formulas().swings()) {
         drawing.line("AXES", {0.0, 0.0}, pose.pivot);
-        drawing.line("AXES", pose.pivot, flat ? pose.foot : point.pitch);
-        drawing.circle("AXES", pose.pivot, pivot_size * cam[DimensionIndex::base_radius]);
-        if (flat) drawing.line("FACE", pose.foot, point.contact + 0.5 * (point.contact - pose.foot));
+        drawing.line("AXES", pose.pivot, flat ? pose.foot : pitch);
+        drawing.circle("AXES", pose.pivot, pivot_size * shape.base_radius());
+        if (flat) drawing.line("FACE", pose.foot, contact + 0.5 * (contact - pose.foot));
         return;
     }
-    drawing.line("AXES", point.pitch, point.pitch + 0.5 * reach * pose.lift);
-    if (!has_flat_face(cam.follower)) return;
+    drawing.line("AXES", pitch, pitch + 0.5 * reach * pose.lift);
+    if (!flat) return;
     const Vector2d along(-pose.lift.y(), pose.lift.x());
-    const Vector2d middle = point.contact - along * along.dot(point.contact);
+    const Vector2d middle = contact - along * along.dot(contact);
     const double half = shape.face_half_width.value_or(0.5 * reach);
     drawing.line("FACE", middle - half * along, middle + half * along);
 }
@@ -178,7 +177,8 @@ void draw_follower(DxfDrawing& drawing, const ProfileShape& shape, double reach)
 /// Where the scene says nothing of the cam, a line between its ends, and what is missing.
 void draw_opening(DxfDrawing& drawing, const ProfileShape& shape, double size) {
     if (shape.closed || shape.open_because.empty()) return;
-    const Vector2d from = shape.at(shape.begin()).contact, to = shape.at(shape.end()).contact;
+    const Vector2d from = in_plane(shape.at(shape.begin()).contact),
+                   to = in_plane(shape.at(shape.end()).contact);
     drawing.line("OPEN", from, to);
     drawing.text("OPEN",
                  {1.1 * to, opening_text * size, "OPEN: " + shape.open_because, DxfText::Anchor::start, 0.0});
@@ -197,7 +197,7 @@ double draw_other_side(DxfDrawing& drawing, const ProfileShape& shape, double to
     const ArcChain pitch = drawn_chain(drawing, "SECOND_PITCH", other, tolerance, false);
     result.pitch_arcs += pitch.arcs;
     result.pitch_deviation = std::max(result.pitch_deviation, pitch.deviation);
-    drawing.circle("SECOND_ROLLER", other.at(shape.start).pitch, roller_radius_of(shape.cam, 1));
+    drawing.circle("SECOND_ROLLER", in_plane(other.at(shape.start).pitch), shape.roller_radius(1));
     return largest_radius(outline);
 }
 
@@ -207,15 +207,15 @@ ProfileDxf cam_dxf(const Solution& solution, double tolerance) {
     if (!solution.cam || !solution.cam->cam.formulas->is_plane_curve())
         throw InputError("a drawing needs the cam of a plane mechanism, and this solution has none");
     const MotionChain motion = drawn_motion(solution);
-    if (const std::optional<ProfileShape> shape = disk_shape(solution, motion))
+    if (const std::optional<ProfileShape> shape = delivered_shape(solution, motion))
         return profile_dxf(*shape, tolerance);
     return outline_dxf(solution.cam->cam, motion, motion_scale(solution.scene), tolerance);
 }
 
 ArcChain outline_chain(const ProfileShape& shape, bool of_cam, double tolerance) {
     const PlaneCurve curve = [&](double theta) {
-        const ProfilePoint point = shape.at(theta);
-        return CurvePoint{of_cam ? point.contact : point.pitch, point.normal};
+        const MechanismPoint point = shape.at(theta);
+        return CurvePoint{in_plane(of_cam ? point.contact : point.pitch), in_plane(point.normal)};
     };
     ArcChainOptions options;
     options.tolerance = tolerance;
@@ -230,13 +230,13 @@ ProfileDxf profile_dxf(const ProfileShape& shape, double tolerance) {
     const ArcChain outline = drawn_chain(drawing, outline_layer(shape, 0), shape, tolerance, true);
     result.arcs = outline.arcs;
     result.deviation = outline.deviation;
-    const double base = shape.cam[DimensionIndex::base_radius];
+    const double base = shape.base_radius();
     drawing.circle("BASE_CIRCLE", {0.0, 0.0}, base);
-    if (has_roller(shape.cam.follower)) {
+    if (shape.has_roller()) {
         const ArcChain pitch = drawn_chain(drawing, "PITCH", shape, tolerance, false);
         result.pitch_arcs = pitch.arcs;
         result.pitch_deviation = pitch.deviation;
-        drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, base + shape.cam[DimensionIndex::roller_radius]);
+        drawing.circle("PRIME_CIRCLE", {0.0, 0.0}, shape.prime_radius());
     }
     double greatest = largest_radius(outline);
     if (shape.other) greatest = std::max(greatest, draw_other_side(drawing, shape, tolerance, result));

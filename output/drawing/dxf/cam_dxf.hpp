@@ -17,7 +17,7 @@ namespace camopt {
 
 // profile.dxf: the cam for CAD and CAM systems, as arcs within a tolerance. Layers CAM, PITCH (roller
 // centre), BASE_CIRCLE, PRIME_CIRCLE, ROLLER, FACE (flat face), AXES; the follower where the motion begins;
-// mm; the cam's centre at the origin, cam frame of profiles/disk/disk_cam.hpp.
+// mm; the cam's centre at the origin, cam frame of output/drawing/profile_shape.hpp.
 struct ProfileDxf {
     std::string text;
     int arcs = 0;            ///< of the cam's outline

@@ -94,9 +94,9 @@ TEST(NcGouge, LargeCutterInAHollowIsRefused) {
         const double r = 50.0 * millimetre, wave = 4.0 * millimetre;
         const double radius = r + wave * std::cos(6.0 * theta), slope = -6.0 * wave * std::sin(6.0 * theta);
         const Eigen::Vector2d out(std::cos(theta), std::sin(theta)), along(-out.y(), out.x());
-        ProfilePoint point;
-        point.contact = radius * out;
-        point.normal = (radius * out - slope * along).normalized();
+        MechanismPoint point;
+        point.contact << radius * out, 0.0;
+        point.normal << (radius * out - slope * along).normalized(), 0.0;
         return point;
     };
     DiskNcOptions options;

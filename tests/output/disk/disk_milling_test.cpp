@@ -23,9 +23,9 @@ ProfileShape waves(double wave, bool clockwise = false) {
         const double way = clockwise ? -theta : theta, r = 50.0 * millimetre;
         const double radius = r + wave * std::cos(6.0 * way), slope = -6.0 * wave * std::sin(6.0 * way);
         const Eigen::Vector2d out(std::cos(way), std::sin(way)), along(-out.y(), out.x());
-        ProfilePoint point;
-        point.contact = radius * out;
-        point.normal = (radius * out - slope * along).normalized();
+        MechanismPoint point;
+        point.contact << radius * out, 0.0;
+        point.normal << (radius * out - slope * along).normalized(), 0.0;
         return point;
     };
     shape.knots = {0.0, 1.0, turn};

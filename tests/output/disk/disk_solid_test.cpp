@@ -116,9 +116,9 @@ TEST(DiskSolid, RefusesWhatIsNoSolid) {
     ProfileShape undercut = shape_of(0.0);
     undercut.at = [cam = undercut.cam](double theta) {
         const double lift = 8e-3, n = 8.0;
-        return profile_point(cam, theta,
-                             {lift * (1.0 - std::cos(n * theta)), lift * n * std::sin(n * theta),
-                              lift * n * n * std::cos(n * theta)});
+        return testing_support::point_at(cam, theta,
+                                         {lift * (1.0 - std::cos(n * theta)), lift * n * std::sin(n * theta),
+                                          lift * n * n * std::cos(n * theta)});
     };
     EXPECT_NE(refusal([&] { (void)disk_mesh(undercut, drawn(10.0, false)); }).find("undercut"),
               std::string::npos);

@@ -5,6 +5,7 @@
 #include "output/nc/spoiled_programs.hpp"
 #include "output/spatial/nc_export.hpp"
 #include "profiles/spatial/reference_cams.hpp"
+#include "tests/output/disk/harmonic_disk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +21,13 @@ constexpr double millimetre = 1e-3, turn = 2.0 * std::numbers::pi, dwell = 2.0; 
 /// A roller of 10 mm on a base circle of 40 mm: a dwell of 2 rad, then a harmonic of 10 mm.
 ProfileShape dwelling_disk() {
     ProfileShape shape;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 40.0 * millimetre;
-    shape.cam.dimensions[static_cast<std::size_t>(DimensionIndex::roller_radius)] = 10.0 * millimetre;
+    shape.cam = testing_support::roller_cam();
     shape.at = [cam = shape.cam](double theta) {
         const double half = 5.0 * millimetre, rate = turn / (turn - dwell), phase = rate * (theta - dwell);
-        if (theta <= dwell) return profile_point(cam, theta, {0.0, 0.0, 0.0});
-        return profile_point(cam, theta,
-                             {half * (1.0 - std::cos(phase)), half * rate * std::sin(phase),
-                              half * rate * rate * std::cos(phase)});
+        if (theta <= dwell) return testing_support::point_at(cam, theta, {0.0, 0.0, 0.0});
+        return testing_support::point_at(cam, theta,
+                                         {half * (1.0 - std::cos(phase)), half * rate * std::sin(phase),
+                                          half * rate * rate * std::cos(phase)});
     };
     shape.knots = {0.0, dwell, turn};
     return shape;

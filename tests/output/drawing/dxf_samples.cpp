@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <cstdio>
@@ -22,7 +23,7 @@ std::string points_csv(const ProfileShape& shape) {
     std::string text = "x_mm,y_mm\n";
     for (int i = 0; i < points; ++i) {
         const double theta = shape.begin() + (shape.end() - shape.begin()) * i / points;
-        const Eigen::Vector2d place = shape.at(theta).contact / units::millimetre;
+        const Eigen::Vector2d place = in_plane(shape.at(theta).contact) / units::millimetre;
         text += CsvLine{}.number(place.x()).number(place.y()).finish();
     }
     return text;
@@ -33,8 +34,8 @@ void write_samples(const std::filesystem::path& folder) {
     const MotionChain motion = test::turn_motion("modified_sine");
     for (const FollowerType follower : test::all_followers)
         for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
-            const ProfileShape shape =
-                profile_shape(test::sample_cam(follower, rotation), motion, test::sample_scale(follower));
+            const ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(follower, rotation)),
+                                                     motion, test::sample_scale(follower));
             const std::string name = std::string(name_of(follower)) + "_" + name_of(rotation);
             write_text_file(folder / (name + ".dxf"), profile_dxf(shape).text);
             write_text_file(folder / (name + ".csv"), points_csv(shape));

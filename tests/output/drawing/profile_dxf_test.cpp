@@ -2,6 +2,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/output/drawing/dxf_text.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/support/refusal.hpp"
@@ -41,8 +42,8 @@ TEST(ProfileDxf, TheArcsReadBackKeepTheTolerance) {
         for (const FollowerType follower : test::all_followers)
             for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
                 const MotionChain motion = test::turn_motion(law);
-                const ProfileShape shape =
-                    profile_shape(test::sample_cam(follower, rotation), motion, test::sample_scale(follower));
+                const ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(follower, rotation)),
+                                                         motion, test::sample_scale(follower));
                 ASSERT_TRUE(shape.closed);
                 const ProfileDxf dxf = profile_dxf(shape);
                 const auto lines = test::dxf_polylines(dxf.text);
@@ -50,15 +51,16 @@ TEST(ProfileDxf, TheArcsReadBackKeepTheTolerance) {
                 EXPECT_TRUE(outline.closed);
                 EXPECT_EQ(static_cast<int>(outline.arcs.size()), dxf.arcs);
                 EXPECT_LE(dxf.deviation, 1e-6);
-                const double found =
-                    largest_distance(shape, outline, [](const ProfilePoint& point) { return point.contact; });
+                const double found = largest_distance(
+                    shape, outline, [](const MechanismPoint& point) { return in_plane(point.contact); });
                 EXPECT_LE(found, 1e-6);
                 EXPECT_NEAR(found, dxf.deviation, 5e-8);
                 EXPECT_EQ(lines.size(), has_roller(follower) ? 2U : 1U);
                 if (has_roller(follower)) {
-                    EXPECT_LE(largest_distance(shape, on_layer(lines, "PITCH"),
-                                               [](const ProfilePoint& point) { return point.pitch; }),
-                              1e-6);
+                    EXPECT_LE(
+                        largest_distance(shape, on_layer(lines, "PITCH"),
+                                         [](const MechanismPoint& point) { return in_plane(point.pitch); }),
+                        1e-6);
                 }
                 std::printf("[ dxf      ] %-19s %-16s %-16s %4d arcs, deviation %.3f um, read back %.3f um\n",
                             name_of(follower), law.c_str(), name_of(rotation), dxf.arcs, 1e6 * dxf.deviation,
@@ -69,8 +71,8 @@ TEST(ProfileDxf, TheArcsReadBackKeepTheTolerance) {
 TEST(ProfileDxf, HandlesAreUniqueAndBelowTheSeed) {
     const MotionChain motion = test::turn_motion("modified_sine");
     const auto follower = FollowerType::oscillating_flat;
-    const ProfileDxf dxf =
-        profile_dxf(profile_shape(test::sample_cam(follower), motion, test::sample_scale(follower)));
+    const ProfileDxf dxf = profile_dxf(
+        profile_shape(disk_mechanism(test::sample_cam(follower)), motion, test::sample_scale(follower)));
     std::set<long> handles;
     long seed = 0;
     bool in_header = true, seed_follows = false;
@@ -92,7 +94,7 @@ TEST(ProfileDxf, AnUndercutCamIsDrawnWithItsLoops) {
     cam.dimensions[static_cast<std::size_t>(DimensionIndex::roller_radius)] = 39 * millimetre;
     cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] = 6 * millimetre;
     const MotionChain motion = test::turn_motion("polynomial_4567");
-    const ProfileShape shape = profile_shape(cam, motion, test::sample_scale(cam.follower));
+    const ProfileShape shape = profile_shape(disk_mechanism(cam), motion, test::sample_scale(cam.follower));
     EXPECT_GE(cusp_angles(shape).size(), 2U);
     const ProfileDxf dxf = profile_dxf(shape);
     EXPECT_LE(dxf.deviation, 1e-6);
@@ -101,7 +103,7 @@ TEST(ProfileDxf, AnUndercutCamIsDrawnWithItsLoops) {
 
 TEST(ProfileDxf, ASectorStaysOpenAndTheToleranceMustBePositive) {
     const auto law = test::turn_motion("modified_sine");
-    ProfileShape shape = profile_shape(test::sample_cam(FollowerType::translating_flat), law,
+    ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(FollowerType::translating_flat)), law,
                                        test::sample_scale(FollowerType::translating_flat));
     shape.knots = {shape.knots[1], shape.knots[2]};
     shape.closed = false;

@@ -3,6 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/chart/profile_diagrams_svg.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,8 @@ TEST(ProfileSvg, ShowsEveryPartOfEveryCam) {
     for (const FollowerType follower : test::all_followers)
         for (const Rotation rotation : {Rotation::counterclockwise, Rotation::clockwise}) {
             const MotionChain motion = test::turn_motion("modified_sine");
-            const ProfileShape shape =
-                profile_shape(test::sample_cam(follower, rotation), motion, test::sample_scale(follower));
+            const ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(follower, rotation)),
+                                                     motion, test::sample_scale(follower));
             const std::string svg = profile_svg(shape, "A <cam> & its follower");
             expect_sound(svg);
             EXPECT_NE(svg.find("A &lt;cam&gt; &amp; its follower"), std::string::npos);
@@ -47,7 +48,8 @@ TEST(ProfileSvg, ShowsEveryPartOfEveryCam) {
 TEST(ProfileSvg, AnUndercutCamSaysSo) {
     DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
     const MotionChain motion = test::turn_motion("polynomial_4567");
-    const std::string svg = profile_svg(profile_shape(cam, motion, {10 * units::degree, 1.0}), "Undercut");
+    const std::string svg =
+        profile_svg(profile_shape(disk_mechanism(cam), motion, {10 * units::degree, 1.0}), "Undercut");
     expect_sound(svg);
     EXPECT_NE(svg.find("UNDERCUT"), std::string::npos);
     EXPECT_GE(count_of(svg, "class=\"undercut\""), 2);
@@ -55,8 +57,8 @@ TEST(ProfileSvg, AnUndercutCamSaysSo) {
 
 TEST(ProfileSvg, ASectorIsOpen) {
     const MotionChain motion = test::turn_motion("modified_sine");
-    ProfileShape shape = profile_shape(test::sample_cam(FollowerType::translating_roller), motion,
-                                       test::sample_scale(FollowerType::translating_roller));
+    ProfileShape shape = profile_shape(disk_mechanism(test::sample_cam(FollowerType::translating_roller)),
+                                       motion, test::sample_scale(FollowerType::translating_roller));
     shape.knots = {shape.knots[1], shape.knots.back()};
     shape.closed = false;
     const std::string svg = profile_svg(shape, "Sector");
@@ -69,7 +71,7 @@ TEST(ProfileDiagramsSvg, ShowLimitsAndExtremes) {
     for (const FollowerType follower : test::all_followers) {
         const MotionChain motion = test::turn_motion("modified_sine");
         const ProfileShape shape =
-            profile_shape(test::sample_cam(follower), motion, test::sample_scale(follower));
+            profile_shape(disk_mechanism(test::sample_cam(follower)), motion, test::sample_scale(follower));
         ProfileDiagramLimits limits;
         limits.pressure = {{shape.begin(), shape.end(), 30 * units::degree}};
         limits.convex_radius_min = 20e-3;
@@ -88,7 +90,8 @@ TEST(ProfileDiagramsSvg, ShowLimitsAndExtremes) {
 TEST(ProfileDiagramsSvg, ACurvatureWithoutBoundLeavesTheFrame) {
     DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
     const MotionChain motion = test::turn_motion("polynomial_4567");
-    expect_sound(profile_diagrams_svg(profile_shape(cam, motion, {10 * units::degree, 1.0}), {}, "Undercut"));
+    expect_sound(profile_diagrams_svg(profile_shape(disk_mechanism(cam), motion, {10 * units::degree, 1.0}),
+                                      {}, "Undercut"));
 }
 
 }  // namespace profile_svg_test

@@ -149,7 +149,7 @@ TEST_F(TwoSidedFiles, WordsNameTheSide) {
 
 TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
     const MotionChain motion = drawn_motion(conjugate());
-    const ProfileShape shape = disk_shape(conjugate(), motion).value();
+    const ProfileShape shape = delivered_shape(conjugate(), motion).value();
     EXPECT_NE(refusal([&] { (void)disk_nc_work(shape, {}); }).find("found two disks"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)disk_volume(shape, {}); }).find("found two disks"), std::string::npos);
     EXPECT_NE(refusal([&] { (void)cam_sheet(conjugate()); }).find("found two disks"), std::string::npos);
@@ -161,16 +161,16 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
         EXPECT_EQ(pieces[1].at(theta).contact, shape.other(theta).contact);
         // Out of the material: what stands off along the normal is farther from the disk.
         for (const ProfileShape& piece : pieces) {
-            const ProfilePoint point = piece.at(theta);
+            const MechanismPoint point = piece.at(theta);
             EXPECT_GT(point.normal.dot(point.contact), 0.0);
-            EXPECT_FALSE(piece.cam.form.drives_both_ways());
+            EXPECT_EQ(piece.formulas().stations(), 1);
         }
     }
 }
 
 TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
     const MotionChain motion = drawn_motion(grooved());
-    const ProfileShape shape = disk_shape(grooved(), motion).value();
+    const ProfileShape shape = delivered_shape(grooved(), motion).value();
     ASSERT_EQ(made_pieces(shape).size(), 1u);
     const auto machine = plane_milling_machine();
     const PostProcessor post = generic_post(*machine);
