@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 
 namespace camopt {
 namespace {
@@ -28,27 +30,49 @@ constexpr double narrowest_step = 1e-6;
 // Places closer than this share of the motion are one place.
 constexpr double same_place = 1e-9;
 
-double distance_to_chord(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
-                         const Eigen::Vector2d& to) {
-    const Eigen::Vector2d chord = to - from;
+template <class Place>
+double distance_to_chord(const Place& point, const Place& from, const Place& to) {
+    const Place chord = to - from;
     const double squared = chord.squaredNorm();
     const double along = squared > 0.0 ? std::clamp((point - from).dot(chord) / squared, 0.0, 1.0) : 0.0;
     return (point - from - along * chord).norm();
 }
 
+/// point_at: the point of the cam for a cam angle and a state of the follower.
+template <class PointAt>
 class Sampler {
  public:
-    Sampler(const DiskCam& cam, const Motion& motion, const MotionScale& scale, int side_of_cam)
-        : cam_(cam), motion_(motion), scale_(scale), side_of_cam_(side_of_cam) {}
+    using Point = std::invoke_result_t<PointAt, double, FollowerState>;
 
-    [[nodiscard]] ProfilePoint at(double x) const {
+    Sampler(PointAt point_at, const Motion& motion, const MotionScale& scale)
+        : point_at_(std::move(point_at)), motion_(motion), scale_(scale) {}
+
+    [[nodiscard]] std::vector<Point> points(const ProfileSampling& sampling) const {
+        const std::vector<double> breakpoints = motion_.breakpoints();
+        std::vector<Point> points;
+        if (sampling.count) {
+            for (const double place : even_places(breakpoints, *sampling.count)) points.push_back(at(place));
+            return points;
+        }
+        points.push_back(at(breakpoints.front()));
+        for (std::size_t i = 1; i < breakpoints.size(); ++i)
+            append(breakpoints[i - 1], breakpoints[i], sampling.chord_tolerance, points);
+        return points;
+    }
+
+ private:
+    struct Step {
+        double from = 0.0, to = 0.0;
+        decltype(Point::contact) start;
+    };
+
+    [[nodiscard]] Point at(double x) const {
         const Side side = x < motion_.end() ? Side::right : Side::left;
-        return profile_point(cam_, scale_.unit_angle * x, state_of(motion_.at(x, side), scale_),
-                             side_of_cam_);
+        return point_at_(scale_.unit_angle * x, state_of(motion_.at(x, side), scale_));
     }
 
     /// Appends the points after `from` up to and with `to`, so dense that the chords keep the tolerance.
-    void append(double from, double to, double tolerance, std::vector<ProfilePoint>& points) const {
+    void append(double from, double to, double tolerance, std::vector<Point>& points) const {
         const double width = std::abs(scale_.unit_angle) * (to - from);
         const int steps = std::max(1, static_cast<int>(std::ceil(width / widest_step)));
         for (int i = 0; i < steps; ++i) {
@@ -58,18 +82,11 @@ class Sampler {
         }
     }
 
- private:
-    struct Step {
-        double from = 0.0, to = 0.0;
-        Eigen::Vector2d start;
-    };
-
-    void append_step(const Step& step, const ProfilePoint& end, double tolerance,
-                     std::vector<ProfilePoint>& points) const {
-        std::array<ProfilePoint, parts_of_step - 1> inner;
+    void append_step(const Step& step, const Point& end, double tolerance, std::vector<Point>& points) const {
+        std::array<Point, parts_of_step - 1> inner;
         bool close = true;
         for (int i = 1; i < parts_of_step; ++i) {
-            ProfilePoint& point = inner[static_cast<std::size_t>(i - 1)];
+            Point& point = inner[static_cast<std::size_t>(i - 1)];
             point = at(step.from + (step.to - step.from) * i / parts_of_step);
             close =
                 close && distance_to_chord(point.contact, step.start, end.contact) <= seen_share * tolerance;
@@ -80,16 +97,24 @@ class Sampler {
             return;
         }
         const double middle = 0.5 * (step.from + step.to);
-        const ProfilePoint& halfway = inner[parts_of_step / 2 - 1];
+        const Point& halfway = inner[parts_of_step / 2 - 1];
         append_step({step.from, middle, step.start}, halfway, tolerance, points);
         append_step({middle, step.to, halfway.contact}, end, tolerance, points);
     }
 
-    const DiskCam& cam_;
+    PointAt point_at_;
     const Motion& motion_;
     MotionScale scale_;
-    int side_of_cam_;
 };
+
+template <class PointAt>
+auto sampled(PointAt point_at, const Motion& motion, const MotionScale& scale,
+             const ProfileSampling& sampling) {
+    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
+    return Sampler<PointAt>(std::move(point_at), motion, scale).points(sampling);
+}
 
 }  // namespace
 
@@ -113,23 +138,21 @@ std::vector<double> even_places(const std::vector<double>& breakpoints, int coun
     return places;
 }
 
+std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Motion& motion,
+                                            const MotionScale& scale, const ProfileSampling& sampling,
+                                            int station) {
+    const auto point_at = [&cam, station](double theta, const FollowerState& state) {
+        return cam.formulas->point(theta, {cam.dimensions, state, theta}, station);
+    };
+    return sampled(point_at, motion, scale, sampling);
+}
+
 std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
                                           const ProfileSampling& sampling, int side_of_cam) {
-    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
-        throw InputError(
-            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
-    const Sampler sampler(cam, motion, scale, side_of_cam);
-    const std::vector<double> breakpoints = motion.breakpoints();
-    std::vector<ProfilePoint> points;
-    if (sampling.count) {
-        for (const double place : even_places(breakpoints, *sampling.count))
-            points.push_back(sampler.at(place));
-        return points;
-    }
-    points.push_back(sampler.at(breakpoints.front()));
-    for (std::size_t i = 1; i < breakpoints.size(); ++i)
-        sampler.append(breakpoints[i - 1], breakpoints[i], sampling.chord_tolerance, points);
-    return points;
+    const auto point_at = [&cam, side_of_cam](double theta, const FollowerState& state) {
+        return profile_point(cam, theta, state, side_of_cam);
+    };
+    return sampled(point_at, motion, scale, sampling);
 }
 
 }  // namespace camopt

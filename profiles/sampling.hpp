@@ -4,6 +4,7 @@
 
 #include "core/motion.hpp"
 #include "profiles/disk/disk_cam.hpp"
+#include "scene/cam_mechanism.hpp"
 
 #include <optional>
 #include <vector>
@@ -30,7 +31,10 @@ struct ProfileSampling {
 
 /// In order of the cam angle, from the motion's begin to its end, both included. `side` at a breakpoint:
 /// right (left at the end).
-/// side_of_cam: disk_sides.hpp.
+[[nodiscard]] std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Motion& motion,
+                                                          const MotionScale& scale,
+                                                          const ProfileSampling& sampling, int station = 0);
+/// The same of a disk cam; side_of_cam: disk_sides.hpp.
 [[nodiscard]] std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion,
                                                         const MotionScale& scale,
                                                         const ProfileSampling& sampling, int side_of_cam = 0);

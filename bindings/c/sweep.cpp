@@ -6,12 +6,14 @@
 #include "core/licenses.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
+#include "profiles/scene_cam.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +38,8 @@ std::unique_ptr<camopt_solution> solved(const camopt_scene& given, const camopt_
     callbacks.finish();
     if (options.forward_check != 0 && !callbacks.stopped()) add_forward_check(result->solution);
     result->stations = station_names(result->solution);
+    if (const std::optional<MechanismSpec> cam = cam_of(result->solution.scene))
+        result->dimensions = cam->dimensions;
     result->origin = {given.document.name(), "", given.document.text()};
     return result;
 }

@@ -134,7 +134,7 @@ struct LoadPicture {
 
 /// The forces jump where the acceleration does: each piece between two breakpoints is seen from inside.
 LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
-    const DiskCam cam = disk_cam(solution.cam->cam).value();
+    const DrivenMechanism& cam = solution.cam->cam;
     const ForceSpec& forces = *solution.scene.forces;
     const double speed = *solution.scene.motion.speed;
     const MotionScale scale = motion_scale(solution.scene);
@@ -150,9 +150,8 @@ LoadPieces load_pieces(const Solution& solution, const Motion& motion) {
             const double x = k == count ? places[i + 1] : places[i] + length * k / count;
             const FollowerState state = state_of(motion.at(x, k == count ? Side::left : Side::right), scale);
             const double theta = scale.unit_angle * x;
-            piece.push_back(
-                {theta / degree, follower_loads(cam, forces, speed, state,
-                                                mechanism_point(profile_point(cam, theta, state)))});
+            const MechanismPoint point = cam.formulas->point(theta, {cam.dimensions, state}, 0);
+            piece.push_back({theta / degree, follower_loads(cam, forces, speed, state, point)});
         }
     }
     return pieces;

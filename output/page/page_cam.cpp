@@ -5,7 +5,6 @@
 #include "output/chart/limit_spans.hpp"
 #include "output/page/page_parts.hpp"
 #include "output/words/cam_words.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
@@ -240,11 +239,11 @@ Json load_curve(const CamCurves& course, const LoadCurve& load, const std::vecto
 void add_load_curves(Json& all, const CamCurves& course) {
     const Scene& scene = course.solution.scene;
     const std::optional<ForceSummary>& summary = course.solution.cam->summary.forces;
-    const std::optional<DiskCam> cam = disk_cam(course.solution.cam->cam);
-    if (!summary || !cam) return;
+    const DrivenMechanism& cam = course.solution.cam->cam;
+    if (!summary) return;
     std::vector<FollowerLoads> loads;
     for (const CamRow& row : course.stations.front())
-        loads.push_back(follower_loads(*cam, *scene.forces, *scene.motion.speed, row.state, row.point));
+        loads.push_back(follower_loads(cam, *scene.forces, *scene.motion.speed, row.state, row.point));
     const bool swings = course.solution.cam->cam.formulas->swings();
     std::vector<LoadCurve> curves = {
         {{"force", "forces", swings ? "Moment on the follower" : "Force on the follower", swings ? "M" : "F",

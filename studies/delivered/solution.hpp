@@ -166,10 +166,10 @@ struct ForwardCheckReport {
 
 /// A cam that was made, of any kind: its formulas and numbers, its figures.
 struct CamReport {
-    DrivenMechanism cam;  ///< a disk cam as disk_cam() of profiles/disk/disk_mechanism.hpp gives it back
+    DrivenMechanism cam;
     CamSummary summary;
     std::vector<EnclosedLimit> limits_along;          ///< of every rule that keeps a limit of the scene
-    std::optional<SmallestCamReport> smallest;        ///< of a disk cam, where it is known
+    std::optional<SmallestCamReport> smallest;        ///< where it is known
     std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };
 
