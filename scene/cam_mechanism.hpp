@@ -17,10 +17,10 @@
 #include "core/numbers/range_over.hpp"
 #include "core/partials.hpp"
 #include "scene/cam_spec.hpp"
+#include "scene/follower_geometry.hpp"
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -136,16 +136,6 @@ struct MechanismShape {
     double radius = 0.0;  ///< circle
 };
 
-/// What a check needs that runs a roller over finished points and knows nothing else of the mechanism: a
-/// lever that carries the roller, and its linkage run forwards. The frame that stands still; m, rad.
-struct RollerLever {
-    Eigen::Vector2d center, pivot;  ///< of the cam, of the lever
-    double arm = 0.0, roller_radius = 0.0;
-    double start = 0.0;  ///< angle of the roller's arm from +x at output 0
-    /// s for an angle of the roller's arm; NaN out of reach.
-    std::function<double(double)> output;
-};
-
 class CamMechanism {
  public:
     virtual ~CamMechanism() = default;
@@ -192,6 +182,13 @@ class CamMechanism {
     [[nodiscard]] virtual bool is_direct() const { return false; }
     /// The radii of the cam follow from those of a pitch curve; a flat face has none.
     [[nodiscard]] virtual bool has_pitch_curve() const { return planar(); }
+    /// What touches the cam: without a roller a flat face, or the edge that moves along the pitch curve.
+    [[nodiscard]] ContactKind contact() const {
+        if (roller_radius() >= 0) return ContactKind::roller;
+        return has_pitch_curve() ? ContactKind::edge : ContactKind::flat;
+    }
+    /// Direct, with two sides: a force F > 0 along the lift presses on station 0, F < 0 on station 1.
+    [[nodiscard]] bool drives_both_ways() const { return is_direct() && stations() > 1; }
     /// Where in the dimensions the base radius of the cam stands; -1: it follows from them and the motion.
     [[nodiscard]] virtual int base_radius_index() const { return -1; }
     /// m; none where it is no dimension.
@@ -199,6 +196,13 @@ class CamMechanism {
         const int index = base_radius_index();
         if (index < 0) return std::nullopt;
         return dimensions[static_cast<std::size_t>(index)];
+    }
+    /// σe of a roller or an edge that is pushed straight, m, with the cam's sense σ and the offset e:
+    /// tan φ = (s' − σe)/(s0 + s) with s0 = √(p² − e²), and p = length(dimensions) grows with every dimension
+    /// but the offset. None (default): the pressure angle follows another law.
+    [[nodiscard]] virtual std::optional<double> pushed_offset(std::span<const double> dimensions) const {
+        static_cast<void>(dimensions);
+        return {};
     }
     /// A dimension in a sum: sign · d.
     struct SignedIndex {
@@ -222,8 +226,6 @@ class CamMechanism {
     /// with every dimension in its middle.
     [[nodiscard]] virtual std::optional<SceneFault> find_fault(const CamSpec& spec,
                                                                const MotionSpec& motion) const;
-    /// What touches the cam.
-    [[nodiscard]] virtual ContactKind contact() const { return ContactKind::roller; }
     /// active: which dimensions the partials are by.
     [[nodiscard]] virtual MechanismValue quantity(MechanismQuantity which, const MechanismState& state,
                                                   int station, std::span<const int> active) const = 0;
@@ -339,9 +341,14 @@ class CamMechanism {
     /// Its parts in one state, the centre about which the cam turns first (a pivot); empty where it is no
     /// plane mechanism.
     [[nodiscard]] virtual std::vector<MechanismShape> shapes(const MechanismState& state) const = 0;
-    /// None where no lever carries the roller.
-    [[nodiscard]] virtual std::optional<RollerLever> roller_lever(
-        std::span<const double> dimensions) const = 0;
+    /// What a forward check puts down on the finished points of a station, for output 0. None (default): it
+    /// has another check, or none.
+    [[nodiscard]] virtual std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
+                                                                   int station) const {
+        static_cast<void>(dimensions);
+        static_cast<void>(station);
+        return {};
+    }
 
  protected:
     CamMechanism() = default;

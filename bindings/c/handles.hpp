@@ -5,6 +5,7 @@
 #include "bindings/c/failure.hpp"
 #include "input/document/scene_document.hpp"
 #include "output/json/certificate/run_origin.hpp"
+#include "scene/mechanism_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <span>
@@ -18,7 +19,8 @@ struct camopt_scene {
 struct camopt_solution {
     camopt::Solution solution;
     camopt::RunOrigin origin;
-    std::vector<std::string> stations;  ///< names; one "" of a plane cam, none without a cam
+    std::vector<std::string> stations;                   ///< names; one "" of a plane cam, none without a cam
+    std::vector<camopt::CamDimension> dimensions;  ///< of the scene's cam, in the order of its numbers
 };
 
 namespace camopt::c {
@@ -30,8 +32,5 @@ namespace camopt::c {
 [[nodiscard]] const MotionChain& motion_of(const camopt_solution* solution);
 
 [[nodiscard]] camopt_verdict verdict_of(Verdict verdict);
-
-/// A dimension of a cam as C callers see it; its texts belong to the solution.
-[[nodiscard]] camopt_parameter disk_parameter(const Solution& solution, DimensionIndex which);
 
 }  // namespace camopt::c

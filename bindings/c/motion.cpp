@@ -5,7 +5,6 @@
 #include "bindings/c/structs.hpp"
 #include "core/units.hpp"
 #include "output/drawing/mechanism_figures.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/check/check_cam.hpp"
 
@@ -22,14 +21,11 @@ using units::degree, units::millimetre;
 /// A slip of the keyboard is told before it fills the memory.
 constexpr std::size_t most_profile_points = 10'000'000;
 
-template <int dimension>
-void store(const Eigen::Matrix<double, dimension, 1>& place, double unit, double (&target)[3]) {
-    for (int i = 0; i < 3; ++i) target[i] = i < dimension ? place[i] / unit : 0.0;
+void store(const Eigen::Vector3d& place, double unit, double (&target)[3]) {
+    for (int i = 0; i < 3; ++i) target[i] = place[i] / unit;
 }
 
-/// Both kinds of points have these members; `pitch` and `contact` are places in the cam frame.
-template <class Point>
-camopt_profile_point point_of(const Point& point) {
+camopt_profile_point point_of(const MechanismPoint& point) {
     camopt_profile_point shown{};
     shown.theta_deg = point.theta / degree;
     store(point.pitch, millimetre, shown.pitch_mm);
@@ -40,14 +36,6 @@ camopt_profile_point point_of(const Point& point) {
     shown.cam_radius_mm = point.cam_radius / millimetre;
     shown.regularity = point.regularity;
     return shown;
-}
-
-template <class Point>
-std::vector<camopt_profile_point> points_of(const std::vector<Point>& points) {
-    std::vector<camopt_profile_point> all;
-    all.reserve(points.size());
-    for (const Point& point : points) all.push_back(point_of(point));
-    return all;
 }
 
 const std::vector<std::string>& stations_of(const camopt_solution* solution) {
@@ -65,14 +53,15 @@ std::vector<camopt_profile_point> profile_of(const Solution& solution, std::size
                       fmt::format("points: found {}; allowed: 2 to {}, or 0", points, most_profile_points));
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
-    if (const std::optional<DiskCam> disk = disk_cam(solution.cam->cam)) {
-        ProfileSampling sampling;
-        if (points > 0) sampling.count = static_cast<int>(points);
-        return points_of(sampled_profile(*disk, motion, scale, sampling, static_cast<int>(station)));
-    }
-    const int count = points > 0 ? static_cast<int>(points) : default_profile_points(motion, scale);
-    return points_of(
-        mechanism_profile(solution.cam->cam, motion, scale, count, static_cast<int>(station)).points);
+    const DrivenMechanism& cam = solution.cam->cam;
+    ProfileSampling sampling;
+    if (points > 0) sampling.count = static_cast<int>(points);
+    if (points == 0 && !cam.formulas->is_direct()) sampling.count = default_profile_points(motion, scale);
+    std::vector<camopt_profile_point> all;
+    for (const MechanismPoint& point :
+         sampled_profile(cam, motion, scale, sampling, static_cast<int>(station)))
+        all.push_back(point_of(point));
+    return all;
 }
 
 /// Where the samples go: x, y, y', y'', y'''; any may be NULL.

@@ -2,7 +2,6 @@
 #include "bindings/c/handles.hpp"
 #include "bindings/c/structs.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -45,25 +44,18 @@ camopt_peaks peaks_of(const Peaks& peaks) {
             peaks.torque.at,       peaks.rms_velocity,   peaks.rms_acceleration, peaks.rms_jerk};
 }
 
-camopt_parameter mechanism_parameter(const Solution& solution, std::size_t index) {
-    const CamDimension& dimension = solution.scene.cam->dimensions[index];
-    const double value = solution.cam->cam.dimensions[index];
-    return {sizeof(camopt_parameter), dimension.name.c_str(), dimension.is_angle ? "deg" : "mm",
-            value / (dimension.is_angle ? degree : millimetre), dimension.value.is_variable() ? 1 : 0};
-}
-
-/// Those that the cam has.
-std::vector<camopt_parameter> parameters_of(const Solution& solution) {
+/// Those that the cam has; the names are those of the handle.
+std::vector<camopt_parameter> parameters_of(const camopt_solution& handle) {
     std::vector<camopt_parameter> all;
-    if (!solution.cam) return all;
-    if (const std::optional<DiskCam> disk = disk_cam(solution.cam->cam)) {
-        for (const DimensionIndex which : dimensions_of(disk->follower))
-            all.push_back(disk_parameter(solution, which));
-        return all;
+    if (!handle.solution.cam) return all;
+    const std::vector<double>& numbers = handle.solution.cam->cam.dimensions;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const CamDimension& dimension = handle.dimensions[i];
+        if (dimension.value.key.empty()) continue;
+        all.push_back({sizeof(camopt_parameter), dimension.name.c_str(), dimension.is_angle ? "deg" : "mm",
+                       numbers[i] / (dimension.is_angle ? degree : millimetre),
+                       dimension.value.is_variable() ? 1 : 0});
     }
-    for (std::size_t i = 0; i < solution.cam->cam.dimensions.size(); ++i)
-        if (!solution.scene.cam->dimensions[i].value.key.empty())
-            all.push_back(mechanism_parameter(solution, i));
     return all;
 }
 
@@ -89,13 +81,13 @@ camopt_relaxation relaxation_of(const Relaxation& relaxation) {
             relaxation.also.size()};
 }
 
-/// list: makes the entries of a solution; `entry` is filled with one of them.
+/// list: makes the entries of a handle; `entry` is filled with one of them.
 template <class Struct, class List>
 camopt_error entry_at(const camopt_solution* solution, std::size_t index, Struct* entry, List list) {
     return guarded([&] {
         require(solution, "solution");
         require(entry, "the struct to fill");
-        const auto& entries = list(solution->solution);
+        const auto& entries = list(*solution);
         check_index(index, entries.size(), "index");
         fill(entry, entries[index], "the struct to fill");
     });
@@ -106,7 +98,7 @@ camopt_error count_of(const camopt_solution* solution, std::size_t* count, List 
     return guarded([&] {
         require(solution, "solution");
         require(count, "count");
-        *count = list(solution->solution).size();
+        *count = list(*solution).size();
     });
 }
 
@@ -117,12 +109,12 @@ auto converted(const std::vector<Report>& reports, Convert convert) {
     return all;
 }
 
-auto constraints_of(const Solution& solution) {
-    return converted(solution.constraints, constraint_of);
+auto constraints_of(const camopt_solution& handle) {
+    return converted(handle.solution.constraints, constraint_of);
 }
 
-auto relaxations_of(const Solution& solution) {
-    return converted(solution.relaxation, relaxation_of);
+auto relaxations_of(const camopt_solution& handle) {
+    return converted(handle.solution.relaxation, relaxation_of);
 }
 
 }  // namespace
@@ -149,12 +141,6 @@ const MotionChain& motion_of(const camopt_solution* solution) {
         throw Failure(CAMOPT_ERROR_ABSENT, std::string("the solution has no motion: its verdict is ") +
                                                name_of(solution->solution.certificate.verdict));
     return *solution->solution.motion;
-}
-
-camopt_parameter disk_parameter(const Solution& solution, DimensionIndex which) {
-    return {sizeof(camopt_parameter), name_of(which), "mm",
-            disk_cam(solution.cam->cam).value()[which] / millimetre,
-            solution.scene.cam->find(which)->is_variable() ? 1 : 0};
 }
 
 }  // namespace camopt::c
@@ -220,9 +206,9 @@ camopt_error camopt_relaxation_at(const camopt_solution* solution, size_t index,
 
 camopt_error camopt_relaxation_also(const camopt_solution* solution, size_t index, size_t which,
                                     camopt_companion_change* change) {
-    return entry_at(solution, which, change, [index](const camopt::Solution& of) {
-        check_index(index, of.relaxation.size(), "index");
-        return converted(of.relaxation[index].also, [](const camopt::CompanionChange& one) {
+    return entry_at(solution, which, change, [index](const camopt_solution& of) {
+        check_index(index, of.solution.relaxation.size(), "index");
+        return converted(of.solution.relaxation[index].also, [](const camopt::CompanionChange& one) {
             return camopt_companion_change{sizeof(camopt_companion_change), one.key.c_str(), one.given,
                                            one.solved};
         });

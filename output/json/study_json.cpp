@@ -110,12 +110,15 @@ Json row_json(const ComparisonRow& row, double degrees_per_x) {
 }
 
 Json dimensions_json(const Comparison& comparison) {
-    if (!comparison.cam) return nullptr;
+    const std::optional<CamSpec> spec = cam_of(comparison.optimum.scene);
+    if (!comparison.cam || !spec) return nullptr;
     Json json = Json::object();
-    for (int i = 0; i < dimension_count; ++i) {
-        const auto index = static_cast<DimensionIndex>(i);
-        if (!has_dimension(comparison.cam->follower, index)) continue;
-        json[std::string(name_of(index)) + "_mm"] = number_json((*comparison.cam)[index] / units::millimetre);
+    for (std::size_t i = 0; i < spec->dimensions.size(); ++i) {
+        const CamDimension& dimension = spec->dimensions[i];
+        if (dimension.value.key.empty()) continue;  // this variant has no such dimension
+        const double unit = dimension.is_angle ? units::degree : units::millimetre;
+        json[dimension.name + (dimension.is_angle ? "_deg" : "_mm")] =
+            number_json(comparison.cam->dimensions[i] / unit);
     }
     return json;
 }

@@ -51,6 +51,10 @@ class DiskMechanism final : public CamMechanism {
     [[nodiscard]] bool is_direct() const override { return true; }
     [[nodiscard]] bool has_pitch_curve() const override { return !has_flat_face(follower_); }
     [[nodiscard]] int base_radius_index() const override { return place_of(DimensionIndex::base_radius); }
+    [[nodiscard]] std::optional<double> pushed_offset(std::span<const double> dimensions) const override {
+        if (swings() || has_flat_face(follower_)) return {};
+        return sense_of(rotation_) * cam(dimensions)[DimensionIndex::offset];
+    }
     [[nodiscard]] std::vector<std::vector<SignedIndex>> reach() const override;
     /// The pivot's distance, or the prime radius.
     [[nodiscard]] double length(std::span<const double> dimensions) const override {
@@ -72,7 +76,6 @@ class DiskMechanism final : public CamMechanism {
                                                        const MotionSpec& motion) const override {
         return disk_fault(disk_of(spec), motion);
     }
-    [[nodiscard]] ContactKind contact() const override { return follower_of(follower_).contact; }
     [[nodiscard]] std::string undercut_words() const override;
     [[nodiscard]] std::string check_words(int points) const override {
         if (form_.is_grooved())
@@ -132,9 +135,8 @@ class DiskMechanism final : public CamMechanism {
     }
     [[nodiscard]] std::vector<DrivenMechanism> pieces(std::span<const double> dimensions) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
-    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
-        return std::nullopt;
-    }
+    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
+                                                           int station) const override;
 
  private:
     void add_second_roller(std::vector<MechanismShape>& shapes, const DiskCam& own,
@@ -210,6 +212,27 @@ std::vector<MechanismShape> DiskMechanism::shapes(const MechanismState& state) c
     if (has_roller(follower_)) shapes.push_back({Kind::circle, "roller", {tip}, roller});
     if (form_.is_conjugate()) add_second_roller(shapes, own, state.output, tip);
     return shapes;
+}
+
+/// The second roller of a conjugate cam runs on its own disk, in the mirror in which it falls where the first
+/// one rises.
+std::optional<FollowerGeometry> DiskMechanism::follower(std::span<const double> dimensions,
+                                                        int station) const {
+    using enum DimensionIndex;
+    const bool second = station == 1 && form_.is_conjugate();
+    const DiskCam own = second ? second_disk(cam(dimensions)) : cam(dimensions);
+    FollowerGeometry found;
+    found.contact = contact();
+    found.swings = swings();
+    found.roller_radius = own[DimensionIndex::roller_radius];
+    found.offset = own[offset];
+    found.pivot_distance = own[center_distance];
+    found.arm = own[arm_length];
+    found.face_offset = own[face_offset];
+    found.rest_distance = own[base_radius] + own[DimensionIndex::roller_radius];
+    found.mirrored = found.falls = second;
+    found.from_inside = station == 1 && form_.is_grooved();
+    return found;
 }
 
 std::vector<std::vector<CamMechanism::SignedIndex>> DiskMechanism::reach() const {

@@ -128,9 +128,6 @@ class InverseMechanism final : public CamMechanism {
         return found.fault == InverseFault::none ? -found.node.angle : nowhere;
     }
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
-    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
-        return std::nullopt;
-    }
 
  private:
     template <int n>

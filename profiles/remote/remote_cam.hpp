@@ -64,7 +64,8 @@ class RemoteCam final : public CamMechanism {
     [[nodiscard]] MechanismPoint point(double theta, const MechanismState& state, int station) const override;
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
 
-    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double> dimensions) const override;
+    [[nodiscard]] std::optional<FollowerGeometry> follower(std::span<const double> dimensions,
+                                                           int station) const override;
 
     /// Of the roller's arm: its angle from +x in (−π, π], and its derivatives by the cam angle.
     struct LeverState {

@@ -93,18 +93,17 @@ double RemoteLinkageForward::output(double angle) const {
     return slid(end, at(dimensions_, second_coupler));
 }
 
-std::optional<RollerLever> RemoteCam::roller_lever(std::span<const double> dimensions) const {
+std::optional<FollowerGeometry> RemoteCam::follower(std::span<const double> dimensions, int) const {
     using enum RemoteDimension;
-    RollerLever lever_found;
-    lever_found.center = {at(dimensions, center_x), at(dimensions, center_y)};
-    lever_found.pivot = {at(dimensions, lever_pivot_x), at(dimensions, lever_pivot_y)};
-    lever_found.arm = at(dimensions, roller_arm);
-    lever_found.roller_radius = at(dimensions, RemoteDimension::roller_radius);
-    lever_found.start = lever({dimensions, {}}).angle;
-    lever_found.output = [forward = RemoteLinkageForward(*this, dimensions)](double angle) {
+    const Vector2d center(at(dimensions, center_x), at(dimensions, center_y));
+    const Vector2d pivot(at(dimensions, lever_pivot_x), at(dimensions, lever_pivot_y));
+    FollowerGeometry found =
+        follower_on_lever({pivot - center, at(dimensions, roller_arm),
+                           at(dimensions, RemoteDimension::roller_radius), lever({dimensions, {}}).angle});
+    found.linkage = [forward = RemoteLinkageForward(*this, dimensions)](double angle) {
         return forward.output(angle);
     };
-    return lever_found;
+    return found;
 }
 
 }  // namespace camopt

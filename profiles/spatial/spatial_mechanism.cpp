@@ -156,9 +156,6 @@ class SpatialMechanism final : public CamMechanism {
         return point;
     }
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
-    [[nodiscard]] std::optional<RollerLever> roller_lever(std::span<const double>) const override {
-        return std::nullopt;
-    }
 
  private:
     static spatial_formulas::PlaceOnRoller place_on_roller(int station) {

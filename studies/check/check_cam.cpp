@@ -5,8 +5,6 @@
 #include "core/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "studies/check/point_curve.hpp"
 
 #include <algorithm>
@@ -38,15 +36,19 @@ Found run(const Sides& sides) {
     return {forward_check(sides[0]), forward_check(sides[1])};
 }
 
+double roller_radius(const DrivenMechanism& mechanism, int station) {
+    return mechanism.dimensions[static_cast<std::size_t>(mechanism.formulas->roller_radius_at(station))];
+}
+
 double angle_of(const ForwardCheckInput& input, std::size_t index) {
     return input.begin + (input.end - input.begin) * (static_cast<double>(index) + 0.5) / input.angles;
 }
 
 /// Between the lift that side 0 keeps the follower above and the one that side 1 keeps it below.
-ForwardCheckReport::Play play_of(const Sides& sides, const Found& found, double turned, double unit_angle) {
+ForwardCheckReport::Play play_of(const Sides& sides, const Found& found, double unit_angle) {
     ForwardCheckReport::Play play{infinity, -infinity, 0.0, 0.0, std::nullopt};
     for (std::size_t i = 0; i < found[0].found.size(); ++i) {
-        const double free = turned * found[1].found[i] - found[0].found[i];
+        const double free = found[1].found[i] - found[0].found[i];
         const double at = angle_of(sides[0], i) / unit_angle;
         if (free < play.least) play.least = free, play.least_at = at;
         if (free > play.largest) play.largest = free, play.largest_at = at;
@@ -105,8 +107,7 @@ ForwardCheckReport check_cam(const Solution& solution, std::optional<int> points
     const MotionChain motion = cam_motion(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const int count = points.value_or(cam.formulas->is_direct() ? follower_points : linkage_points);
-    if (const std::optional<DiskCam> disk = disk_cam(cam); disk && side_count(*disk) > 1)
-        return two_sided_check(cam, motion, scale, count);
+    if (cam.formulas->drives_both_ways()) return two_sided_check(cam, motion, scale, count);
     const ForwardCheckResult result = forward_check(forward_check_input(cam, motion, scale, count));
     return {result.deviation, result.relative, result.theta / scale.unit_angle, result.points,
             result.seconds};
@@ -134,28 +135,29 @@ double least_width(const ForwardCheckInput& inner, const ForwardCheckInput& oute
 
 ForwardCheckReport two_sided_check(const DrivenMechanism& mechanism, const Motion& motion,
                                    const MotionScale& scale, int points) {
-    const std::optional<DiskCam> cam = disk_cam(mechanism);
-    if (!cam || side_count(*cam) < 2)
+    const CamMechanism& formulas = *mechanism.formulas;
+    if (!formulas.drives_both_ways())
         throw InputError(
             "a check of both sides needs a groove or a conjugate cam, and this cam has one side");
-    const Sides filling =
-        sides_with(mechanism, motion, scale, points, {surface_offset(*cam, 0), surface_offset(*cam, 1)});
+    const std::array<double, 2> fill = {formulas.surface_offset(mechanism.dimensions, 0),
+                                        formulas.surface_offset(mechanism.dimensions, 1)};
+    const Sides filling = sides_with(mechanism, motion, scale, points, fill);
     Found found = run(filling);
     const ForwardCheckResult& worst = found[0].deviation >= found[1].deviation ? found[0] : found[1];
     ForwardCheckReport report{worst.deviation, std::max(found[0].relative, found[1].relative),
                               worst.theta / scale.unit_angle, found[0].points,
                               found[0].seconds + found[1].seconds};
-    const double turned = cam->form.is_conjugate() ? -1.0 : 1.0;
-    if (!cam->form.is_grooved() || cam->form.groove_clearance == 0.0) {
-        report.play = play_of(filling, found, turned, scale.unit_angle);
+    const std::array<double, 2> rollers = {roller_radius(mechanism, 0), roller_radius(mechanism, 1)};
+    if (rollers == fill) {
+        report.play = play_of(filling, found, scale.unit_angle);
     } else {
-        const double roller = roller_radius_of(*cam, 0);
-        const Sides own = sides_with(mechanism, motion, scale, points, {roller, roller});
+        const Sides own = sides_with(mechanism, motion, scale, points, rollers);
         const Found loose = run(own);
         report.seconds += loose[0].seconds + loose[1].seconds;
-        report.play = play_of(own, loose, turned, scale.unit_angle);
+        report.play = play_of(own, loose, scale.unit_angle);
     }
-    if (cam->form.is_grooved()) report.play->least_groove_width = least_width(filling[0], filling[1]);
+    if (filling[1].follower.from_inside)
+        report.play->least_groove_width = least_width(filling[0], filling[1]);
     return report;
 }
 

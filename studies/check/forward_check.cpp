@@ -30,9 +30,8 @@ constexpr double suspicious = 1e-6;  // relative: a deviation that has the whole
 /// The cam in the fixed frame at one cam angle.
 struct Turn {
     double cosine, sine;
-    Turn(const DiskCam& cam, double theta)
-        : cosine(std::cos(theta)),
-          sine(cam.rotation == Rotation::counterclockwise ? std::sin(theta) : -std::sin(theta)) {}
+    Turn(Rotation rotation, double theta)
+        : cosine(std::cos(theta)), sine(sense_of(rotation) * std::sin(theta)) {}
     [[nodiscard]] Vector2d operator()(const Vector2d& point) const {
         return {cosine * point.x() - sine * point.y(), sine * point.x() + cosine * point.y()};
     }
@@ -47,7 +46,7 @@ struct Contact {
 class Simulation {
  public:
     explicit Simulation(const ForwardCheckInput& input)
-        : input_(input), curve_(input.points, input.breaks, input.closed), follower_(input.cam) {
+        : input_(input), curve_(input.points, input.breaks, input.closed), follower_(input.follower) {
         const std::vector<double>& nodes = curve_.nodes();
         double widest = 0.0;
         for (std::size_t i = 1; i < nodes.size(); ++i) widest = std::max(widest, nodes[i] - nodes[i - 1]);
@@ -70,7 +69,7 @@ class Simulation {
                 ++result.beyond;
                 continue;
             }
-            if (input_.keep_found) result.found.back() = lift_of(contact);
+            if (input_.keep_found) result.found.back() = output_of(contact);
             ++result.angles;
             const double deviation = deviation_of(contact, theta);
             if (deviation > result.deviation) {
@@ -91,26 +90,22 @@ class Simulation {
     /// How high the follower is held by a point; inside a groove how low: what is searched for is the
     /// largest.
     [[nodiscard]] double held_by(const Vector2d& point) const {
-        return input_.from_inside ? -follower_.lift_under(point) : follower_.lift_on(point);
+        return input_.follower.from_inside ? -follower_.lift_under(point) : follower_.lift_on(point);
     }
-    /// s of a contact.
-    [[nodiscard]] double lift_of(const Contact& contact) const {
-        return (input_.from_inside ? -contact.lift : contact.lift) - follower_.start();
+    /// s of the output at a contact.
+    [[nodiscard]] double output_of(const Contact& contact) const {
+        const double position = input_.follower.from_inside ? -contact.lift : contact.lift;
+        const double lift = position - follower_.start();
+        return input_.output ? input_.output(lift) : lift;
     }
     [[nodiscard]] double deviation_of(const Contact& contact, double theta) const {
-        const double lift = lift_of(contact);
-        const double found = std::abs((input_.output ? input_.output(lift) : lift) - input_.designed(theta));
+        const double found = std::abs(output_of(contact) - input_.designed(theta));
         return found < infinity ? found : infinity;  // NaN is no contact either
     }
-    [[nodiscard]] double relative(double deviation) const {
-        if (input_.output) return deviation / input_.output_size;
-        const DiskCam& cam = input_.cam;
-        const double roller = has_roller(cam.follower) ? cam[DimensionIndex::roller_radius] : 0.0;
-        return deviation * follower_.lever() / (cam[DimensionIndex::base_radius] + roller);
-    }
+    [[nodiscard]] double relative(double deviation) const { return deviation / input_.output_size; }
     [[nodiscard]] Contact contact_at(double theta, bool whole) {
-        const Turn turn(input_.cam, theta);
-        if (has_edge(input_.cam.follower)) return crossing(turn);
+        const Turn turn(input_.rotation, theta);
+        if (input_.follower.contact == ContactKind::edge) return crossing(turn);
         if (!whole) {
             climb(turn);
             const Contact contact = refined(turn);
@@ -158,7 +153,7 @@ class Simulation {
         }
     }
     [[nodiscard]] bool cuts_anywhere(const Turn& turn, double lift) const {
-        const StandingFollower standing = follower_.standing_at(input_.from_inside ? -lift : lift);
+        const StandingFollower standing = follower_.standing_at(input_.follower.from_inside ? -lift : lift);
         return std::any_of(places_.begin(), places_.end(),
                            [&](const Vector2d& place) { return standing.cuts(turn(place)); });
     }

@@ -9,10 +9,12 @@
 // is searched where it does. A knife edge stands on the highest crossing of its path. So a cam that is
 // undercut, or hollower than its roller is round, is found out.
 //
-// Lengths m, angles rad, frames of profiles/disk/disk_cam.hpp.
+// Lengths m, angles rad; the frame that stands still is that of scene/follower_geometry.hpp, and the cam
+// frame is it at cam angle 0, turned with the cam.
 #pragma once
 
-#include "profiles/disk/disk_cam.hpp"
+#include "scene/cam_spec.hpp"
+#include "scene/follower_geometry.hpp"
 
 #include <Eigen/Core>
 
@@ -26,18 +28,16 @@ struct ForwardCheckInput {
     std::vector<Eigen::Vector2d> points;  ///< of the cam's surface, cam frame, in the order of the cam angle
     std::vector<int> breaks;              ///< indices of points where the motion changes its formula
     bool closed = true;                   ///< false: a sector, between its first and its last point
-    DiskCam cam;                          ///< its numbers only
-    std::function<double(double theta)> designed;  ///< s, m or rad
-    /// Where the follower drives an output: from its own s (NaN: out of reach) to the output's, which then is
-    /// what is designed and compared; and a size of the output.
+    FollowerGeometry follower;
+    Rotation rotation = Rotation::counterclockwise;  ///< of the cam, seen in the follower's frame
+    std::function<double(double theta)> designed;    ///< s of the output, m or rad
+    /// From the follower's lift to s of the output, which is what is compared; NaN out of reach. Empty: the
+    /// lift is the output.
     std::function<double(double lift)> output = {};
-    double output_size = 1.0;
+    double output_size = 1.0;                          ///< what a deviation is relative to, m or rad
     double begin = 0.0, end = 2.0 * std::numbers::pi;  ///< cam angles checked
     int angles = 4001;                                 ///< so many, evenly inside (begin, end); >= 1
-    /// A roller in a groove whose outer flank the points are: it stands at the least lift at which it touches
-    /// one of them from inside.
-    bool from_inside = false;
-    bool keep_found = false;  ///< ForwardCheckResult::found
+    bool keep_found = false;                           ///< ForwardCheckResult::found
 
     void validate() const;  ///< throws InputError
 };
@@ -46,8 +46,7 @@ struct ForwardCheckResult {
     double deviation =
         0.0;             ///< largest |s found − s designed|, m or rad; infinite where no contact was found
     double theta = 0.0;  ///< there
-    double relative = 0.0;  ///< deviation at the contact (rad times arm; flat: centre distance) / prime
-                            ///< radius; output / size
+    double relative = 0.0;  ///< deviation / output_size
     int points = 0, angles = 0;
     int beyond = 0;                  ///< angles left out, their contact being the end of an open cam
     double seconds = 0.0;            ///< of wall time

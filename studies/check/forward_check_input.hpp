@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a forward check is given about a cam that camopt has designed: the points it exports, and nothing of
-// how it made them.
+// What a forward check is given about a cam that camopt has designed: the points it exports and its follower
+// (CamMechanism::follower), and nothing of how it made them.
 //
-// A disk cam is run by its follower. Where a lever carries the roller, profile points only -> lever ->
-// output: the lever is put down on the points as the arm of a disk cam (forward_check.hpp), which it is after
-// a turn and perhaps a mirror; its angle goes forwards through the linkage by positions alone.
+// profile points only -> follower -> output: where a linkage carries the follower's swing on, it is run
+// forwards by positions alone.
 #pragma once
 
-#include "profiles/disk/disk_cam.hpp"
 #include "profiles/sampling.hpp"
 #include "scene/cam_mechanism.hpp"
 #include "studies/check/forward_check.hpp"
@@ -18,9 +16,9 @@
 namespace camopt {
 
 /// About `points` points evenly by cam angle, the motion's breakpoints among them. Closed where the motion
-/// takes a whole turn and the cam ends where it began. Of a linkage the deviation is that of the output, m or
-/// rad; relative: by the lift. Keeps a reference to the motion. Throws InputError for a mechanism that is
-/// neither a disk cam nor has such a lever.
+/// takes a whole turn and the cam ends where it began. The deviation is relative to the prime radius (a swing
+/// times its arm, with a flat face times the centre distance), of a linkage to the lift. Keeps a reference to
+/// the motion. Throws InputError for a mechanism without such a follower.
 [[nodiscard]] ForwardCheckInput forward_check_input(const DrivenMechanism& mechanism, const Motion& motion,
                                                     const MotionScale& scale, int points = 2000);
 
@@ -29,17 +27,17 @@ struct CheckedSide {
     double roller_radius = 0.0;  ///< m
 };
 
-/// The same for one side of a disk cam that drives both ways (profiles/disk/disk_sides.hpp), with a roller of
-/// this radius whose centre is designed to move as the cam's own does: in a groove one that fills it makes
-/// the deviation that of the flank alone. Of the second disk everything is in its mirror: s is −s.
+/// The same for one side of a cam that drives both ways, with a roller of this radius whose centre is
+/// designed to move as the cam's own does: in a groove one that fills it makes the deviation that of the
+/// flank alone. What is found at each angle is kept.
 [[nodiscard]] ForwardCheckInput side_check_input(const DrivenMechanism& mechanism, const Motion& motion,
                                                  const MotionScale& scale, const CheckedSide& side);
 
 // A follower that lies on points of a cam: geometry of the follower only, nothing of how the cam was made.
 //
-// Fixed frame and dimensions as in profiles/disk/disk_cam.hpp. The lift here is y of the roller centre, edge
-// or face (m), or ψ of the arm (rad). A point of the cam holds the follower at the lift at which it touches
-// the point from outside; the cam holds it at the largest lift of all its points.
+// Frame and position as in scene/follower_geometry.hpp. The lift here is that position: y of the roller
+// centre, edge or face (m), or ψ of the arm (rad). A point of the cam holds the follower at the lift at which
+// it touches the point from outside; the cam holds it at the largest lift of all its points.
 
 /// The follower at one lift: where its surface is.
 struct StandingFollower {
@@ -59,9 +57,9 @@ struct StandingFollower {
 
 class TouchingFollower {
  public:
-    explicit TouchingFollower(const DiskCam& cam);
+    explicit TouchingFollower(const FollowerGeometry& follower);
 
-    /// The lift at s = 0, from the prime radius or the base radius.
+    /// The lift at output 0, from the distance at which the follower then is from the cam's centre.
     [[nodiscard]] double start() const { return start_; }
     /// The lift at which the follower touches the point; −infinity where it passes by. Not for a knife edge,
     /// which every point but those on its path passes by.
@@ -79,7 +77,7 @@ class TouchingFollower {
     [[nodiscard]] double widest_gap() const;
 
  private:
-    bool oscillates_, flat_;
+    bool swings_, flat_;
     double roller_, offset_, distance_, arm_, face_, start_;
 };
 

@@ -8,7 +8,6 @@
 #include "objectives/rules/own_point_rule.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/compare/law_motion.hpp"
@@ -32,16 +31,15 @@ struct Bench {
     const Scene& scene;
     CamModel model;
     std::vector<LawStroke> strokes;
-    std::optional<std::vector<double>> dimensions = {};  ///< of the scene's cam
-    std::optional<DiskCam> disk = {};                    ///< the same of a disk cam
-    bool limits_disk = false;
+    std::optional<DrivenMechanism> cam = {};
+    bool limits_base = false;  ///< the base radius of the cam is a dimension, and the scene limits the cam
     bool limits_train = false;
 };
 
 double dimension_of(const Bench& bench, int parameter) {
     for (const CamVariables::Variable& variable : bench.model.cam->variables) {
         if (variable.parameter == parameter)
-            return (*bench.dimensions)[static_cast<std::size_t>(variable.dimension)] / variable.reference;
+            return bench.cam->dimensions[static_cast<std::size_t>(variable.dimension)] / variable.reference;
     }
     return 0.0;
 }
@@ -107,16 +105,16 @@ void judge_limits(ComparisonRow& row, const Bench& bench, const Peaks& motion_pe
         for (const ConstraintReport& reached : all)
             row.limits.push_back(outcome_of(bench.scene, cam ? &*cam : nullptr, reached));
     };
-    if (bench.dimensions) {
-        cam = cam_report(bench.scene, *bench.dimensions, *row.motion);
+    if (bench.cam) {
+        cam = cam_report(bench.scene, bench.cam->dimensions, *row.motion);
         add(cam_constraints(bench.scene, *cam));
     }
     add(own_constraints(bench.scene, *row.motion));
     if (bench.limits_train) add(response_constraints(bench.scene, train_report(bench.scene, *row.motion)));
     row.feasible = std::ranges::all_of(row.limits, &LimitOutcome::kept);
-    if (!bench.limits_disk) return;
+    if (!bench.limits_base) return;
     std::string broken = broken_without_cam(row, of_motion);
-    row.base = broken.empty() ? needed_base(bench.scene, *bench.disk, *row.motion)
+    row.base = broken.empty() ? needed_base(bench.scene, *bench.cam, *row.motion)
                               : NeededBase{std::nullopt, std::move(broken)};
 }
 
@@ -166,11 +164,10 @@ Bench bench_of(const Scene& scene, const Solution& solution) {
     CamModel model = scene_model(scene, DesignKind::states, reference_peaks(scene));
     std::vector<LawStroke> strokes = strokes_of(scene, model, solution.motion.get());
     Bench bench{scene, std::move(model), std::move(strokes)};
-    if (const std::optional<CamSpec>& cam = scene.cam) {
-        bench.dimensions = solution.cam ? solution.cam->cam.dimensions : cam->middle();
-        bench.disk = disk_cam({cam->formulas(), *bench.dimensions});
-    }
-    bench.limits_disk = bench.disk && !cam_limits(scene, *bench.model.cam).empty();
+    if (const std::optional<CamSpec>& cam = scene.cam)
+        bench.cam = {cam->formulas(), solution.cam ? solution.cam->cam.dimensions : cam->middle()};
+    const bool has_base = bench.cam && bench.cam->formulas->base_radius_index() >= 0;
+    bench.limits_base = has_base && !cam_limits(scene, *bench.model.cam).empty();
     bench.limits_train = scene.dynamics && std::ranges::any_of(limit_rows(), [&](const LimitRow& row) {
                              return row.needs_dynamics && row.in(scene.limits).has_value();
                          });
@@ -200,7 +197,7 @@ Comparison compare(const Scene& scene, const SolveControl& control) {
     const Solution& solution = comparison.optimum;
     if (searches_angles(complete)) complete = solution.scene;  // the laws get the optimum's angles
     const Bench bench = bench_of(complete, solution);
-    comparison.cam = bench.disk;
+    comparison.cam = bench.cam;
     std::optional<double> optimum;
     if (solution.motion) {
         comparison.rows.push_back(optimum_row(bench, solution));

@@ -31,14 +31,14 @@ struct ComparisonRow {
     std::optional<double> loss_percent;
     std::vector<LimitOutcome> limits;  ///< the same ones, in the same order, in every row
     bool feasible = false;             ///< every limit is kept
-    std::optional<NeededBase> base;    ///< where the scene limits its cam
+    std::optional<NeededBase> base;    ///< where the scene limits a cam whose base radius is a dimension
 
     [[nodiscard]] bool is_optimum() const { return key.empty(); }
 };
 
 struct Comparison {
     Solution optimum;
-    std::optional<DiskCam> cam;  ///< whose dimensions the laws were judged with
+    std::optional<DrivenMechanism> cam;  ///< that the laws were judged with; none: the scene has no cam
     /// By objective: first what keeps every limit, then what breaks one or cannot touch its cam, last the
     /// laws that do not fit. The optimum is among them where there is a motion.
     std::vector<ComparisonRow> rows;

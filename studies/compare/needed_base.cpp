@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/needed_base.hpp"
 
+#include "core/errors.hpp"
+#include "core/infinity.hpp"
+#include "core/numbers/interval.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/maxima/rule_maxima.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace camopt {
 
 namespace {
 
-using enum DimensionIndex;
-
-// Translating: distances from the smallest cam, in prime radii or lifts, whichever is larger.
+// Without a largest base radius: distances from the smallest cam, in prime radii or lifts, whichever is
+// larger.
 constexpr double nearest = 1e-6, farthest = 1e3;
 constexpr int steps_a_decade = 10;
-// Oscillating: parts of the range of base radii that the mechanism allows.
-constexpr int oscillating_steps = 400;
+// Otherwise: parts of the range of base radii that the mechanism allows.
+constexpr int bounded_steps = 400;
 // A rule above this part of its scale is broken.
 constexpr double rule_tolerance = 1e-11;
 // The radius is found to this part of itself.
@@ -33,18 +34,18 @@ constexpr int range_samples = 32;
 
 class Judge {
  public:
-    Judge(const Scene& scene, const DiskCam& cam, const Motion& motion)
+    Judge(const Scene& scene, const DrivenMechanism& cam, const Motion& motion)
         : scene_(scene), cam_(cam), motion_(motion) {
         find_range();
     }
 
     /// Empty: every limit is kept with this base radius; else what is not.
     [[nodiscard]] std::string broken_at(double base) {
-        DiskCam cam = cam_;
-        cam.dimensions[static_cast<std::size_t>(base_radius)] = base;
-        if (std::string fault = geometry_fault(cam, least_, most_); !fault.empty()) return fault;
         CamVariables variables;
-        variables.cam = disk_mechanism(cam);
+        variables.cam = cam_;
+        variables.cam.dimensions[static_cast<std::size_t>(cam_.formulas->base_radius_index())] = base;
+        std::string fault = cam_.formulas->fault(variables.cam.dimensions, least_, most_);
+        if (!fault.empty()) return fault;
         variables.scale = {scene_.motion.lift, scene_.motion.unit_angle()};
         const auto rules = cam_limits(scene_, variables);
         // The rule that spoke the last time is likely to speak again.
@@ -75,42 +76,53 @@ class Judge {
     }
 
     const Scene& scene_;
-    DiskCam cam_;
+    const DrivenMechanism& cam_;
     const Motion& motion_;
     double least_ = 0.0, most_ = 0.0;
     std::size_t last_ = 0;
 };
 
-std::vector<double> translating_radii(const Scene& scene, const DiskCam& cam) {
-    const double smallest = std::max(0.0, std::abs(cam[offset]) - cam[roller_radius]);
-    const double unit = std::max(scene.motion.lift, cam[base_radius] + cam[roller_radius]);
+/// The base radii at which the cam can be built at rest with its other dimensions: CamMechanism::reach.
+Interval allowed_radii(const DrivenMechanism& cam) {
+    Interval radii(0.0, infinity);
+    for (const std::vector<CamMechanism::SignedIndex>& sum : cam.formulas->reach()) {
+        double sign = 0.0, others = 0.0;  // sign · base + others < 0
+        for (const CamMechanism::SignedIndex& term : sum) {
+            if (term.dimension == cam.formulas->base_radius_index())
+                sign = term.sign;
+            else
+                others += term.sign * cam.dimensions[static_cast<std::size_t>(term.dimension)];
+        }
+        if (sign < 0.0) radii.lower = std::max(radii.lower, others);
+        if (sign > 0.0) radii.upper = std::min(radii.upper, -others);
+    }
+    return radii;
+}
+
+std::vector<double> tried_radii(const Scene& scene, const DrivenMechanism& cam) {
+    const auto [smallest, largest] = allowed_radii(cam);
     std::vector<double> radii;
+    if (largest < infinity) {
+        for (int k = 1; k < bounded_steps; ++k)
+            radii.push_back(smallest + (largest - smallest) * k / bounded_steps);
+        return radii;
+    }
+    const double unit = std::max(scene.motion.lift, cam.formulas->length(cam.dimensions));
     const int last = static_cast<int>(std::lround(steps_a_decade * std::log10(farthest / nearest)));
     for (int k = 0; k <= last; ++k)
         radii.push_back(smallest + unit * nearest * std::pow(10.0, static_cast<double>(k) / steps_a_decade));
     return radii;
 }
 
-std::vector<double> oscillating_radii(const DiskCam& cam) {
-    const double a = cam[center_distance];
-    const bool roller = has_roller(cam.follower);
-    const double arm = cam[arm_length];
-    const double low = std::max(0.0, roller ? std::abs(a - arm) - cam[roller_radius] : -a - cam[face_offset]);
-    const double high = roller ? a + arm - cam[roller_radius] : a - cam[face_offset];
-    std::vector<double> radii;
-    for (int k = 1; k < oscillating_steps; ++k) radii.push_back(low + (high - low) * k / oscillating_steps);
-    return radii;
-}
-
 }  // namespace
 
-NeededBase needed_base(const Scene& scene, const DiskCam& cam, const Motion& motion) {
+NeededBase needed_base(const Scene& scene, const DrivenMechanism& cam, const Motion& motion) {
+    if (cam.formulas->base_radius_index() < 0)
+        throw InputError("the needed base radius of a cam whose base radius is no dimension");
     Judge judge(scene, cam, motion);
-    const std::vector<double> radii =
-        is_oscillating(cam.follower) ? oscillating_radii(cam) : translating_radii(scene, cam);
     std::string broken;
     double below = 0.0;
-    for (const double radius : radii) {
+    for (const double radius : tried_radii(scene, cam)) {
         std::string now = judge.broken_at(radius);
         if (!now.empty()) {
             broken = std::move(now);

@@ -166,10 +166,10 @@ struct ForwardCheckReport {
 
 /// A cam that was made, of any kind: its formulas and numbers, its figures.
 struct CamReport {
-    DrivenMechanism cam;  ///< in the order of Scene::cam
+    DrivenMechanism cam;  ///< numbers in the order of Scene::cam
     CamSummary summary;
     std::vector<EnclosedLimit> limits_along;          ///< of every rule that keeps a limit of the scene
-    std::optional<SmallestCamReport> smallest;        ///< of a disk cam, where it is known
+    std::optional<SmallestCamReport> smallest;        ///< where it is known
     std::optional<ForwardCheckReport> forward_check;  ///< where it was asked for: output/ wants it
 };
 

@@ -7,12 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camopt {
 
 namespace {
-
-using enum DimensionIndex;
 
 // A limit this close to what some motion could keep, relative, is not called impossible.
 constexpr double clearly_below = 1e-9;
@@ -60,34 +59,36 @@ double least_coordinate(const Scene& scene, const GivenStroke& given, double off
     return std::max(least, 0.0);
 }
 
-/// Pushed straight, by its roller or its edge: the pressure angle is that of the pitch curve.
-bool is_pushed_point(const DiskCam& cam) {
-    return !is_oscillating(cam.follower) && !has_flat_face(cam.follower);
-}
-
 /// What each stroke asks for; those without a limit are left out.
-std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const DiskCam& cam) {
+std::vector<SmallestCamReport> smallest_of_strokes(const Scene& scene, const DrivenMechanism& cam) {
     std::vector<SmallestCamReport> all;
-    if (!is_pushed_point(cam)) return all;
+    const std::optional<double> offset = cam.formulas->pushed_offset(cam.dimensions);
+    if (!offset) return all;
     const PressureLimits limits = pressure_limits(scene.limits);
-    const double offset_seen = sense_of(cam.rotation) * cam[offset];
+    const double prime_radius = cam.formulas->length(cam.dimensions);
     for (const GivenStroke& stroke : given_strokes_of(scene.motion)) {
         const std::optional<WrittenLimit>& limit = stroke.rises ? limits.rise : limits.back;
         if (!limit) continue;
-        const double coordinate = least_coordinate(scene, stroke, offset_seen, limit->value);
-        all.push_back({std::hypot(coordinate, offset_seen), cam[base_radius] + cam[roller_radius],
-                       limit->value, stroke.rises, stroke.begin, stroke.end, limit->key});
+        const double coordinate = least_coordinate(scene, stroke, *offset, limit->value);
+        all.push_back({std::hypot(coordinate, *offset), prime_radius, limit->value, stroke.rises,
+                       stroke.begin, stroke.end, limit->key});
     }
     return all;
 }
 
 /// The largest cam within the ranges; none where the offset is free: its best value is another question.
-std::optional<DiskCam> largest_cam(const DiskSpec& spec) {
-    if (!is_pushed_point(middle_cam(spec)) || spec[offset].is_variable()) return {};
-    DiskCam cam = middle_cam(spec);
-    for (const DimensionIndex which : {base_radius, roller_radius})
-        cam.dimensions[static_cast<std::size_t>(which)] = spec[which].high;
-    return cam;
+std::optional<DrivenMechanism> largest_cam(const Scene& scene) {
+    const std::optional<CamSpec>& spec = scene.cam;
+    if (!spec) return {};
+    const auto formulas = spec->formulas();
+    std::vector<double> low, high;
+    for (const CamDimension& dimension : spec->dimensions) {
+        low.push_back(dimension.value.low);
+        high.push_back(dimension.value.high);
+    }
+    const bool offset_is_free = formulas->pushed_offset(low) != formulas->pushed_offset(high);
+    if (offset_is_free) return {};
+    return DrivenMechanism{formulas, std::move(high)};
 }
 
 /// An input that asks for the least of nothing but what is set afterwards.
@@ -117,7 +118,7 @@ void add_caps(std::vector<std::string>& keys, const Scene& scene) {
 
 }  // namespace
 
-std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DiskCam& cam) {
+std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DrivenMechanism& cam) {
     const std::vector<SmallestCamReport> all = smallest_of_strokes(scene, cam);
     const auto largest = std::ranges::max_element(all, {}, &SmallestCamReport::prime_radius);
     if (largest == all.end()) return {};
@@ -127,9 +128,7 @@ std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, cons
 std::vector<std::string> kept_by_no_motion(const Scene& scene) {
     std::vector<std::string> keys;
     if (scene.motion.type != MotionType::program) add_caps(keys, scene);
-    if (!scene.cam) return keys;
-    const std::optional<DiskCam> cam =
-        scene.cam->type == disk_type ? largest_cam(disk_of(*scene.cam)) : std::nullopt;
+    const std::optional<DrivenMechanism> cam = largest_cam(scene);
     if (!cam) return keys;
     for (const SmallestCamReport& one : smallest_of_strokes(scene, *cam)) {
         const bool possible = one.given >= one.prime_radius * (1.0 - clearly_below);

@@ -15,9 +15,10 @@
 
 namespace camopt {
 
-/// Of all strokes the one that needs the largest prime radius. None unless a roller or a knife edge
-/// translates and the pressure angle of some stroke is limited.
-[[nodiscard]] std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene, const DiskCam& cam);
+/// Of all strokes the one that needs the largest prime radius. None unless the cam pushes a roller or an edge
+/// straight (CamMechanism::pushed_offset) and the pressure angle of some stroke is limited.
+[[nodiscard]] std::optional<SmallestCamReport> smallest_of_any_motion(const Scene& scene,
+                                                                      const DrivenMechanism& cam);
 
 /// The keys of the limits that no motion keeps, each by itself. A range of dimensions counts with its most
 /// favourable end.

@@ -4,7 +4,6 @@
 #include "core/errors.hpp"
 #include "core/infinity.hpp"
 #include "core/units.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "scene/limit_table.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 
@@ -132,7 +131,7 @@ CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const M
     CamReport report;
     report.cam = {scene.cam.value().formulas(), std::move(dimensions)};
     report.summary = cam_summary(report.cam, motion, scene);
-    if (const auto disk = disk_cam(report.cam)) report.smallest = smallest_of_any_motion(scene, *disk);
+    report.smallest = smallest_of_any_motion(scene, report.cam);
     return report;
 }
 

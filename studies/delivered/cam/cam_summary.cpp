@@ -4,8 +4,6 @@
 #include "core/infinity.hpp"
 #include "core/numbers/sampled_maximum.hpp"
 #include "objectives/rules/rest_places.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
-#include "profiles/disk/disk_sides.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
@@ -114,14 +112,14 @@ struct ForcedMotion {
 };
 
 /// Where one side carries: 0 elsewhere.
-void add_side_loads(SideSummary& side, int station, const DiskCam& cam, const CamTurn& turn,
+void add_side_loads(SideSummary& side, int station, const DrivenMechanism& cam, const CamTurn& turn,
                     const ForcedMotion& forced) {
     const auto normal = [&](const CamPlace& place) {
         const double force = forced.forces.force(forced.speed, place.state.s, place.state.acceleration);
         return std::max(0.0, normal_force(cam, place.state, force, station));
     };
     side.normal_force = turn.largest(normal, station);
-    if (!has_hertz_pressure(cam, forced.forces)) return;
+    if (!has_hertz_pressure(*cam.formulas, forced.forces)) return;
     side.hertz_pressure = turn.largest(
         [&](const CamPlace& place) {
             return hertz_pressure(cam, forced.forces, place.point, normal(place), station);
@@ -140,7 +138,7 @@ void set_largest_loads(ForceSummary& summary, const std::vector<SideSummary>& si
     }
 }
 
-ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const ForcedMotion& forced,
+ForceSummary force_summary(const DrivenMechanism& cam, const CamTurn& turn, const ForcedMotion& forced,
                            CamSummary& of) {
     const std::optional<double>& no_contact = of.no_contact;
     const ForceSpec& forces = forced.forces;
@@ -154,7 +152,7 @@ ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const Forced
     summary.largest_force = turn.largest(force);
     summary.torque =
         turn.largest([&](const CamPlace& place) { return std::abs(force(place) * place.state.velocity); });
-    const bool presses = has_hertz_pressure(cam, forces);
+    const bool presses = has_hertz_pressure(*cam.formulas, forces);
     if (no_contact) {
         // Formulas would go on with a negative radius or lever; there is no pressure to speak of.
         summary.normal_force = CamExtreme{infinity, *no_contact};
@@ -179,9 +177,8 @@ ForceSummary force_summary(const DiskCam& cam, const CamTurn& turn, const Forced
     return summary;
 }
 
-/// Where 1 + σψ' of an oscillating flat face is least.
-CamExtreme least_turning(const DiskCam& cam, const CamTurn& turn) {
-    const double sense = sense_of(cam.rotation);
+/// Where 1 + σψ' of an oscillating flat face is least; sense: σ.
+CamExtreme least_turning(double sense, const CamTurn& turn) {
     return turn.least([sense](const CamPlace& place) { return 1.0 + sense * place.state.velocity; });
 }
 
@@ -192,13 +189,15 @@ void set_turning_back(CamSummary& summary, const CamExtreme& turning) {
     summary.contact_offset = CamExtreme{infinity, turning.at};
 }
 
-std::optional<double> place_without_contact(const DiskCam& cam, const CamTurn& turn,
+std::optional<double> place_without_contact(const DrivenMechanism& cam, const CamTurn& turn,
                                             const CamSummary& summary) {
+    using enum MechanismQuantity;
     if (summary.undercut()) return summary.regularity.at;
-    for (int side = 0; side < side_count(cam); ++side) {
+    for (int side = 0; side < cam.formulas->stations(); ++side) {
         const CamExtreme height = turn.least(
             [&](const CamPlace& place) {
-                return quantity(cam, place.state, MechanismQuantity::pressure_denominator, side).value;
+                const MechanismState state{cam.dimensions, place.state};
+                return cam.formulas->quantity(pressure_denominator, state, side, {}).value;
             },
             side);
         if (!(height.value > 0.0)) return height.at;
@@ -215,11 +214,10 @@ CamExtreme rest_pressure(const CamTurn& turn, const Scene& scene) {
     return worst;
 }
 
-/// Of a disk cam; nothing to do for another. The summary has what every cam has.
-void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism, const CamTurn& turn,
+/// Of a direct cam; nothing to do for another. The summary has what every cam has.
+void add_follower_figures(CamSummary& summary, const DrivenMechanism& cam, const CamTurn& turn,
                           const Scene& scene) {
-    const std::optional<DiskCam> cam = disk_cam(mechanism);
-    if (!cam) return;
+    if (!cam.formulas->is_direct()) return;
     const auto angle = [](const CamPlace& place) { return std::abs(place.point.pressure_angle); };
     const double still = at_rest * scene.motion.lift / scene.motion.unit_angle();
     summary.rise_pressure_angle = turn.largest(
@@ -227,13 +225,13 @@ void add_follower_figures(CamSummary& summary, const DrivenMechanism& mechanism,
     summary.return_pressure_angle = turn.largest(
         [&](const CamPlace& place) { return place.state.velocity < -still ? angle(place) : 0.0; });
     summary.rest_pressure_angle = rest_pressure(turn, scene);
-    if (has_turning_face(cam->follower)) {
-        const CamExtreme turning = least_turning(*cam, turn);
+    if (const double sense = cam.formulas->face_turn(); sense != 0.0) {
+        const CamExtreme turning = least_turning(sense, turn);
         if (!(turning.value > 0.0)) set_turning_back(summary, turning);
     }
-    summary.no_contact = place_without_contact(*cam, turn, summary);
+    summary.no_contact = place_without_contact(cam, turn, summary);
     if (scene.forces && scene.motion.speed)
-        summary.forces = force_summary(*cam, turn, {*scene.forces, *scene.motion.speed}, summary);
+        summary.forces = force_summary(cam, turn, {*scene.forces, *scene.motion.speed}, summary);
 }
 
 /// Radii of the cam follow from the pitch curve's: the curvature is smooth where a radius is not.

@@ -38,9 +38,9 @@ struct SideSummary {
 
 struct CamSummary {
     CamExtreme pressure_angle;  ///< largest |φ|
-    /// Of a disk cam, of the parts where s' > 0, s' < 0; 0 where there are none.
+    /// Of a direct cam, of the parts where s' > 0, s' < 0; 0 where there are none.
     std::optional<CamExtreme> rise_pressure_angle, return_pressure_angle;
-    /// Of a disk cam, where the follower is known to rest (rest_places.hpp).
+    /// Of a direct cam, where the follower is known to rest (rest_places.hpp).
     std::optional<CamExtreme> rest_pressure_angle;
     /// Least, of the surface of a planar cam; none where it is nowhere convex. <= 0: undercut. −infinity
     /// where a flat face turns back.
@@ -52,10 +52,10 @@ struct CamSummary {
     CamExtreme regularity;
     double base_radius = 0.0;  ///< planar, m: the dimension, or the least distance of the cam from its centre
     std::optional<CamExtreme> contact_offset;  ///< largest magnitude on a flat face; may be infinite
-    /// Of a disk cam: x of a place where the follower cannot touch it as designed: undercut, a face that
+    /// Of a direct cam: x of a place where the follower cannot touch it as designed: undercut, a face that
     /// turns back, a contact below the cam's centre. None where it can everywhere.
     std::optional<double> no_contact;
-    std::optional<ForceSummary> forces;  ///< of a disk cam where the scene has forces and a speed
+    std::optional<ForceSummary> forces;  ///< of a direct cam where the scene has forces and a speed
     std::vector<SideSummary> sides;      ///< in the order of the stations; empty: the cam has one side
 
     [[nodiscard]] bool undercut() const { return !(regularity.value >= 0.0); }
@@ -67,7 +67,7 @@ struct CamSummary {
 [[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion,
                                      const MotionScale& scale);
 
-/// And what only disk cams have: strokes, contact, forces.
+/// And what only direct cams have: strokes, contact, forces.
 [[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const Scene& scene);
 
 }  // namespace camopt

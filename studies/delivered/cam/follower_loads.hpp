@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What a follower of a disk cam carries at one cam angle, as a function of the motion there. SI.
+// What a follower that touches its cam carries at one cam angle, as a function of the motion there. SI.
 //
 //   force         F = m ω² s'' + k s + F_0 along the lift (swinging: a moment, N m)
 //   torque        F s' on the camshaft, > 0 where the cam drives
 //   normal force  F / lever, along the cam's normal (MechanismQuantity::normal_lever)
 //   Hertz         √(N E* κ / (π b)),  κ = 1/ρ_cam + 1/r: line contact over the width b
 //
-// A cam that drives both ways carries F > 0 on its side 0, F < 0 on its side 1
-// (profiles/disk/disk_sides.hpp): the normal force is then that of the side that carries, >= 0.
+// The cam is direct (CamMechanism::is_direct). One that drives both ways carries F > 0 on its side 0, F < 0
+// on its side 1: the normal force is then that of the side that carries, >= 0. A side is a station.
 #pragma once
 
+#include "core/follower_state.hpp"
 #include "core/motion.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
 #include <functional>
@@ -21,20 +21,19 @@ namespace camopt {
 
 struct Solution;
 
-/// F / lever.
-[[nodiscard]] double normal_force(const DiskCam& cam, const FollowerState& state, double force);
-/// The same on one side; < 0 where the other one carries.
-[[nodiscard]] double normal_force(const DiskCam& cam, const FollowerState& state, double force, int side);
-/// Which side a force presses on: 0 of an open cam.
-[[nodiscard]] int carrying_side(const DiskCam& cam, double force);
+/// F / lever; on side 1 −F / lever. Of a cam that drives both ways < 0 where the other side carries.
+[[nodiscard]] double normal_force(const DrivenMechanism& cam, const FollowerState& state, double force,
+                                  int side = 0);
+/// Which side a force presses on: 0 of a cam that does not drive both ways.
+[[nodiscard]] int carrying_side(const CamMechanism& cam, double force);
 
 /// Of a normal force (N) at a point of the cam, on that side, Pa; 0 where nothing presses. The forces have a
 /// contact width.
-[[nodiscard]] double hertz_pressure(const DiskCam& cam, const ForceSpec& forces, const MechanismPoint& point,
-                                    double normal_force, int side = 0);
+[[nodiscard]] double hertz_pressure(const DrivenMechanism& cam, const ForceSpec& forces,
+                                    const MechanismPoint& point, double normal_force, int side = 0);
 
 /// Whether there is a pressure to speak of: a contact width is given, and the follower has no edge.
-[[nodiscard]] bool has_hertz_pressure(const DiskCam& cam, const ForceSpec& forces);
+[[nodiscard]] bool has_hertz_pressure(const CamMechanism& cam, const ForceSpec& forces);
 
 struct FollowerLoads {
     double force = 0.0, torque = 0.0, normal_force = 0.0;
@@ -43,14 +42,14 @@ struct FollowerLoads {
 };
 
 /// point: of side 0.
-[[nodiscard]] FollowerLoads follower_loads(const DiskCam& cam, const ForceSpec& forces, double speed,
+[[nodiscard]] FollowerLoads follower_loads(const DrivenMechanism& cam, const ForceSpec& forces, double speed,
                                            const FollowerState& state, const MechanismPoint& point);
 
 /// Of the motion (normalised) and the cam at one angle.
 using LoadsAt = std::function<FollowerLoads(const MotionPoint& motion, const MechanismPoint& cam)>;
 
-/// Along a delivered disk cam: what does not exist, where the cam cannot touch its follower, is not finite.
-/// None where the scene has no forces, or the cam is no disk. The solution must live as long.
+/// Along a delivered cam: what does not exist, where the cam cannot touch its follower, is not finite. None
+/// where the scene has no forces, or the cam is not direct. The solution must live as long.
 [[nodiscard]] LoadsAt delivered_loads(const Solution& solution);
 
 }  // namespace camopt

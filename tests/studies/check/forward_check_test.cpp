@@ -109,7 +109,7 @@ TEST(ForwardCheck, OneDisplacedPointAndTheWrongRotationAreFound) {
         ForwardCheckInput bump = input;
         bump.points[137] *= 1.0001;
         EXPECT_GT(forward_check(bump).relative, 5e-5) << name_of(follower);
-        input.cam.rotation = Rotation::clockwise;
+        input.rotation = Rotation::clockwise;
         EXPECT_GT(forward_check(input).relative, 0.05) << name_of(follower);
     }
 }

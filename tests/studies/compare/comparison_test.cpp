@@ -295,7 +295,7 @@ TEST(Comparison, AVariableBaseRadiusIsTheOptimumsForAll) {
     scene.objective.dimensions[0] = 0.5;
     const Comparison comparison = compare(scene);
     ASSERT_TRUE(comparison.cam);
-    const double base = *comparison.cam->find(DimensionIndex::base_radius);
+    const double base = comparison.cam->formulas->base_radius(comparison.cam->dimensions).value();
     EXPECT_NEAR(row_of(comparison, "modified_sine").objective, 1.0 + 0.5 * base / 20e-3, 1e-9);
     EXPECT_NEAR(row_of(comparison, "").base->radius.value_or(0.0), base, 1e-6);
 }

@@ -4,7 +4,7 @@
 #include "studies/compare/needed_base.hpp"
 
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/disk/disk_cam.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ double largest(const Function& f) {
 /// |φ| <= φm on the cam's axis: s' <= tan φm (base + roller + s).
 TEST(NeededBase, IsTheLeastThatKeepsThePressureAngle) {
     const Scene scene = pressure_angle_scene(40.0);
-    const DiskCam cam = middle_cam(disk_of(*scene.cam));
+    const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
     for (const char* key : {"modified_sine", "cycloidal", "polynomial_4567"}) {
         const auto law = make_law(key);
         const double lift = scene.motion.lift, slope = std::tan(scene.limits.pressure_angle->value);
@@ -56,7 +56,7 @@ TEST(NeededBase, IsTheLeastThatKeepsThePressureAngle) {
 TEST(NeededBase, IsTheLeastThatKeepsTheRadiusOfAFlatFacesCam) {
     Scene scene = flat_scene(30.0, 2.0);
     scene.motion.type = MotionType::drd;
-    const DiskCam cam = middle_cam(disk_of(*scene.cam));
+    const DrivenMechanism cam = disk_mechanism(middle_cam(disk_of(*scene.cam)));
     const auto law = make_law("polynomial_345");
     const double lift = scene.motion.lift, rise = scene.motion.rise;
     const double expected = 2e-3 + largest([&](double x) {
@@ -75,7 +75,8 @@ TEST(NeededBase, NamesTheLimitThatNoRadiusKeeps) {
     scene.forces->mass = 1.0;
     scene.forces->preload = 5.0;
     scene.limits.contact_force_min = WrittenLimit{10.0, "limits.contact_force_min_n", 1.0, "N"};
-    const NeededBase found = needed_base(scene, middle_cam(disk_of(*scene.cam)), *make_law("modified_sine"));
+    const NeededBase found =
+        needed_base(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))), *make_law("modified_sine"));
     EXPECT_FALSE(found.radius);
     EXPECT_EQ(found.broken, "limits.contact_force_min_n");
 }

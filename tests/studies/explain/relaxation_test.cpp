@@ -4,6 +4,7 @@
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/explain/relaxation.hpp"
 
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
@@ -119,7 +120,7 @@ TEST(SmallestOfAnyMotion, IsOfTheStrokeThatNeedsMost) {
                              {SegmentKind::spline, 60 * degree, {}, 0.0},
                              {SegmentKind::dwell, 160 * degree, {}, {}}};
     scene.limits.return_pressure_angle = degrees(25.0, "limits.return_pressure_angle_deg");
-    const auto smallest = smallest_of_any_motion(scene, middle_cam(disk_of(*scene.cam)));
+    const auto smallest = smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))));
     ASSERT_TRUE(smallest);
     // r = s0 exp(θ tan φ) from s0 + 10 mm to s0 + 20 mm.
     const double needed = 10.0 / std::expm1(20 * degree * std::tan(25 * degree)) - 10.0;
@@ -136,7 +137,7 @@ TEST(SmallestOfAnyMotion, BoundsRealMotions) {
     scene.motion.type = MotionType::rr;
     scene.motion.rise = 120 * units::degree;
     scene.motion.return_angle = 60 * units::degree;
-    const double bound = smallest_of_any_motion(scene, middle_cam(disk_of(*scene.cam)))->prime_radius;
+    const double bound = smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))))->prime_radius;
     scene.cam->set(base_radius, 1.2 * bound - 10e-3);
     EXPECT_TRUE(solve(scene).motion);
     EXPECT_TRUE(kept_by_no_motion(scene).empty());
