@@ -19,13 +19,12 @@ struct camopt_scene {
 struct camopt_solution {
     camopt::Solution solution;
     camopt::RunOrigin origin;
-    std::vector<std::string> stations;                   ///< names; one "" of a plane cam, none without a cam
-    std::vector<camopt::CamDimension> dimensions;  ///< of the scene's cam, in the order of its numbers
+    std::vector<std::string> stations;  ///< names; one "" of a plane cam, none without a cam
 };
 
 namespace camopt::c {
 
-/// Complete and validated, with the formulas of its mechanism.
+/// Complete and validated.
 [[nodiscard]] Scene complete_scene(const camopt_scene& scene, std::span<const std::string> settings = {});
 
 /// Throws Failure for NULL, and ABSENT where there is no motion.

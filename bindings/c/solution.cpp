@@ -44,13 +44,13 @@ camopt_peaks peaks_of(const Peaks& peaks) {
             peaks.torque.at,       peaks.rms_velocity,   peaks.rms_acceleration, peaks.rms_jerk};
 }
 
-/// Those that the cam has; the names are those of the handle.
+/// Those that the cam has; names live as long as the handle.
 std::vector<camopt_parameter> parameters_of(const camopt_solution& handle) {
     std::vector<camopt_parameter> all;
     if (!handle.solution.cam) return all;
     const std::vector<double>& numbers = handle.solution.cam->cam.dimensions;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const CamDimension& dimension = handle.dimensions[i];
+        const CamDimension& dimension = handle.solution.scene.cam->dimensions[i];
         if (dimension.value.key.empty()) continue;
         all.push_back({sizeof(camopt_parameter), dimension.name.c_str(), dimension.is_angle ? "deg" : "mm",
                        numbers[i] / (dimension.is_angle ? degree : millimetre),

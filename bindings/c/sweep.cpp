@@ -37,8 +37,6 @@ std::unique_ptr<camopt_solution> solved(const camopt_scene& given, const camopt_
     callbacks.finish();
     if (options.forward_check != 0 && !callbacks.stopped()) add_forward_check(result->solution);
     result->stations = station_names(result->solution);
-    if (const std::optional<CamSpec> cam = cam_of(result->solution.scene))
-        result->dimensions = cam->dimensions;
     result->origin = {given.document.name(), "", given.document.text()};
     return result;
 }

@@ -110,7 +110,7 @@ Json row_json(const ComparisonRow& row, double degrees_per_x) {
 }
 
 Json dimensions_json(const Comparison& comparison) {
-    const std::optional<CamSpec> spec = cam_of(comparison.optimum.scene);
+    const std::optional<CamSpec>& spec = comparison.optimum.scene.cam;
     if (!comparison.cam || !spec) return nullptr;
     Json json = Json::object();
     for (std::size_t i = 0; i < spec->dimensions.size(); ++i) {
