@@ -181,9 +181,10 @@ Polygon even_polygon(const ProfileShape& shape, int count) {
         throw InputError(
             fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
     Polygon polygon;
+    polygon.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         polygon.push_back(
-            shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact.head<2>());
+            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
     return polygon;
 }
 
