@@ -28,9 +28,10 @@ void require(bool holds, const char* what, double found) {
 
 std::vector<Eigen::Vector2d> contour(const ProfileShape& shape, int count) {
     std::vector<Eigen::Vector2d> points;
+    points.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         points.push_back(
-            shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact.head<2>());
+            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
     return points;
 }
 

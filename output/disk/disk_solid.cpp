@@ -181,9 +181,10 @@ Polygon even_polygon(const ProfileShape& shape, int count) {
         throw InputError(
             fmt::format("plane cam: there must be {} points or more, found {}", least_points, count));
     Polygon polygon;
+    polygon.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         polygon.push_back(
-            shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact.head<2>());
+            in_plane(shape.at(shape.begin() + (shape.end() - shape.begin()) * k / count).contact));
     return polygon;
 }
 
@@ -240,7 +241,7 @@ PlateEdge curve_through(const ProfileShape& shape, double begin, double end) {
         double worst = 0.0;
         for (int i = 0; i + 1 < count; ++i) {
             const double theta =
-                0.5 * (grid.u[static_cast<std::size_t>(i)] + grid.u[static_cast<std::size_t>(i + 1)]);
+                0.5 * (grid.u[static_cast<std::size_t>(i)] + grid.u[static_cast<std::size_t>(i) + 1]);
             const MechanismPoint point = shape.at(theta);
             const Vector2d gap = surface.at(theta, 0.0).head<2>() - in_plane(point.contact);
             worst = std::max(worst, std::abs(gap.dot(in_plane(point.normal))));

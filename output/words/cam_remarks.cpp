@@ -81,7 +81,7 @@ std::string limited_remark(const Solution& solution) {
 std::string stroke_words(const Solution& solution, const SmallestCamReport& smallest) {
     const MotionType type = solution.scene.motion.type;
     if (type == MotionType::drd) return "on this rise";
-    const std::string which = smallest.rises ? "on the rise" : "on the return";
+    std::string which = smallest.rises ? "on the rise" : "on the return";
     if (type == MotionType::rr) return which;
     return fmt::format("{} from {} to {} deg", which, degrees_at(solution, smallest.begin),
                        degrees_at(solution, smallest.end));
