@@ -103,10 +103,10 @@ std::string csv_of(const Solution& solution, const DiskCam& cam, const Motion& m
                    const CamFileOptions& options, int side) {
     const MotionScale scale = motion_scale(solution.scene);
     MechanismProfile profile;
-    for (const ProfilePoint& point :
-         sampled_profile(cam, motion, scale, {options.points, options.chord_tolerance}, side)) {
+    profile.points =
+        sampled_profile(solution.cam->cam, motion, scale, {options.points, options.chord_tolerance}, side);
+    for (const MechanismPoint& point : profile.points) {
         const double x = std::clamp(point.theta / scale.unit_angle, motion.begin(), motion.end());
-        profile.points.push_back(mechanism_point(point));
         profile.outputs.push_back(scale.lift * motion.at(x).derivative[0]);
     }
     ProfileColumns columns{
