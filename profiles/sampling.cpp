@@ -2,7 +2,6 @@
 #include "profiles/sampling.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/disk/disk_sides.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
-#include <utility>
 
 namespace camopt {
 namespace {
@@ -30,26 +27,22 @@ constexpr double narrowest_step = 1e-6;
 // Places closer than this share of the motion are one place.
 constexpr double same_place = 1e-9;
 
-template <class Place>
-double distance_to_chord(const Place& point, const Place& from, const Place& to) {
-    const Place chord = to - from;
+double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                         const Eigen::Vector3d& to) {
+    const Eigen::Vector3d chord = to - from;
     const double squared = chord.squaredNorm();
     const double along = squared > 0.0 ? std::clamp((point - from).dot(chord) / squared, 0.0, 1.0) : 0.0;
     return (point - from - along * chord).norm();
 }
 
-/// point_at: the point of the cam for a cam angle and a state of the follower.
-template <class PointAt>
 class Sampler {
  public:
-    using Point = std::invoke_result_t<PointAt, double, FollowerState>;
+    Sampler(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale, int station)
+        : cam_(cam), motion_(motion), scale_(scale), station_(station) {}
 
-    Sampler(PointAt point_at, const Motion& motion, const MotionScale& scale)
-        : point_at_(std::move(point_at)), motion_(motion), scale_(scale) {}
-
-    [[nodiscard]] std::vector<Point> points(const ProfileSampling& sampling) const {
+    [[nodiscard]] std::vector<MechanismPoint> points(const ProfileSampling& sampling) const {
         const std::vector<double> breakpoints = motion_.breakpoints();
-        std::vector<Point> points;
+        std::vector<MechanismPoint> points;
         if (sampling.count) {
             for (const double place : even_places(breakpoints, *sampling.count)) points.push_back(at(place));
             return points;
@@ -63,16 +56,18 @@ class Sampler {
  private:
     struct Step {
         double from = 0.0, to = 0.0;
-        decltype(Point::contact) start;
+        Eigen::Vector3d start;
     };
 
-    [[nodiscard]] Point at(double x) const {
+    [[nodiscard]] MechanismPoint at(double x) const {
         const Side side = x < motion_.end() ? Side::right : Side::left;
-        return point_at_(scale_.unit_angle * x, state_of(motion_.at(x, side), scale_));
+        const double theta = scale_.unit_angle * x;
+        const FollowerState state = state_of(motion_.at(x, side), scale_);
+        return cam_.formulas->point(theta, {cam_.dimensions, state, theta}, station_);
     }
 
     /// Appends the points after `from` up to and with `to`, so dense that the chords keep the tolerance.
-    void append(double from, double to, double tolerance, std::vector<Point>& points) const {
+    void append(double from, double to, double tolerance, std::vector<MechanismPoint>& points) const {
         const double width = std::abs(scale_.unit_angle) * (to - from);
         const int steps = std::max(1, static_cast<int>(std::ceil(width / widest_step)));
         for (int i = 0; i < steps; ++i) {
@@ -82,11 +77,12 @@ class Sampler {
         }
     }
 
-    void append_step(const Step& step, const Point& end, double tolerance, std::vector<Point>& points) const {
-        std::array<Point, parts_of_step - 1> inner;
+    void append_step(const Step& step, const MechanismPoint& end, double tolerance,
+                     std::vector<MechanismPoint>& points) const {
+        std::array<MechanismPoint, parts_of_step - 1> inner;
         bool close = true;
         for (int i = 1; i < parts_of_step; ++i) {
-            Point& point = inner[static_cast<std::size_t>(i - 1)];
+            MechanismPoint& point = inner[static_cast<std::size_t>(i - 1)];
             point = at(step.from + (step.to - step.from) * i / parts_of_step);
             close =
                 close && distance_to_chord(point.contact, step.start, end.contact) <= seen_share * tolerance;
@@ -97,24 +93,16 @@ class Sampler {
             return;
         }
         const double middle = 0.5 * (step.from + step.to);
-        const Point& halfway = inner[parts_of_step / 2 - 1];
+        const MechanismPoint& halfway = inner[parts_of_step / 2 - 1];
         append_step({step.from, middle, step.start}, halfway, tolerance, points);
         append_step({middle, step.to, halfway.contact}, end, tolerance, points);
     }
 
-    PointAt point_at_;
+    const DrivenMechanism& cam_;
     const Motion& motion_;
     MotionScale scale_;
+    int station_;
 };
-
-template <class PointAt>
-auto sampled(PointAt point_at, const Motion& motion, const MotionScale& scale,
-             const ProfileSampling& sampling) {
-    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
-        throw InputError(
-            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
-    return Sampler<PointAt>(std::move(point_at), motion, scale).points(sampling);
-}
 
 }  // namespace
 
@@ -141,18 +129,10 @@ std::vector<double> even_places(const std::vector<double>& breakpoints, int coun
 std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Motion& motion,
                                             const MotionScale& scale, const ProfileSampling& sampling,
                                             int station) {
-    const auto point_at = [&cam, station](double theta, const FollowerState& state) {
-        return cam.formulas->point(theta, {cam.dimensions, state, theta}, station);
-    };
-    return sampled(point_at, motion, scale, sampling);
-}
-
-std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion, const MotionScale& scale,
-                                          const ProfileSampling& sampling, int side_of_cam) {
-    const auto point_at = [&cam, side_of_cam](double theta, const FollowerState& state) {
-        return profile_point(cam, theta, state, side_of_cam);
-    };
-    return sampled(point_at, motion, scale, sampling);
+    if (!sampling.count && !(sampling.chord_tolerance > 0.0))
+        throw InputError(
+            fmt::format("chord_tolerance: found {}; allowed: above 0", sampling.chord_tolerance));
+    return Sampler(cam, motion, scale, station).points(sampling);
 }
 
 }  // namespace camopt

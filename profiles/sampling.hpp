@@ -2,8 +2,8 @@
 // A whole cam as points: where to place them, and the points.
 #pragma once
 
+#include "core/follower_state.hpp"
 #include "core/motion.hpp"
-#include "profiles/disk/disk_cam.hpp"
 #include "scene/cam_mechanism.hpp"
 
 #include <optional>
@@ -34,9 +34,5 @@ struct ProfileSampling {
 [[nodiscard]] std::vector<MechanismPoint> sampled_profile(const DrivenMechanism& cam, const Motion& motion,
                                                           const MotionScale& scale,
                                                           const ProfileSampling& sampling, int station = 0);
-/// The same of a disk cam; side_of_cam: disk_sides.hpp.
-[[nodiscard]] std::vector<ProfilePoint> sampled_profile(const DiskCam& cam, const Motion& motion,
-                                                        const MotionScale& scale,
-                                                        const ProfileSampling& sampling, int side_of_cam = 0);
 
 }  // namespace camopt

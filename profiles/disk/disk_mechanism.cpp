@@ -22,6 +22,20 @@ namespace {
 
 constexpr double stem_length = 1.2;  // of a drawn stem, by the larger of base and roller radius
 
+MechanismPoint mechanism_point(const ProfilePoint& found) {
+    MechanismPoint point;
+    point.theta = found.theta;
+    point.pitch << found.pitch, 0.0;
+    point.contact << found.contact, 0.0;
+    point.normal << found.normal, 0.0;
+    point.pressure_angle = found.pressure_angle;
+    point.pitch_curvature = found.pitch_curvature;
+    point.cam_radius = found.cam_radius;
+    point.regularity = found.regularity;
+    point.contact_offset = found.contact_offset;
+    return point;
+}
+
 class DiskMechanism final : public CamMechanism {
  public:
     DiskMechanism(FollowerType follower, Rotation rotation, const FormSpec& form)
@@ -390,20 +404,6 @@ MechanismValue DiskMechanism::quantity(MechanismQuantity which, const MechanismS
 }
 
 }  // namespace
-
-MechanismPoint mechanism_point(const ProfilePoint& found) {
-    MechanismPoint point;
-    point.theta = found.theta;
-    point.pitch << found.pitch, 0.0;
-    point.contact << found.contact, 0.0;
-    point.normal << found.normal, 0.0;
-    point.pressure_angle = found.pressure_angle;
-    point.pitch_curvature = found.pitch_curvature;
-    point.cam_radius = found.cam_radius;
-    point.regularity = found.regularity;
-    point.contact_offset = found.contact_offset;
-    return point;
-}
 
 std::shared_ptr<const CamMechanism> disk_formulas(const CamSpec& spec) {
     const DiskSpec disk = disk_of(spec);

@@ -24,9 +24,6 @@ namespace camopt {
 
 [[nodiscard]] DrivenMechanism disk_mechanism(const DiskCam& cam);
 
-/// A point of a disk cam as one of any cam.
-[[nodiscard]] MechanismPoint mechanism_point(const ProfilePoint& found);
-
 /// The disk cam that these formulas and numbers are; none: they are of another kind.
 [[nodiscard]] std::optional<DiskCam> disk_cam(const DrivenMechanism& mechanism);
 

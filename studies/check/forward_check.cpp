@@ -100,7 +100,8 @@ class Simulation {
     }
     [[nodiscard]] double deviation_of(const Contact& contact, double theta) const {
         const double found = std::abs(output_of(contact) - input_.designed(theta));
-        return found < infinity ? found : infinity;  // NaN is no contact either
+        if (found < infinity) return found;
+        return infinity;  // NaN is no contact either
     }
     [[nodiscard]] double relative(double deviation) const { return deviation / input_.output_size; }
     [[nodiscard]] Contact contact_at(double theta, bool whole) {

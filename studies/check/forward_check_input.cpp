@@ -66,7 +66,7 @@ void set_points(ForwardCheckInput& input, const MechanismProfile& profile) {
 FollowerGeometry checked_follower(const DrivenMechanism& mechanism, int station) {
     std::optional<FollowerGeometry> found = mechanism.formulas->follower(mechanism.dimensions, station);
     if (!found)
-        throw InputError("the forward check needs a lever that carries the roller, and there is none");
+        throw InputError("the forward check needs a follower that touches the cam, and this cam has none");
     return *std::move(found);
 }
 

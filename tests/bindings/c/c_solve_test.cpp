@@ -5,7 +5,6 @@
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/report/cam_files.hpp"
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/bindings/c/c_face.hpp"
 
@@ -192,8 +191,7 @@ TEST(CSolve, MakesTheCamOfCpp) {
     const Solution cpp = cpp_solved_file("cam_roller");
     ASSERT_TRUE(cpp.cam);
     const MotionChain motion = cam_motion(cpp);
-    const auto points =
-        sampled_profile(disk_cam(cpp.cam->cam).value(), motion, motion_scale(cpp.scene), {.count = 90});
+    const auto points = sampled_profile(cpp.cam->cam, motion, motion_scale(cpp.scene), {.count = 90});
     const auto shown = profile_of(c, 90);
     ASSERT_EQ(shown.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
