@@ -6,8 +6,7 @@
 // Uses nothing but what camopt could do before it knew cams, so that the same file measures an older commit
 // (against_commit.sh builds it there).
 #include "benchmarks/parts/whole_output.hpp"
-#include "input/scene_reader.hpp"
-#include "solvers/registry.hpp"
+#include "input/loading/load_scene.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <algorithm>
@@ -23,12 +22,6 @@ double median(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-camopt::input::KnownNames known_names() {
-    camopt::input::KnownNames known{{"modified_sine"}, {}};
-    for (const camopt::SolverEntry& entry : camopt::solver_entries()) known.solvers.push_back(entry.name);
-    return known;
 }
 
 double processor_seconds() {
@@ -57,7 +50,7 @@ int main(int count, char** words) {
         return 2;
     }
     try {
-        print_seconds(camopt::input::read_scene_file(words[1], known_names()),
+        print_seconds(camopt::load_scene(words[1]),
                       std::max(1, std::atoi(words[2])));
         return 0;
     } catch (const std::exception& error) {

@@ -5,7 +5,6 @@
 #include "bindings/c/failure.hpp"
 #include "input/document/scene_document.hpp"
 #include "output/json/certificate/run_origin.hpp"
-#include "scene/mechanism_spec.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <span>

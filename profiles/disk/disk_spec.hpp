@@ -46,7 +46,7 @@ struct DiskSpec {
     FollowerType follower = FollowerType::translating_roller;
     Rotation rotation = Rotation::counterclockwise;
     std::array<Dimension, dimension_count> dimensions{};  ///< those the follower has not are 0
-    std::optional<double> face_half_width;                ///< translating flat face, m: |s'| <= it
+    std::optional<double> face_half_width = {};           ///< translating flat face, m: |s'| <= it
     FormSpec form = {};                                   ///< rollers only: others are open
 
     [[nodiscard]] Dimension& operator[](DimensionIndex index) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every wrong scene is refused with the words written down for it.
+#include "profiles/factory/cam_formulas.hpp"
 #include "tests/input/broken_scenes.hpp"
 
 #include "core/errors.hpp"
@@ -13,7 +14,7 @@ namespace camopt::input {
 namespace broken_scenes_test {
 
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
-                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}};
+                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}, .cam_formulas = cam_formulas};
 
 class BrokenScenes : public testing::TestWithParam<BrokenScene> {};
 

@@ -94,11 +94,8 @@ std::vector<KeyCase> segment_cases() {
 
 namespace cam_key_cases {
 
-std::function<double(const Scene&)> of_form(double FormSpec::*member) {
-    return [member](const Scene& s) { return s.cam.value().form.*member; };
-}
-std::function<double(const Scene&)> of_form(std::optional<double> FormSpec::*member) {
-    return [member](const Scene& s) { return (s.cam.value().form.*member).value(); };
+std::function<double(const Scene&)> number(const char* name) {
+    return [name](const Scene& s) { return s.cam.value().find(name)->low; };
 }
 
 /// In every unit of a length: 1 mm, 1 in, 0.04 m times `size`.
@@ -114,21 +111,21 @@ void add_form_cases(std::vector<KeyCase>& all) {
     const std::string pair = cam(roller) + "cam.form = \"conjugate\"\n";
     const std::string slide = pair + "cam.roller_distance_mm = 120\n";
     const std::string arms = cam(arm) + "cam.form = \"conjugate\"\n";
-    const auto is = [](CamForm form) {
-        return [form](const Scene& s) { return s.cam.value().form.type == form ? 1.0 : 0.0; };
+    const auto is = [](const char* form) {
+        return [form](const Scene& s) { return s.cam.value().choice("form") == form ? 1.0 : 0.0; };
     };
-    all.push_back({"cam.form", "\"open\"", 1, is(CamForm::open), cam(roller)});
-    all.push_back({"cam.form", "\"grooved\"", 1, is(CamForm::grooved), cam(arm)});
-    all.push_back({"cam.form", "\"conjugate\"", 1, is(CamForm::conjugate),
+    all.push_back({"cam.form", "\"open\"", 1, is("open"), cam(roller)});
+    all.push_back({"cam.form", "\"grooved\"", 1, is("grooved"), cam(arm)});
+    all.push_back({"cam.form", "\"conjugate\"", 1, is("conjugate"),
                    cam(roller) + "cam.roller_distance_mm = 120\n"});
-    add_lengths(all, "groove_clearance", 0.002, of_form(&FormSpec::groove_clearance), groove);
-    add_lengths(all, "groove_wall", 0.012, of_form(&FormSpec::groove_wall), groove);
-    add_lengths(all, "roller_distance", 0.12, of_form(&FormSpec::roller_distance), pair);
-    add_lengths(all, "second_roller_radius", 0.008, of_form(&FormSpec::second_roller_radius), slide);
-    add_lengths(all, "second_offset", -0.006, of_form(&FormSpec::second_offset), slide);
-    all.push_back({"cam.arm_angle_deg", "90", pi / 2, of_form(&FormSpec::arm_angle), arms});
-    all.push_back({"cam.arm_angle_rad", "1.5", 1.5, of_form(&FormSpec::arm_angle), arms});
-    add_lengths(all, "second_arm_length", 0.075, of_form(&FormSpec::second_arm_length),
+    add_lengths(all, "groove_clearance", 0.002, number("groove_clearance"), groove);
+    add_lengths(all, "groove_wall", 0.012, number("groove_wall"), groove);
+    add_lengths(all, "roller_distance", 0.12, number("roller_distance"), pair);
+    add_lengths(all, "second_roller_radius", 0.008, number("second_roller_radius"), slide);
+    add_lengths(all, "second_offset", -0.006, number("second_offset"), slide);
+    all.push_back({"cam.arm_angle_deg", "90", pi / 2, number("arm_angle"), arms});
+    all.push_back({"cam.arm_angle_rad", "1.5", 1.5, number("arm_angle"), arms});
+    add_lengths(all, "second_arm_length", 0.075, number("second_arm_length"),
                 arms + "cam.arm_angle_deg = 90\n");
 }
 
@@ -140,7 +137,7 @@ std::vector<KeyCase> cam_cases() {
     std::vector<KeyCase> all = {
         {"cam.type", "\"disk\"", 1, [](const Scene& s) { return s.cam ? 1.0 : 0.0; }, cam(roller, "type")},
         {"cam.follower", "\"translating_knife\"", 1,
-         [](const Scene& s) { return s.cam.value().follower == FollowerType::translating_knife ? 1.0 : 0.0; },
+         [](const Scene& s) { return s.cam.value().choice("follower") == "translating_knife" ? 1.0 : 0.0; },
          cam(knife, "follower")},
         {"cam.rotation", "\"clockwise\"", 1,
          [](const Scene& s) { return s.cam.value().rotation == Rotation::clockwise ? 1.0 : 0.0; },

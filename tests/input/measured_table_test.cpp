@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "input/measured/measured_reader.hpp"
 #include "input/scene_reader.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace camopt::input {
 namespace measured_table_test {
 
-const KnownNames known = {.laws = {"modified_sine"}, .solvers = {}};
+const KnownNames known = {.laws = {"modified_sine"}, .solvers = {}, .cam_formulas = cam_formulas};
 
 std::string refusal(const std::string& text) {
     try {

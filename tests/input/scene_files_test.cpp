@@ -3,6 +3,7 @@
 #include "core/errors.hpp"
 #include "input/keys/scene_keys.hpp"
 #include "input/scene_reader.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace scene_files_test {
 const std::filesystem::path source_folder = CAMOPT_SOURCE_DIR;
 const KnownNames known = {
     .laws = {"modified_sine", "polynomial_345", "cycloidal", "modified_trapezoid", "constant_velocity"},
-    .solvers = {}};
+    .solvers = {}, .cam_formulas = cam_formulas};
 
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 #include "scene/written_limits.hpp"
 #include "tests/input/scene_key_cases.hpp"
 
@@ -19,7 +20,7 @@ namespace scene_reader_test {
 
 constexpr double pi = std::numbers::pi;
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
-                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}};
+                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}, .cam_formulas = cam_formulas};
 const std::string drd = "motion.type = \"DRD\"\n";
 const std::string jerk_only = "objective.jerk = 1\n";
 

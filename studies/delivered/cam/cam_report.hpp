@@ -8,7 +8,7 @@
 
 namespace camopt {
 
-/// The scene's cam with these dimensions (in the order of scene.cam, profiles/scene_cam.hpp), driven by
+/// The scene's cam with these dimensions (in the order of scene.cam), driven by
 /// the motion: its figures, and the smallest any motion would allow where that is known. Throws InputError
 /// where its formulas are missing.
 [[nodiscard]] CamReport cam_report(const Scene& scene, std::vector<double> dimensions, const Motion& motion);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps through the C face: the rows of the C++ face, bit for bit; cancelling; errors.
 #include "core/units.hpp"
-#include "input/scene_reader.hpp"
+#include "input/loading/load_scene.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/sweep_run.hpp"
 #include "tests/bindings/c/c_face.hpp"
@@ -72,9 +72,8 @@ double or_nan(const std::optional<double>& value) {
 /// The same sweep of a file's scene without the C face.
 std::vector<SweepRow> cpp_rows(const std::string& toml, const std::vector<SweepAxis>& cpp_axes) {
     const SweepPlan plan = sweep_grid(cpp_axes);
-    const input::KnownNames known{{"modified_sine"}, {"structured"}};
     SweepScenes scenes(plan, [&](std::span<const std::string> settings) {
-        return input::read_scene(toml, "test", known, settings);
+        return scene_of_toml(toml, settings, "test");
     });
     (void)check_rows(scenes);
     const Chunking chunks{plan.rows(), chunk_size_for(plan.rows())};

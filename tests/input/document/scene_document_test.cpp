@@ -3,6 +3,7 @@
 #include "input/document/scene_document.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 namespace camopt::input {
 namespace scene_document_test {
 
-const KnownNames document_names = {.laws = {"cycloidal", "modified_sine"}, .solvers = {"structured"}};
+const KnownNames document_names = {.laws = {"cycloidal", "modified_sine"}, .solvers = {"structured"}, .cam_formulas = cam_formulas};
 const std::string document_scene =
     "# a comment\n[motion]\ntype = \"DRD\"\nlift_in = 1\n[objective]\njerk = 1\n";
 

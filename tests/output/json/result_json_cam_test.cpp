@@ -102,7 +102,7 @@ TEST(ResultJsonCam, AFlatFaceHasAContactOffsetAndASwingAMoment) {
     Solution solution = test::cam_solution();
     solution.scene.cam = disk_spec({.follower = FollowerType::oscillating_flat});
     solution.scene.cam->set(DimensionIndex::base_radius, 30 * units::millimetre);
-    solution.cam->cam = disk_mechanism(middle_cam(*solution.scene.cam));
+    solution.cam->cam = disk_mechanism(middle_cam(disk_of(*solution.scene.cam)));
     solution.cam->summary.contact_offset = CamExtreme{2e-3, 0.5};
     solution.scene.motion.lift_is_angle = true;
     solution.cam->forward_check = ForwardCheckReport{1e-9, 1e-8, 0.5, 2001, 0.25};

@@ -86,7 +86,7 @@ void apply(Scene& scene, const Change& change) {
         limit->value = change.value * limit->unit_value;
     };
     const auto dimension = [&](DimensionIndex which) {
-        scene.cam->find(which)->low = scene.cam->find(which)->high = change.value * millimetre;
+        scene.cam->set(which, change.value * millimetre);
     };
     const std::map<std::string, std::function<void()>> setters = {
         {"segments", [&] { scene.spline.segments = static_cast<int>(change.value); }},

@@ -3,7 +3,7 @@
 // between the places that figures come from.
 #include "studies/delivered/cam/enclosed_limits.hpp"
 
-#include "input/scene_reader.hpp"
+#include "input/loading/load_scene.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 #include "studies/solve/solve.hpp"
 
@@ -20,9 +20,7 @@ namespace enclosed_limits_test {
 using Keys = std::vector<std::string>;
 
 Scene scene_of(const std::string& name) {
-    const input::KnownNames known{{"modified_sine", "modified_trapezoid", "cycloidal", "constant_velocity"},
-                                  {"ipopt", "structured"}};
-    Scene scene = input::read_scene_file(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml", known);
+    Scene scene = load_scene(std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml");
     scene.solver.starts = 1;
     return scene;
 }
@@ -79,8 +77,8 @@ TEST(EnclosedLimits, AreTheLargestOfADenseSample) {
         const auto& cam = *solution.scene.cam;
         const double prime =
             solution.cam->cam.dimensions[static_cast<std::size_t>(DimensionIndex::base_radius)] +
-            cam[DimensionIndex::roller_radius].middle();
-        const double offset = cam[DimensionIndex::offset].middle();
+            cam.find(DimensionIndex::roller_radius)->middle();
+        const double offset = cam.find(DimensionIndex::offset)->middle();
         const double height = std::sqrt(prime * prime - offset * offset) + lift * y.derivative[0];
         const double sense = cam.rotation == Rotation::clockwise ? -1.0 : 1.0;
         most = std::max(most, std::abs(std::atan((lift / unit * y.derivative[1] - sense * offset) / height)));

@@ -244,10 +244,7 @@ TEST(PressureAtRest, IsThatOfTheLeastOfAllThreeLimits) {
 
 TEST(PressureAtRest, IsHeldByTheDimensionsWhereTheyAreFree) {
     Scene scene = resting_arm(26.4, MotionType::drd);
-    Dimension& arm = *scene.cam->find(arm_length);
-    arm = Dimension{};
-    arm.low = 0.055;
-    arm.high = 0.0668;
+    scene.cam->set(arm_length, {0.055, 0.0668});
     const Solution solution = solve_without_explaining(scene, {});
     ASSERT_TRUE(solution.cam) << name_of(solution.certificate.verdict);
     for (const double x : {0.0, 1.0}) {

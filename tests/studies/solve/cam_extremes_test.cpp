@@ -26,8 +26,8 @@ void PrintTo(const Extreme& extreme, std::ostream* stream) {
 Scene scaled_scene(double factor) {
     Scene scene = pressure_angle_scene(40, 12);
     scene.motion.lift *= factor;
-    for (Dimension& dimension : scene.cam->dimensions)
-        dimension.low = dimension.high = dimension.low * factor;
+    for (CamDimension& dimension : scene.cam->dimensions)
+        dimension.value.low = dimension.value.high = dimension.value.low * factor;
     scene.limits.cam_radius_min = millimetres(5.0 * factor, "limits.cam_radius_min_mm");
     return scene;
 }

@@ -63,7 +63,7 @@ Scene random_scene(unsigned seed) {
 /// The largest relative violation of the limits, from the motion alone: formulas of a translating roller,
 /// written out by its pitch curve.
 double worst_violation(const Scene& scene, const Motion& motion) {
-    const DiskSpec& cam = *scene.cam;
+    const DiskSpec cam = disk_of(*scene.cam);
     const double roller = cam[roller_radius].low;
     const double prime = cam[base_radius].low + roller;
     const double e = (scene.cam->rotation == Rotation::counterclockwise ? 1.0 : -1.0) * cam[offset].low;
