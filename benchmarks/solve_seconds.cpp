@@ -50,8 +50,7 @@ int main(int count, char** words) {
         return 2;
     }
     try {
-        print_seconds(camopt::load_scene(words[1]),
-                      std::max(1, std::atoi(words[2])));
+        print_seconds(camopt::load_scene(words[1]), std::max(1, std::atoi(words[2])));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "solve_seconds: %s\n", error.what());

@@ -3,10 +3,12 @@
 
 #include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
+#include "scene/scene_error.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 namespace camopt::input {
 
@@ -30,12 +32,12 @@ class MechanismReader {
                                 spec.rotation);
         refuse_foreign();
         for (const CamNumber& number : variant_.numbers)
-            if (number.owned)
+            if (number.owned && number.index >= 0)
                 read_one(number, motion.lift, spec.dimensions[static_cast<std::size_t>(number.index)].value);
         for (const CamChoice& choice : variant_.choices)
             if (const auto given = source_.find(choice.table, choice.key))
                 spec.choices[choice.key] = given->value().text;
-        return spec;
+        return kind_.add_given ? with_given(spec) : spec;
     }
 
  private:
@@ -58,14 +60,35 @@ class MechanismReader {
                             fmt::format("found \"{}\" for a cam of type \"{}\"; allowed: {}", word,
                                         kind_.type, quoted_choices(allowed)));
     }
+    /// With the numbers that are no dimensions of the spec.
+    [[nodiscard]] CamSpec with_given(const CamSpec& spec) const {
+        std::map<std::string, double> given;
+        for (const CamNumber& number : variant_.numbers)
+            if (number.owned && number.index < 0)
+                if (const auto found = source_.find(number.table, number.key))
+                    given[number.key] = found->number();
+        try {
+            return kind_.add_given(spec, given);
+        } catch (const SceneError& error) {
+            source_.fail_member(error.fault().member, words_of(error.fault()));
+        }
+    }
+    /// The variants of the kind that have the number: only with "a" or "b"; none: leave it out.
+    [[nodiscard]] std::string allowed_with(const std::string& key) const {
+        std::vector<std::string_view> words;
+        for (const CamVariant& one : kind_.variants)
+            for (const CamNumber& number : one.numbers)
+                if (number.owned && number.key == key) words.emplace_back(one.word);
+        return words.empty() ? "leave it out" : "only with " + quoted_choices(words);
+    }
     /// Keys of the other variants.
     void refuse_foreign() const {
         const auto refuse = [&](const auto& entry) {
             const auto given = source_.find(entry.table, entry.key);
             if (entry.owned || !given) return;
-            source_.fail(
-                given->member->place, joined_key(entry.table, given->member->name),
-                fmt::format("found a key that {} does not have; allowed: leave it out", variant_.spoken));
+            source_.fail(given->member->place, joined_key(entry.table, given->member->name),
+                         fmt::format("found a key that {} does not have; allowed: {}", variant_.spoken,
+                                     allowed_with(entry.key)));
         };
         for (const CamNumber& number : variant_.numbers) refuse(number);
         for (const CamChoice& choice : variant_.choices) refuse(choice);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cams behind CamMechanism: their numbers and choices, as their kind describes them. Internal to input/.
+// Cams: their numbers and choices, as their kind describes them. Internal to input/.
 #pragma once
 
 #include "input/document/scene_source.hpp"
@@ -14,7 +14,7 @@ namespace camopt::input {
 void check_lift(const SceneSource& source, const CamKind& kind, const CamVariant& variant,
                 const MotionSpec& motion);
 
-/// A cam whose variants have a spec. Without formulas.
+/// Without formulas.
 [[nodiscard]] CamSpec read_mechanism(const SceneSource& source, const CamKind& kind,
                                      const MotionSpec& motion);
 

@@ -9,6 +9,7 @@
 #include "scene/key_row.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,7 @@ struct CamNumber {
     /// SI, where a scene does not give it: value + per_lift · lift. None: it must be given.
     std::optional<double> value = {};
     double per_lift = 0.0;
-    int index = -1;  ///< of the dimension in the spec; -1: none
+    int index = -1;  ///< of the dimension in the spec; -1: none, CamKind::add_given takes it
 };
 
 /// A word of a variant, kept under its key in CamSpec::choices.
@@ -41,7 +42,7 @@ struct CamVariant {
     std::string touches_with;  ///< "a roller"
     std::vector<CamNumber> numbers;
     std::vector<CamChoice> choices;
-    /// Every number at 0; none: the kind is no CamSpec.
+    /// Every number at 0, without formulas.
     std::function<CamSpec()> spec = {};
 };
 
@@ -57,11 +58,12 @@ struct CamKind {
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
     std::vector<KeyRow> rows;    ///< keys that no earlier kind has
+    /// Puts the numbers without an index that a scene gives, SI by their keys, into a spec that has all else.
+    /// Throws SceneError for one that does not fit. None: there are no such numbers.
+    std::function<CamSpec(const CamSpec& spec, const std::map<std::string, double>& given)> add_given = {};
     /// Makes the formulas of a spec of this kind; none: profiles/factory knows them.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> formulas = {};
 
-    /// It stands behind CamMechanism: a scene holds it as a CamSpec.
-    [[nodiscard]] bool is_mechanism() const { return variants.front().spec != nullptr; }
     /// Whether a scene with this kind may have the key.
     [[nodiscard]] bool knows(std::string_view table, std::string_view key) const;
     /// The variant that a word chooses; null: none.

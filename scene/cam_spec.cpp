@@ -41,8 +41,9 @@ void CamSpec::set(std::string_view name, const Dimension& value) {
         std::string names;
         for (const CamDimension& dimension : dimensions)
             names += fmt::format("{}{}", names.empty() ? "" : ", ", dimension.name);
-        throw InputError(fmt::format("cam.{}: found a dimension that this cam of type \"{}\" does not have; allowed: {}",
-                                     name, type, names));
+        throw InputError(
+            fmt::format("cam.{}: found a dimension that this cam of type \"{}\" does not have; allowed: {}",
+                        name, type, names));
     }
     found->value.low = value.low;
     found->value.high = value.high;

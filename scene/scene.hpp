@@ -211,8 +211,8 @@ struct Scene {
     MotionSpec motion;
     SplineSpec spline;
     ObjectiveSpec objective;
-    std::optional<CamSpec> cam;              ///< of any kind; none: no profile exists, no profile code runs
-    std::optional<ForceSpec> forces;         ///< needs a cam and a speed
+    std::optional<CamSpec> cam;       ///< of any kind; none: no profile exists, no profile code runs
+    std::optional<ForceSpec> forces;  ///< needs a cam and a speed
     LimitSpec limits;
     std::optional<DynamicsSpec> dynamics;    ///< an elastic follower train; needs a speed
     std::optional<MeasuredMotion> measured;  ///< beside the optimum, or where its search begins

@@ -11,9 +11,9 @@
 
 namespace camopt {
 
-/// The scene with every key, unit and number of its limits filled in; one that is complete comes back as it is. What is wrong beside is left to validate(). Throws InputError for
-/// two numbers that contradict each other, a unit that the limit cannot have, and a limit in time without a
-/// speed.
+/// The scene with every key, unit and number of its limits filled in; one that is complete comes back as it
+/// is. What is wrong beside is left to validate(). Throws InputError for two numbers that contradict each
+/// other, a unit that the limit cannot have, and a limit in time without a speed.
 [[nodiscard]] Scene with_written_limits(Scene scene);
 
 }  // namespace camopt

@@ -60,7 +60,7 @@ class Audit {
         }
         check_caps();
         if (solution_.train) check_train();
-        if (solution_.scene.cam) {
+        if (solution_.cam && solution_.cam->cam.formulas->is_direct()) {
             for (const BrokenLimit& limit : broken_limits(solution_)) note(limit.amount, limit.name);
         }
         report_.objective = objective();

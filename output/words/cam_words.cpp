@@ -113,8 +113,7 @@ std::vector<DimensionValue> cam_dimensions(const Solution& solution) {
         if (number) *number /= dimension.is_angle ? degree : millimetre;
         all.push_back({dimension.name, dimension.is_angle, number});
     }
-    if (cam->formulas()->is_direct())
-        all.push_back({"prime_radius", false, prime_radius(all)});
+    if (cam->formulas()->is_direct()) all.push_back({"prime_radius", false, prime_radius(all)});
     const ShownUnits shown = shown_units(solution.scene);
     for (DimensionValue& one : all)
         one.text = !one.shown     ? "free"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene may not ask of a disk cam: numbers out of their ranges, a cam that none of the ranges allows at
-// rest, a form whose second roller has no place. With p = base + roller radius:
+// What a scene may not ask of a disk cam: numbers out of their ranges, a cam that none of the ranges allows
+// at rest, a form whose second roller has no place. With p = base + roller radius:
 //   translating roller, knife: |offset| < p            oscillating roller: |a − l| < p < a + l
 //   oscillating flat: |base + face offset| < a         (a centre distance, l arm length)
 // The second roller of a conjugate cam, Δ the largest displacement given:

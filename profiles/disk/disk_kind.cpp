@@ -20,9 +20,12 @@ CamVariant variant(const Follower& follower) {
     all.spoken = fmt::format("the follower \"{}\"", follower.name);
     all.swings = follower.oscillates;
     all.touches_with = touched_with(follower.contact);
+    all.spec = [type = follower.type] { return blank_disk_spec({.follower = type}); };
+    int index = 0;
     for (int i = 0; i < dimension_count; ++i) {
         const auto which = static_cast<DimensionIndex>(i);
-        CamNumber number{"cam", name_of(which), follower.has(which), {}, 0.0, i};
+        CamNumber number{"cam", name_of(which), follower.has(which)};
+        if (number.owned) number.index = index++;
         if (is_offset(which)) number.value = 0.0;
         all.numbers.push_back(std::move(number));
     }
@@ -34,8 +37,27 @@ CamVariant variant(const Follower& follower) {
         all.numbers.push_back({"cam", key, roller && !follower.oscillates});
     for (const char* key : {"arm_angle", "second_arm_length"})
         all.numbers.push_back({"cam", key, roller && follower.oscillates});
-    all.choices.push_back({"cam", "form", roller});
+    all.choices.push_back({"cam", "form"});
     return all;
+}
+
+/// The width of a face, the numbers of a form.
+CamSpec with_given(const CamSpec& spec, const std::map<std::string, double>& given) {
+    DiskSpec disk = disk_of(spec);
+    const auto number = [&given](const char* key) {
+        const auto found = given.find(key);
+        return found == given.end() ? std::nullopt : std::optional(found->second);
+    };
+    disk.face_half_width = number("face_half_width");
+    FormSpec& form = disk.form;
+    form.groove_clearance = number("groove_clearance").value_or(0.0);
+    form.groove_wall = number("groove_wall");
+    form.roller_distance = number("roller_distance").value_or(0.0);
+    form.arm_angle = number("arm_angle").value_or(0.0);
+    form.second_roller_radius = number("second_roller_radius");
+    form.second_offset = number("second_offset");
+    form.second_arm_length = number("second_arm_length");
+    return blank_disk_spec(disk);
 }
 
 }  // namespace
@@ -48,6 +70,7 @@ CamKind disk_kind() {
     for (const Follower& follower : followers) kind.variants.push_back(variant(follower));
     kind.with_angle = "an oscillating follower";
     kind.with_length = "a translating follower";
+    kind.add_given = with_given;
     return kind;
 }
 

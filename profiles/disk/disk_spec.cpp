@@ -95,7 +95,8 @@ Value chosen(const CamSpec& cam, const char* choice, const List& all) {
     const std::string word = cam.choice(choice);
     for (const Value value : all)
         if (word == name_of(value)) return value;
-    throw InputError(fmt::format("a cam of type \"disk\" with {} = \"{}\", which does not exist", choice, word));
+    throw InputError(
+        fmt::format("a cam of type \"disk\" with {} = \"{}\", which does not exist", choice, word));
 }
 
 }  // namespace

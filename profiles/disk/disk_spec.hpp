@@ -66,9 +66,9 @@ struct DiskSpec {
 /// A number that this follower or this form has not; none: there is no such one.
 [[nodiscard]] std::optional<SceneFault> foreign_fault(const DiskSpec& cam);
 
-/// The cam as scenes hold it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the choices
-/// "follower" and "form", a key for every dimension. Throws SceneError for a number that this follower or this form has
-/// not.
+/// The cam as scenes hold it, without formulas (disk_spec of disk_mechanism.hpp adds them): type "disk", the
+/// choices "follower" and "form", a key for every dimension. Throws SceneError for a number that this
+/// follower or this form has not.
 [[nodiscard]] CamSpec blank_disk_spec(const DiskSpec& cam);
 
 /// Back again. Throws InputError for another type, and for a follower or a form that does not exist.

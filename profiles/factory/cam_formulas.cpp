@@ -23,8 +23,9 @@ using Maker = std::shared_ptr<const CamMechanism> (*)(const CamSpec&);
 /// The formulas of each kind: a new kind is its leaf and a line here.
 const std::map<std::string, Maker>& makers() {
     static const std::map<std::string, Maker> all = {
-        {disk_type, disk_formulas},        {remote_type, remote_mechanism},      {barrel_type, spatial_mechanism},
-        {cylindrical_type, spatial_mechanism}, {inverse_type, inverse_mechanism},
+        {disk_type, disk_formulas},        {remote_type, remote_mechanism},
+        {barrel_type, spatial_mechanism},  {cylindrical_type, spatial_mechanism},
+        {inverse_type, inverse_mechanism},
     };
     return all;
 }

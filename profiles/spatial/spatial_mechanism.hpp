@@ -23,8 +23,8 @@ inline constexpr int mechanism_heights = 3;
 /// What CamSpec::make is of the type "barrel" or "cylindrical". Throws InputError for another.
 [[nodiscard]] std::shared_ptr<const CamMechanism> spatial_mechanism(const CamSpec& spec);
 
-/// A scene's cam of this kind with every number at 0, complete: type "barrel" or "cylindrical", the latter with
-/// the choice "follower" = "rotating" or "translating".
+/// A scene's cam of this kind with every number at 0, complete: type "barrel" or "cylindrical", the latter
+/// with the choice "follower" = "rotating" or "translating".
 [[nodiscard]] CamSpec spatial_spec(SpatialFollower follower);
 
 /// The cam with these numbers, in the order of SpatialNumber.

@@ -5,7 +5,6 @@
 
 #include "scene/cam_spec.hpp"
 
-
 namespace camopt {
 
 /// cam.type of such a cam.

@@ -70,23 +70,27 @@ void add_limits(std::vector<Adjustment>& all, const Scene& scene) {
 
 /// What a dimension is measured by.
 double size_of(const CamSpec& cam, const CamDimension& dimension) {
-    constexpr double least_angle = 0.5, least_length = 0.05;  // of a coordinate or an angle that happens to be 0
+    constexpr double least_angle = 0.5,
+                     least_length = 0.05;  // of a coordinate or an angle that happens to be 0
     const double own = std::abs(dimension.value.high);
     if (const Dimension* const base = cam.find(DimensionIndex::base_radius))
         return std::max(own, first_change * base->high);
     return std::max(own, dimension.is_angle ? least_angle : least_length);
 }
 
-/// A larger base circle always helps a follower that is pushed straight; the rest may have to move either way.
+/// A larger base circle always helps a follower that is pushed straight; the rest may have to move either
+/// way.
 bool only_grows(const CamMechanism& formulas, const CamDimension& dimension) {
     return dimension.name == name_of(DimensionIndex::base_radius) && !formulas.swings() &&
            !formulas.binds(MechanismQuantity::pressure_numerator, 1);
 }
 
-/// Arms and radii of a cam with a base circle are positive; what else may be negative is for the formulas to say.
+/// Arms and radii of a cam with a base circle are positive; what else may be negative is for the formulas to
+/// say.
 bool has_sign(const CamSpec& cam, const CamDimension& dimension) {
     if (cam.find(DimensionIndex::base_radius) == nullptr) return true;
-    return dimension.name == name_of(DimensionIndex::offset) || dimension.name == name_of(DimensionIndex::face_offset);
+    return dimension.name == name_of(DimensionIndex::offset) ||
+           dimension.name == name_of(DimensionIndex::face_offset);
 }
 
 void add_dimension(std::vector<Adjustment>& all, const CamSpec& cam, std::size_t index, bool grows_only) {

@@ -76,7 +76,8 @@ std::string general_solver() {
 
 bool is_general(const Scene& scene, SceneModels& models) {
     const bool own = !scene.own_terms.empty() || !scene.own_limits.empty();
-    return (scene.cam.has_value() || scene.objective.torque > 0.0 || own) && needs_starts(models.with_states());
+    return (scene.cam.has_value() || scene.objective.torque > 0.0 || own) &&
+           needs_starts(models.with_states());
 }
 
 // A proof that comes at all comes within these; where doubles end, more of either only take time.

@@ -93,7 +93,8 @@ struct Seen {
         const auto weighs = weighed_figures(objective);
         for (std::size_t i = 0; i < weighs.size(); ++i) figures[i] = figures[i] || weighs[i];
         for (std::size_t i = 0; i < variable.size(); ++i) {
-            const Dimension* const own = scene.cam ? scene.cam->find(static_cast<DimensionIndex>(i)) : nullptr;
+            const Dimension* const own =
+                scene.cam ? scene.cam->find(static_cast<DimensionIndex>(i)) : nullptr;
             if (own == nullptr || !own->is_variable()) continue;
             variable[i] = true;
             weighed[i] = weighed[i] || objective.dimensions[i] > 0.0;

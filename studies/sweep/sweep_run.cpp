@@ -34,7 +34,8 @@ void set_dimensions(SweepRow& row, const Solution& solution) {
         const auto index = static_cast<DimensionIndex>(i);
         const Dimension* const own = solution.scene.cam->find(index);
         if (own != nullptr && own->is_variable())
-            row.dimensions[static_cast<std::size_t>(i)] = finite(delivered_dimension(solution, index).value());
+            row.dimensions[static_cast<std::size_t>(i)] =
+                finite(delivered_dimension(solution, index).value());
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every wrong scene is refused with the words written down for it.
-#include "profiles/factory/cam_formulas.hpp"
 #include "tests/input/broken_scenes.hpp"
 
 #include "core/errors.hpp"
 #include "input/scene_reader.hpp"
+#include "profiles/factory/cam_formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,8 @@ namespace camopt::input {
 namespace broken_scenes_test {
 
 const KnownNames known = {.laws = {"cycloidal", "modified_sine"},
-                          .solvers = {"ipopt", "nlopt.slsqp", "structured"}, .cam_formulas = cam_formulas};
+                          .solvers = {"ipopt", "nlopt.slsqp", "structured"},
+                          .cam_formulas = cam_formulas};
 
 class BrokenScenes : public testing::TestWithParam<BrokenScene> {};
 

@@ -52,9 +52,9 @@ std::vector<BrokenScene> broken_spatial() {
          "\"rotating\" or \"translating\""},
         {"DiskWithACylindersFollower",
          sliding + "[cam]\ntype = \"disk\"\nfollower = \"rotating\"\nbase_radius_mm = 40\n",
-         "s.toml:6:1: cam.follower: found \"rotating\" for a cam of type \"disk\"; allowed: only with "
-         "cam.type "
-         "= \"cylindrical\""},
+         "s.toml:6:12: cam.follower: found \"rotating\" for a cam of type \"disk\"; allowed: "
+         "\"translating_roller\", \"translating_flat\", \"translating_knife\", \"oscillating_roller\" or "
+         "\"oscillating_flat\""},
         {"TranslatingThatSwings", swinging + "[cam]\ntype = \"cylindrical\"\nfollower = \"translating\"\n",
          "s.toml:6:12: cam.follower: found \"translating\" where the lift is an angle; allowed: "
          "\"rotating\", "

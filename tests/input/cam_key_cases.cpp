@@ -116,8 +116,8 @@ void add_form_cases(std::vector<KeyCase>& all) {
     };
     all.push_back({"cam.form", "\"open\"", 1, is("open"), cam(roller)});
     all.push_back({"cam.form", "\"grooved\"", 1, is("grooved"), cam(arm)});
-    all.push_back({"cam.form", "\"conjugate\"", 1, is("conjugate"),
-                   cam(roller) + "cam.roller_distance_mm = 120\n"});
+    all.push_back(
+        {"cam.form", "\"conjugate\"", 1, is("conjugate"), cam(roller) + "cam.roller_distance_mm = 120\n"});
     add_lengths(all, "groove_clearance", 0.002, number("groove_clearance"), groove);
     add_lengths(all, "groove_wall", 0.012, number("groove_wall"), groove);
     add_lengths(all, "roller_distance", 0.12, number("roller_distance"), pair);

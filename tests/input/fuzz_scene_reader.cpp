@@ -13,7 +13,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const camopt::input::KnownNames known = {.laws = {"cycloidal", "modified_sine", "polynomial_345"},
-                                                    .solvers = {"ipopt", "structured"}, .cam_formulas = camopt::cam_formulas};
+                                                    .solvers = {"ipopt", "structured"},
+                                                    .cam_formulas = camopt::cam_formulas};
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const std::size_t zero = text.find('\0');
     std::vector<std::string> overrides;

@@ -29,8 +29,7 @@ std::vector<KeyCase> inverse_cases() {
     using namespace inverse_key_cases;
     std::vector<KeyCase> all = {
         {"cam.type", "\"inverse\"", 1,
-         [](const Scene& s) { return s.cam.value().type == "inverse" ? 1.0 : 0.0; },
-         inverse("cam.type")},
+         [](const Scene& s) { return s.cam.value().type == "inverse" ? 1.0 : 0.0; }, inverse("cam.type")},
     };
     for (int i = 0; i < inverse_number_count; ++i) {
         const std::string name = name_of_number(static_cast<InverseNumber>(i));

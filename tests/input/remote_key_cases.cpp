@@ -32,8 +32,7 @@ std::function<double(const Scene&)> low(RemoteDimension which) {
 }
 
 std::function<double(const Scene&)> chosen(const char* name, const char* value) {
-    return
-        [name, value](const Scene& s) { return s.cam.value().choices.at(name) == value ? 1.0 : 0.0; };
+    return [name, value](const Scene& s) { return s.cam.value().choices.at(name) == value ? 1.0 : 0.0; };
 }
 
 RemoteLinkage linkage_with(RemoteDimension which) {
@@ -47,7 +46,8 @@ std::vector<KeyCase> remote_cases() {
     using namespace remote_key_cases;
     const auto two_dyads = lever_coupler_lever_coupler_slider;
     std::vector<KeyCase> all = {
-        {"cam.type", "\"remote\"", 1, [](const Scene& s) { return s.cam && !s.cam ? 1.0 : 0.0; },
+        {"cam.type", "\"remote\"", 1,
+         [](const Scene& s) { return s.cam.value().type == "remote" ? 1.0 : 0.0; },
          remote(two_dyads, "cam.type")},
         {"linkage.type", "\"lever_coupler_slider\"", 1, chosen("linkage", "lever_coupler_slider"),
          remote(lever_coupler_slider, "linkage.type")},

@@ -42,9 +42,7 @@ std::function<double(const Scene&)> high(SpatialNumber which) {
     };
 }
 std::function<double(const Scene&)> kind(SpatialFollower follower) {
-    return [follower](const Scene& s) {
-        return s.cam && !s.cam && spatial_follower(*s.cam) == follower ? 1.0 : 0.0;
-    };
+    return [follower](const Scene& s) { return s.cam && spatial_follower(*s.cam) == follower ? 1.0 : 0.0; };
 }
 
 }  // namespace spatial_key_cases

@@ -27,7 +27,7 @@ MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
 # What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
-MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles/kinds"} | LEAVES
+MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles", "profiles/kinds"} | LEAVES
 # With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
 MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers", "input",
                                 "profiles/factory"}

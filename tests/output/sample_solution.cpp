@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/disk/disk_mechanism.hpp"
 #include "sample_solution.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/cam/cam_report.hpp"
 #include "studies/delivered/solution_report.hpp"
 

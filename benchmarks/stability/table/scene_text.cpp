@@ -154,8 +154,8 @@ bool has_other_parts(const Scene& scene) {
     bool ranges = false;
     for (const ProgramSegment& segment : scene.motion.segments)
         ranges = ranges || segment.angle_range.has_value();
-    return ranges || (scene.cam && scene.cam->type != disk_type) || scene.dynamics || scene.measured || !scene.own_terms.empty() ||
-           !scene.own_limits.empty() || scene.spline.free_knots ||
+    return ranges || (scene.cam && scene.cam->type != disk_type) || scene.dynamics || scene.measured ||
+           !scene.own_terms.empty() || !scene.own_limits.empty() || scene.spline.free_knots ||
            (scene.cam && scene.cam->formulas()->stations() > 1);
 }
 

@@ -72,9 +72,8 @@ double or_nan(const std::optional<double>& value) {
 /// The same sweep of a file's scene without the C face.
 std::vector<SweepRow> cpp_rows(const std::string& toml, const std::vector<SweepAxis>& cpp_axes) {
     const SweepPlan plan = sweep_grid(cpp_axes);
-    SweepScenes scenes(plan, [&](std::span<const std::string> settings) {
-        return scene_of_toml(toml, settings, "test");
-    });
+    SweepScenes scenes(
+        plan, [&](std::span<const std::string> settings) { return scene_of_toml(toml, settings, "test"); });
     (void)check_rows(scenes);
     const Chunking chunks{plan.rows(), chunk_size_for(plan.rows())};
     std::vector<SweepRow> all;

@@ -14,7 +14,8 @@
 namespace camopt::input {
 namespace scene_document_test {
 
-const KnownNames document_names = {.laws = {"cycloidal", "modified_sine"}, .solvers = {"structured"}, .cam_formulas = cam_formulas};
+const KnownNames document_names = {
+    .laws = {"cycloidal", "modified_sine"}, .solvers = {"structured"}, .cam_formulas = cam_formulas};
 const std::string document_scene =
     "# a comment\n[motion]\ntype = \"DRD\"\nlift_in = 1\n[objective]\njerk = 1\n";
 

@@ -51,7 +51,7 @@ void set_free(CamSpec& spec, Number which) {
 
 using Spatial = std::vector<std::pair<SpatialNumber, double>>;
 CamSpec spatial(SpatialFollower follower, Rotation rotation, const Spatial& numbers,
-                      const std::vector<SpatialNumber>& free) {
+                const std::vector<SpatialNumber>& free) {
     CamSpec spec = spatial_spec(follower);
     spec.rotation = rotation;
     for (const auto& [which, value] : numbers) number_of(spec, which) = Dimension(value);

@@ -85,9 +85,7 @@ void apply(Scene& scene, const Change& change) {
     const auto written = [&](std::optional<WrittenLimit>& limit) {
         limit->value = change.value * limit->unit_value;
     };
-    const auto dimension = [&](DimensionIndex which) {
-        scene.cam->set(which, change.value * millimetre);
-    };
+    const auto dimension = [&](DimensionIndex which) { scene.cam->set(which, change.value * millimetre); };
     const std::map<std::string, std::function<void()>> setters = {
         {"segments", [&] { scene.spline.segments = static_cast<int>(change.value); }},
         {"rise",

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Laws beside the optimum: figures known in closed form, or computed here a second way.
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
+#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/law_motion.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

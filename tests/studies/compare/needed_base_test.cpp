@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The smallest base radius for a given motion, against closed forms of the follower on the cam's axis.
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/compare/needed_base.hpp"
 
 #include "motions/laws/law_catalogue.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is delivered is what is said of it: the objective by its definition from knots and coefficients, every
 // condition, every limit, whatever way the motion was found.
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/delivered/delivered_audit.hpp"
 
+#include "profiles/disk/disk_mechanism.hpp"
 #include "splines/extrema.hpp"
 #include "studies/delivered/delivered_conditions.hpp"
 #include "studies/solve/solve.hpp"

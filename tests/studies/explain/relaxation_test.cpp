@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parts of an explanation: values told on the side that does, finer splines, what no motion can keep,
 // limits that give way together, and the time it may take.
-#include "profiles/disk/disk_mechanism.hpp"
 #include "studies/explain/relaxation.hpp"
 
 #include "profiles/disk/disk_mechanism.hpp"
@@ -137,7 +136,8 @@ TEST(SmallestOfAnyMotion, BoundsRealMotions) {
     scene.motion.type = MotionType::rr;
     scene.motion.rise = 120 * units::degree;
     scene.motion.return_angle = 60 * units::degree;
-    const double bound = smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))))->prime_radius;
+    const double bound =
+        smallest_of_any_motion(scene, disk_mechanism(middle_cam(disk_of(*scene.cam))))->prime_radius;
     scene.cam->set(base_radius, 1.2 * bound - 10e-3);
     EXPECT_TRUE(solve(scene).motion);
     EXPECT_TRUE(kept_by_no_motion(scene).empty());

@@ -148,8 +148,7 @@ TEST(TappetScenes, NoMotionKeepsWhatTheDwellItselfBreaks) {
 
 TEST(TappetScenes, AVariableDimensionIsUsed) {
     Scene scene = tappet_scene(90, 30);
-    Dimension& height =
-        scene.cam->dimensions[static_cast<std::size_t>(RemoteDimension::center_y)].value;
+    Dimension& height = scene.cam->dimensions[static_cast<std::size_t>(RemoteDimension::center_y)].value;
     height.low = -0.02;
     height.high = 0.0;
     scene.solver.starts = 2;

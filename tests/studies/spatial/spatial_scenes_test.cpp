@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Optimised scenes with barrel and cylindrical cams, rebuilt from the delivered motion alone: pressure angle
 // by the short formulas of each mechanism, undercut by the distance of the flank from the roller's sweep.
-#include "input/scene_reader.hpp"
+#include "input/loading/load_scene.hpp"
 #include "profiles/spatial/interference.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/solve/solve.hpp"
@@ -24,8 +24,7 @@ constexpr int fine = 20000;
 
 Solution solved(const std::string& name) {
     const std::string path = std::string(CAMOPT_SOURCE_DIR) + "/scenes/" + name + ".toml";
-    Scene scene =
-        input::read_scene_file(path, {.laws = {"modified_sine"}, .solvers = {"ipopt", "structured"}});
+    Scene scene = load_scene(path);
     // One start finds what all find; and it may take the time it takes.
     scene.solver.starts = 1;
     scene.solver.max_seconds = 600.0;

@@ -3,7 +3,7 @@
 #include "studies/sweep/sweep_plan.hpp"
 
 #include "core/errors.hpp"
-#include "input/scene_reader.hpp"
+#include "input/loading/load_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,7 @@ class Reader {
     SceneReading reading() {
         return [this](std::span<const std::string> settings) {
             ++count;
-            return input::read_scene(text_, "s.toml", {{"modified_sine", "parabolic"}, {"structured"}},
-                                     settings);
+            return scene_of_toml(text_, settings, "s.toml");
         };
     }
     int count = 0;
