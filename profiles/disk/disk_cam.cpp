@@ -2,10 +2,19 @@
 #include "profiles/disk/disk_cam.hpp"
 
 #include "core/errors.hpp"
+#include "profiles/disk/disk_cam_expansion.hpp"
 #include "profiles/disk/disk_cam_formulas.hpp"
 #include "profiles/disk/disk_sides.hpp"
+#include "profiles/disk/quantity_algebra.hpp"
+#include "profiles/disk/quantity_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 namespace camopt {
 namespace {
@@ -133,6 +142,293 @@ double rest_position(const DiskCam& cam) {
             return formulas::translating_roller_start(cam[base_radius], cam[offset]);
     }
     throw ModelError("a follower of no known type");
+}
+
+}  // namespace camopt
+
+namespace camopt {
+namespace {
+
+// Whether one cam can be built: at rest, and over the whole range of its motion. Every distance below grows
+// with s as long as the conditions before it hold, so the two extremes of s decide.
+
+std::string length_text(double value) {
+    return fmt::format("{:.6g} mm", value / 1e-3);
+}
+std::string angle_text(double value) {
+    return fmt::format("{:.6g} deg", value * 180.0 / std::numbers::pi);
+}
+
+std::string dimension_fault(const DiskCam& cam) {
+    for (int i = 0; i < dimension_count; ++i) {
+        const auto index = static_cast<DimensionIndex>(i);
+        if (!has_dimension(cam.follower, index)) continue;
+        if (!std::isfinite(cam[index])) return fmt::format("the {} is not a number", name_of(index));
+        const bool has_sign = index == offset || index == face_offset;
+        if (!has_sign && !(cam[index] > 0.0))
+            return fmt::format("the {} of {} is not positive", name_of(index), length_text(cam[index]));
+    }
+    return {};
+}
+
+/// The roller's circle (the knife's edge) leaves room for the cam's centre.
+std::string center_fault(double distance, double radius) {
+    if (distance > radius) return {};
+    return fmt::format("at its lowest the follower's centre is {} from the cam centre and its radius is {}",
+                       length_text(distance), length_text(radius));
+}
+
+std::string translating_roller_fault(const DiskCam& cam, double least) {
+    const double radius = has_roller(cam.follower) ? cam[roller_radius] : 0.0;
+    const double prime = cam[base_radius] + radius;
+    if (!(std::abs(cam[offset]) < prime))
+        return fmt::format("the offset of {} is not below the prime radius of {}", length_text(cam[offset]),
+                           length_text(prime));
+    const double height = formulas::translating_roller_start(prime, cam[offset]) + least;
+    if (!(height > 0.0))
+        return fmt::format("at its lowest the follower is {} above the cam centre", length_text(height));
+    return center_fault(std::hypot(height, cam[offset]), radius);
+}
+
+std::string translating_flat_fault(const DiskCam& cam, double least) {
+    const double height = cam[base_radius] + least;
+    if (height > 0.0) return {};
+    return fmt::format("at its lowest the face is {} above the cam centre", length_text(height));
+}
+
+std::string oscillating_roller_fault(const DiskCam& cam, double least, double most) {
+    const double a = cam[center_distance], l = cam[arm_length], radius = cam[roller_radius];
+    const double prime = cam[base_radius] + radius;
+    if (!(std::abs(a - l) < prime && prime < a + l))
+        return fmt::format("a prime radius of {} does not lie between {} and {}, what the arm reaches",
+                           length_text(prime), length_text(std::abs(a - l)), length_text(a + l));
+    const double start = formulas::oscillating_roller_start(prime, a, l);
+    if (!(start + least > 0.0 && start + most < std::numbers::pi))
+        return fmt::format("the arm swings from {} to {} and passes the line of centres",
+                           angle_text(start + least), angle_text(start + most));
+    return center_fault(std::sqrt(a * a + l * l - 2.0 * a * l * std::cos(start + least)), radius);
+}
+
+std::string oscillating_flat_fault(const DiskCam& cam, double least, double most) {
+    const double a = cam[center_distance], f = cam[face_offset];
+    if (!(std::abs(cam[base_radius] + f) < a))
+        return fmt::format(
+            "base radius and face offset together, {}, are not below the center distance of {}",
+            length_text(cam[base_radius] + f), length_text(a));
+    const double start = formulas::oscillating_flat_start(cam[base_radius], a, f);
+    const double right_angle = 0.5 * std::numbers::pi;
+    if (!(start + least > -right_angle && start + most < right_angle))
+        return fmt::format("the face swings from {} to {}, beyond a right angle to the line of centres",
+                           angle_text(start + least), angle_text(start + most));
+    const double height = a * std::sin(start + least) - f;
+    if (height > 0.0) return {};
+    return fmt::format("at its lowest the face is {} above the cam centre", length_text(height));
+}
+
+std::string one_disk_fault(const DiskCam& cam, double least, double most) {
+    if (std::string fault = dimension_fault(cam); !fault.empty()) return fault;
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return translating_roller_fault(cam, least);
+        case FollowerType::translating_flat:
+            return translating_flat_fault(cam, least);
+        case FollowerType::oscillating_roller:
+            return oscillating_roller_fault(cam, least, most);
+        case FollowerType::oscillating_flat:
+            return oscillating_flat_fault(cam, least, most);
+    }
+    throw ModelError("a follower of no known type");
+}
+
+/// Inside the groove, and on the cam's other side.
+std::string form_fault(const DiskCam& cam, double least, double most) {
+    if (cam.form.is_grooved()) {
+        const double inner = cam[base_radius] - 0.5 * cam.form.groove_clearance;
+        if (inner > 0.0) return {};
+        return fmt::format("the groove's clearance leaves the inner flank a base circle of {}",
+                           length_text(inner));
+    }
+    if (!cam.form.is_conjugate()) return {};
+    const double rest = second_rest_position(cam);
+    const bool swings = is_oscillating(cam.follower);
+    if (!(rest - most > 0.0) || (swings && !(rest - least < std::numbers::pi)))
+        return fmt::format(
+            "the second roller would pass the {}: {} is left where the follower stands highest",
+            swings ? "line of centres" : "cam centre",
+            swings ? angle_text(rest - most) : length_text(rest - most));
+    const std::string fault = one_disk_fault(second_disk(cam), -most, -least);
+    return fault.empty() ? fault : "second disk: " + fault;
+}
+
+}  // namespace
+
+std::string geometry_fault(const DiskCam& cam, double least, double most) {
+    std::string fault = one_disk_fault(cam, least, most);
+    return fault.empty() ? form_fault(cam, least, most) : fault;
+}
+
+}  // namespace camopt
+
+namespace camopt::expansion {
+namespace {
+
+// Where the follower stands on the base circle, by the dimensions.
+
+
+/// The start as a function of the prime radius (base radius without a roller) and further dimensions.
+template <int count>
+QuantityValue by_dimensions(const DiskCam& cam, const SecondOrder<count + 1>& start,
+                            const std::array<DimensionIndex, static_cast<std::size_t>(count)>& further) {
+    Jacobian<count + 1> jacobian = Jacobian<count + 1>::Zero();
+    jacobian(0, column_of(base_radius)) = 1.0;
+    if (has_roller(cam.follower)) jacobian(0, column_of(roller_radius)) = 1.0;
+    int row = 0;
+    for (const DimensionIndex dimension : further) jacobian(++row, column_of(dimension)) = 1.0;
+    return Expansion<count + 1>(start).substituted(jacobian);
+}
+
+QuantityValue translating_roller_start(const DiskCam& cam, double prime_radius) {
+    const auto prime = variable<2>(prime_radius, 0), offset_variable = variable<2>(cam[offset], 1);
+    return by_dimensions<1>(cam, formulas::translating_roller_start(prime, offset_variable), {offset});
+}
+
+QuantityValue oscillating_roller_start(const DiskCam& cam, double prime_radius) {
+    const auto prime = variable<3>(prime_radius, 0), distance = variable<3>(cam[center_distance], 1),
+               arm = variable<3>(cam[arm_length], 2);
+    return by_dimensions<2>(cam, formulas::oscillating_roller_start(prime, distance, arm),
+                            {center_distance, arm_length});
+}
+
+QuantityValue oscillating_flat_start(const DiskCam& cam) {
+    const auto base = variable<3>(cam[base_radius], 0), distance = variable<3>(cam[center_distance], 1),
+               face = variable<3>(cam[face_offset], 2);
+    return by_dimensions<2>(cam, formulas::oscillating_flat_start(base, distance, face),
+                            {center_distance, face_offset});
+}
+
+}  // namespace
+
+QuantityValue start_of(const DiskCam& cam) {
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+            return translating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
+        case FollowerType::translating_knife:
+            return translating_roller_start(cam, cam[base_radius]);
+        case FollowerType::translating_flat:
+            return variable_quantity(cam[base_radius], column_of(base_radius));
+        case FollowerType::oscillating_roller:
+            return oscillating_roller_start(cam, cam[base_radius] + cam[roller_radius]);
+        case FollowerType::oscillating_flat:
+            return oscillating_flat_start(cam);
+    }
+    throw ModelError("quantity: a follower of no known type");
+}
+
+}  // namespace camopt::expansion
+
+namespace camopt {
+namespace {
+
+// What limits speak of, with first and second partials.
+
+using expansion::acceleration_column, expansion::velocity_column;
+using expansion::Expander, expansion::Local;
+
+/// Slope of a linear quantity by the variable of that column.
+struct Term {
+    int column = 0;
+    double slope = 0.0;
+};
+
+template <std::size_t count>
+QuantityValue linear(double value, const std::array<Term, count>& terms) {
+    QuantityValue result = constant_quantity(value);
+    for (const Term& term : terms) result.gradient(term.column) = term.slope;
+    return result;
+}
+
+/// Of the arm: σψ', ψ'', and two of its dimensions.
+std::array<Local, 4> arm_locals(const DiskCam& cam, DimensionIndex first, DimensionIndex second) {
+    return {{{velocity_column, sense_of(cam.rotation)},
+             {acceleration_column},
+             {column_of(first)},
+             {column_of(second)}}};
+}
+
+/// `locals` make the roller with its position. The regularity follows from the curvature: expanded in the
+/// roller's radius too it would cost half as much again.
+template <template <class> class Roller, std::size_t count>
+QuantityValue roller_quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which,
+                              const std::array<Local, count>& locals) {
+    const bool regular = which == MechanismQuantity::regularity && has_roller(cam.follower);
+    const MechanismQuantity expanded = regular ? MechanismQuantity::pitch_curvature : which;
+    QuantityValue found =
+        Expander(cam, state).expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+            return formulas::quantity_of_roller<T>(cam.follower, Roller<T>{position, rest...}, T(0.0),
+                                                   expanded);
+        });
+    if (!regular) return found;
+    return formulas::regularity_of(variable_quantity(surface_offset(cam, 0), column_of(roller_radius)),
+                                   found);
+}
+
+QuantityValue translating_roller_quantity(const DiskCam& cam, const FollowerState& state,
+                                          MechanismQuantity which) {
+    const double sense = sense_of(cam.rotation);
+    // Linear in the motion: exact, and cheaper than the expansion.
+    if (which == MechanismQuantity::pressure_numerator)
+        return linear(state.velocity - sense * cam[offset],
+                      std::array<Term, 2>{{{velocity_column, 1.0}, {column_of(offset), -sense}}});
+    if (which == MechanismQuantity::pressure_denominator) return Expander(cam, state).position();
+    const std::array<Local, 3> locals = {
+        {{velocity_column}, {acceleration_column}, {column_of(offset), sense}}};
+    return roller_quantity<formulas::TranslatingRoller>(cam, state, which, locals);
+}
+
+QuantityValue translating_flat_quantity(const DiskCam& cam, const FollowerState& state,
+                                        MechanismQuantity which) {
+    const std::array<Local, 3> locals = {
+        {{velocity_column, sense_of(cam.rotation)}, {acceleration_column}, {column_of(base_radius)}}};
+    return Expander(cam, state)
+        .expand(locals,
+                [&]<class T>(const T& height, const T& velocity, const T& acceleration, const T& base) {
+                    return formulas::quantity_of_face<T>(base, height, velocity, acceleration, which);
+                });
+}
+
+QuantityValue oscillating_flat_quantity(const DiskCam& cam, const FollowerState& state,
+                                        MechanismQuantity which) {
+    const Expander expander(cam, state);
+    const auto locals = arm_locals(cam, center_distance, face_offset);
+    if (which != MechanismQuantity::regularity)
+        return expander.expand(locals, [&]<class T>(const T& position, const auto&... rest) {
+            return formulas::quantity_of_face_arm<T>(T(1.0), {position, rest...}, which);
+        });
+    std::array<Local, 5> all;
+    all[0] = {column_of(base_radius)};
+    std::ranges::copy(locals, all.begin() + 1);
+    return expander.expand(all, [&]<class T>(const T& position, const T& base, const auto&... rest) {
+        return formulas::quantity_of_face_arm<T>(base, {position, rest...}, which);
+    });
+}
+
+}  // namespace
+
+QuantityValue quantity(const DiskCam& cam, const FollowerState& state, MechanismQuantity which) {
+    switch (cam.follower) {
+        case FollowerType::translating_roller:
+        case FollowerType::translating_knife:
+            return translating_roller_quantity(cam, state, which);
+        case FollowerType::translating_flat:
+            return translating_flat_quantity(cam, state, which);
+        case FollowerType::oscillating_roller:
+            return roller_quantity<formulas::OscillatingRoller>(cam, state, which,
+                                                                arm_locals(cam, center_distance, arm_length));
+        case FollowerType::oscillating_flat:
+            return oscillating_flat_quantity(cam, state, which);
+    }
+    throw ModelError("quantity: a follower of no known type");
 }
 
 }  // namespace camopt

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The pages docs/adding_*.md, walked: what they say is done, with the files they name and no others.
 
-walk.py ROOT check          every edit is in a file its page names, and fits the tree (a test of ctest)
+walk.py ROOT check          every edit is in a file its page names, fits the tree, and no more files are touched than a
+                            thing may (most_files) (a test of ctest)
 walk.py ROOT build FOLDER   copies the tree there, does all of it, builds camopt and runs what each adds
 """
 import pathlib
@@ -36,6 +37,9 @@ def faults(root: pathlib.Path, name: str, thing: dict) -> list[str]:
         times = (root / edit["file"]).read_text().count(edit["find"])
         if times != 1:
             found.append(f"{name}: {edit['file']} has {times} times, not once: {edit['find']!r}")
+    files = {part["file"] for part in thing.get("edit", []) + thing.get("new", [])}
+    if len(files) > thing.get("most_files", len(files)):
+        found.append(f"{name}: touches {len(files)} files; allowed: {thing['most_files']}: {', '.join(sorted(files))}")
     if not thing.get("run"):
         found.append(f"{name}: nothing is run")
     return found
