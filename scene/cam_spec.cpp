@@ -14,7 +14,11 @@ const char* name_of(Rotation value) {
 }
 
 std::shared_ptr<const CamMechanism> CamSpec::formulas() const {
-    if (!make) throw ModelError(fmt::format("a cam of type \"{}\" without formulas", type));
+    if (!make)
+        throw InputError(
+            fmt::format("cam: found a cam of type \"{}\" without formulas; allowed: one that was read, "
+                        "or that its kind has made (disk_spec, remote_spec, …)",
+                        type));
     return make(*this);
 }
 

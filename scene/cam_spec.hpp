@@ -54,8 +54,8 @@ struct CamSpec {
     /// Makes the formulas of this kind.
     std::function<std::shared_ptr<const CamMechanism>(const CamSpec& spec)> make = {};
 
-    /// Of these choices and numbers, made anew by every call. Throws InputError for a choice that does not
-    /// exist.
+    /// Of these choices and numbers, made anew by every call. Throws InputError without `make`, and for a
+    /// choice that does not exist.
     [[nodiscard]] std::shared_ptr<const CamMechanism> formulas() const;
     /// Every dimension, of a range its middle.
     [[nodiscard]] std::vector<double> middle() const;

@@ -48,7 +48,7 @@ std::vector<BrokenScene> broken_mechanisms() {
                   "coupler_mm = 100\nslider_x_mm = 0\nslider_y_mm = 0\n",
          "s.toml:12:1: linkage.second_coupler_mm: found a key that the linkage \"lever_coupler_slider\" does "
          "not "
-         "have; allowed: leave it out"},
+         "have; allowed: only with \"lever_coupler_lever_coupler_slider\""},
         {"UnknownBranch", remote + "[linkage]\ntype = \"lever_coupler_slider\"\nlever_branch = \"up\"\n",
          "s.toml:12:16: linkage.lever_branch: found \"up\"; allowed: \"left\" or \"right\""},
     };

@@ -62,7 +62,7 @@ std::vector<BrokenScene> broken_spatial() {
         {"TranslatingWithAnArm",
          sliding + "[cam]\ntype = \"cylindrical\"\nfollower = \"translating\"\narm_length_mm = 70\n",
          "s.toml:7:1: cam.arm_length_mm: found a key that this cam (\"cylindrical_translating\") does not "
-         "have; allowed: leave it out"},
+         "have; allowed: only with \"rotating\""},
         {"DiskWithARollerLength",
          sliding + "[cam]\ntype = \"disk\"\nfollower = \"translating_knife\"\nbase_radius_mm = "
                    "40\nroller_length_mm = 20\n",

@@ -178,7 +178,10 @@ TEST(TappetScenes, AMechanismThatDoesNotReachIsRefusedWithTheDyad) {
 TEST(TappetScenes, FormulasAreNotTakenForGranted) {
     Scene scene = tappet_scene(75, 30);
     scene.cam->make = nullptr;
-    EXPECT_EQ(refusal([&] { (void)solve(scene); }), "a cam of type \"remote\" without formulas");
+    EXPECT_EQ(
+        refusal([&] { (void)solve(scene); }),
+        "cam: found a cam of type \"remote\" without formulas; allowed: one that was read, or that its kind "
+        "has made (disk_spec, remote_spec, …)");
 }
 
 }  // namespace tappet_scenes_test
