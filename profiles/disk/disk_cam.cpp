@@ -275,7 +275,6 @@ namespace {
 
 // Where the follower stands on the base circle, by the dimensions.
 
-
 /// The start as a function of the prime radius (base radius without a roller) and further dimensions.
 template <int count>
 QuantityValue by_dimensions(const DiskCam& cam, const SecondOrder<count + 1>& start,
