@@ -259,7 +259,7 @@ TEST(SceneReader, ADimensionRemembersHowItWasWritten) {
     const Dimension& base = *scene.cam.value().find(DimensionIndex::base_radius);
     EXPECT_FALSE(base.is_variable());
     EXPECT_EQ(base.key, "cam.base_radius_mm");
-    EXPECT_EQ(scene.cam.value().find(DimensionIndex::roller_radius)->high, 0.0);
+    EXPECT_EQ(scene.cam.value().find(DimensionIndex::roller_radius), nullptr);
 }
 
 TEST(SceneReader, TheSceneRemembersTheUnitOfItsLengths) {

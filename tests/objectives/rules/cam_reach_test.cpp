@@ -43,8 +43,8 @@ CamModel model_of(const Scene& scene) {
 DiskCam cam_of(const Scene& scene, const std::array<double, dimension_count>& values) {
     DiskCam cam = middle_cam(disk_of(*scene.cam));
     for (int d = 0; d < dimension_count; ++d) {
-        const auto which = static_cast<DimensionIndex>(d);
-        if (scene.cam->find(which)->is_variable()) cam.dimensions[static_cast<std::size_t>(d)] = values[d];
+        const Dimension* const own = scene.cam->find(static_cast<DimensionIndex>(d));
+        if (own != nullptr && own->is_variable()) cam.dimensions[static_cast<std::size_t>(d)] = values[d];
     }
     return cam;
 }
@@ -100,8 +100,9 @@ TEST(CamReach, IsARowWhereDimensionsAreFree) {
             for (int draw = 0; draw < 50; ++draw) {
                 std::array<double, dimension_count> values{};
                 for (int d = 0; d < dimension_count; ++d) {
-                    const Dimension& dimension = *scene.cam->find(static_cast<DimensionIndex>(d));
-                    values[static_cast<std::size_t>(d)] = random.between(dimension.low, dimension.high);
+                    const Dimension* const own = scene.cam->find(static_cast<DimensionIndex>(d));
+                    if (own != nullptr)
+                        values[static_cast<std::size_t>(d)] = random.between(own->low, own->high);
                 }
                 const DiskCam cam = cam_of(scene, values);
                 const bool buildable = geometry_fault(cam, 0.0, 0.0).empty();
