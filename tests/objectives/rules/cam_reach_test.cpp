@@ -101,8 +101,8 @@ TEST(CamReach, IsARowWhereDimensionsAreFree) {
                 std::array<double, dimension_count> values{};
                 for (int d = 0; d < dimension_count; ++d) {
                     const Dimension* const own = scene.cam->find(static_cast<DimensionIndex>(d));
-                    if (own != nullptr)
-                        values[static_cast<std::size_t>(d)] = random.between(own->low, own->high);
+                    const Dimension dimension = own != nullptr ? *own : Dimension();
+                    values[static_cast<std::size_t>(d)] = random.between(dimension.low, dimension.high);
                 }
                 const DiskCam cam = cam_of(scene, values);
                 const bool buildable = geometry_fault(cam, 0.0, 0.0).empty();
