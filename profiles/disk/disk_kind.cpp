@@ -49,14 +49,7 @@ CamSpec with_given(const CamSpec& spec, const std::map<std::string, double>& giv
         return found == given.end() ? std::nullopt : std::optional(found->second);
     };
     disk.face_half_width = number("face_half_width");
-    FormSpec& form = disk.form;
-    form.groove_clearance = number("groove_clearance").value_or(0.0);
-    form.groove_wall = number("groove_wall");
-    form.roller_distance = number("roller_distance").value_or(0.0);
-    form.arm_angle = number("arm_angle").value_or(0.0);
-    form.second_roller_radius = number("second_roller_radius");
-    form.second_offset = number("second_offset");
-    form.second_arm_length = number("second_arm_length");
+    set_numbers(disk.form, number);
     return blank_disk_spec(disk);
 }
 

@@ -141,6 +141,16 @@ std::vector<CamDimension> form_dimensions(FollowerType follower, const FormSpec&
     return all;
 }
 
+void set_numbers(FormSpec& form, const FormNumbers& given) {
+    form.groove_clearance = given("groove_clearance").value_or(0.0);
+    form.groove_wall = given("groove_wall");
+    form.roller_distance = given("roller_distance").value_or(0.0);
+    form.arm_angle = given("arm_angle").value_or(0.0);
+    form.second_roller_radius = given("second_roller_radius");
+    form.second_offset = given("second_offset");
+    form.second_arm_length = given("second_arm_length");
+}
+
 CamSpec blank_disk_spec(const DiskSpec& cam) {
     if (const Fault fault = foreign_fault(cam)) throw SceneError(*fault);
     CamSpec spec;
@@ -177,14 +187,7 @@ DiskSpec disk_of(const CamSpec& cam) {
         const Dimension* const found = cam.find(name);
         return found ? std::optional(found->low) : std::nullopt;
     };
-    FormSpec& form = disk.form;
-    form.groove_clearance = given("groove_clearance").value_or(0.0);
-    form.groove_wall = given("groove_wall");
-    form.roller_distance = given("roller_distance").value_or(0.0);
-    form.arm_angle = given("arm_angle").value_or(0.0);
-    form.second_roller_radius = given("second_roller_radius");
-    form.second_offset = given("second_offset");
-    form.second_arm_length = given("second_arm_length");
+    set_numbers(disk.form, given);
     return disk;
 }
 

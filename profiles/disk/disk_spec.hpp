@@ -5,6 +5,7 @@
 #include "scene/cam_spec.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -62,6 +63,11 @@ struct DiskSpec {
 
 /// The numbers of the form that are given, as fixed dimensions with their keys.
 [[nodiscard]] std::vector<CamDimension> form_dimensions(FollowerType follower, const FormSpec& form);
+
+/// A number of a form by its name ("groove_wall"), m or rad; none: it is not given.
+using FormNumbers = std::function<std::optional<double>(const char* name)>;
+/// All of them; what is not given is 0 or none.
+void set_numbers(FormSpec& form, const FormNumbers& given);
 
 /// A number that this follower or this form has not; none: there is no such one.
 [[nodiscard]] std::optional<SceneFault> foreign_fault(const DiskSpec& cam);
