@@ -221,9 +221,9 @@ class CamMechanism {
     /// Why it cannot be built or cannot move over all s from `least` to `most`; empty: it can.
     [[nodiscard]] virtual std::string fault(std::span<const double> dimensions, double least,
                                             double most) const = 0;
-    /// The first thing wrong with a scene's cam of this kind, whatever its dimensions are within their
-    /// ranges; by default: a range that does not ascend, a lift that does not fit, a mechanism that does not
-    /// reach with every dimension in its middle.
+    /// The first thing wrong with a scene's cam of this kind, for every choice of its dimensions within
+    /// their ranges; by default: a range that does not ascend, a lift that does not fit, a mechanism that
+    /// does not reach with every dimension in its middle.
     [[nodiscard]] virtual std::optional<SceneFault> find_fault(const CamSpec& spec,
                                                                const MotionSpec& motion) const;
     /// active: which dimensions the partials are by.

@@ -39,6 +39,10 @@ std::string CamSpec::choice(const std::string& name) const {
     return found == choices.end() ? std::string() : found->second;
 }
 
+void refuse_choice(const std::string& name, const std::string& found, const std::string& allowed) {
+    throw InputError(fmt::format("{}: found \"{}\"; allowed: {}", name, found, allowed));
+}
+
 void CamSpec::set(std::string_view name, const Dimension& value) {
     const auto found = std::ranges::find(dimensions, name, &CamDimension::name);
     if (found == dimensions.end()) {

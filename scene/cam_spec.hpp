@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene, of whatever kind: its type, numbers and choices, and the formulas that they make. A
+// The cam of a scene, of any kind: its type, numbers and choices, and the formulas that they make. A
 // leaf of profiles/ makes one of its kind (disk_spec, remote_spec, spatial_spec, inverse_spec); the reader of
 // scene files makes any that its program knows. SI units and radians.
 #pragma once
@@ -69,6 +69,23 @@ struct CamSpec {
     void set(std::string_view name, const Dimension& value);
     void set(DimensionIndex index, const Dimension& value) { set(name_of(index), value); }
 };
+
+/// Throws InputError "linkage: found "…"; allowed: …".
+[[noreturn]] void refuse_choice(const std::string& name, const std::string& found,
+                                const std::string& allowed);
+
+/// The one among `all`, an array, whose name_of is the word chosen under that name. Throws InputError where
+/// none is.
+template <class Choices>
+[[nodiscard]] auto chosen(const CamSpec& cam, const std::string& name, const Choices& all) {
+    const std::string word = cam.choice(name);
+    std::string allowed;
+    for (const auto value : all) {
+        if (word == name_of(value)) return value;
+        allowed += std::string(allowed.empty() ? "" : ", ") + "\"" + name_of(value) + "\"";
+    }
+    refuse_choice(name, word, allowed);
+}
 
 /// What the follower carries. Translating: F = mass ω² s'' + spring_rate s + preload, in kg, N/m, N.
 /// Oscillating: the moment M = mass ω² ψ'' + spring_rate (ψ − ψ₀) + preload, in kg m², N m/rad, N m.

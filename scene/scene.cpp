@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace camopt {
 
 const char* name_of(SegmentKind value) {
@@ -29,6 +31,16 @@ double MotionSpec::unit_angle() const {
         if (segment.kind == SegmentKind::spline) return segment.angle;
     }
     return segments.empty() ? rise : segments.front().angle;
+}
+
+std::pair<double, double> MotionSpec::displacements() const {
+    if (type != MotionType::program) return {0.0, lift};
+    double least = 0.0, most = 0.0;
+    for (const ProgramSegment& segment : segments) {
+        least = std::min(least, segment.to.value_or(0.0));
+        most = std::max(most, segment.to.value_or(0.0));
+    }
+    return {lift * least, lift * most};
 }
 
 double MotionSpec::length() const {

@@ -85,6 +85,9 @@ struct MotionSpec {
     [[nodiscard]] double unit_angle() const;
     /// Length of the motion in x: 1 for DRD, 1 + return / rise for RR, all angles / unit angle for a program.
     [[nodiscard]] double length() const;
+    /// The least and the largest displacement that is given, m or rad: 0 and the lift, of a program those of
+    /// its segments.
+    [[nodiscard]] std::pair<double, double> displacements() const;
 };
 
 struct SplineSpec {

@@ -185,14 +185,6 @@ Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_c
                     second / shown_mm)};
 }
 
-/// The largest displacement that the scene gives, SI.
-double highest_of(const MotionSpec& motion) {
-    if (motion.type != MotionType::program) return motion.lift;
-    double most = 0.0;
-    for (const ProgramSegment& segment : motion.segments) most = std::max(most, segment.to.value_or(0.0));
-    return motion.lift * most;
-}
-
 Fault groove_fault(const DiskSpec& cam) {
     const double inner = cam[base_radius].low - 0.5 * cam.form.groove_clearance;
     if (inner > 0.0) return std::nullopt;
@@ -212,7 +204,7 @@ Fault form_fault(const DiskSpec& cam, const MotionSpec& motion) {
                           fmt::format("{} for a cam of form \"conjugate\"", whole),
                           swings ? "the angle between the arms, above 0"
                                  : "the distance between the rollers' axes, above 0"};
-    const double highest = highest_of(motion);
+    const double highest = motion.displacements().second;
     for (const auto& corner : corners_of(cam))
         if (Fault fault =
                 swings ? second_arm_fault(cam, corner, highest) : second_slide_fault(cam, corner, highest))

@@ -9,7 +9,7 @@
 
 namespace camopt {
 
-/// The first thing wrong with it, whatever its dimensions are within their ranges; none: nothing is.
+/// The first thing wrong with it for every choice of its dimensions within their ranges; none: nothing is.
 [[nodiscard]] std::optional<SceneFault> disk_fault(const DiskSpec& cam, const MotionSpec& motion);
 
 }  // namespace camopt

@@ -90,15 +90,6 @@ void complete_key(Dimension& dimension, const char* name) {
     dimension.unit = spelling->factor;
 }
 
-template <class Value, class List>
-Value chosen(const CamSpec& cam, const char* choice, const List& all) {
-    const std::string word = cam.choice(choice);
-    for (const Value value : all)
-        if (word == name_of(value)) return value;
-    throw InputError(
-        fmt::format("a cam of type \"disk\" with {} = \"{}\", which does not exist", choice, word));
-}
-
 }  // namespace
 
 const char* name_of(CamForm value) {
@@ -175,11 +166,10 @@ DiskSpec disk_of(const CamSpec& cam) {
     DiskSpec disk;
     std::array<FollowerType, followers.size()> types{};
     std::ranges::transform(followers, types.begin(), &Follower::type);
-    disk.follower = chosen<FollowerType>(cam, "follower", types);
+    disk.follower = chosen(cam, "follower", types);
     disk.rotation = cam.rotation;
     disk.face_half_width = cam.face_half_width;
-    disk.form.type =
-        chosen<CamForm>(cam, "form", std::array{CamForm::open, CamForm::grooved, CamForm::conjugate});
+    disk.form.type = chosen(cam, "form", std::array{CamForm::open, CamForm::grooved, CamForm::conjugate});
     for (int i = 0; i < dimension_count; ++i)
         if (const Dimension* const found = cam.find(static_cast<DimensionIndex>(i)))
             disk.dimensions[static_cast<std::size_t>(i)] = *found;

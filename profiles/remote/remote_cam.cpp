@@ -6,31 +6,15 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
+#include <array>
 
 namespace camopt {
 namespace {
 
-const std::string& choice_of(const CamSpec& spec, const char* name) {
-    const auto found = spec.choices.find(name);
-    if (found == spec.choices.end())
-        throw InputError(fmt::format("{}: missing in a cam of type \"remote\"", name));
-    return found->second;
-}
-
-template <class Enum>
-Enum chosen(const CamSpec& spec, const char* name, std::initializer_list<Enum> all) {
-    const std::string& text = choice_of(spec, name);
-    std::string allowed;
-    for (const Enum value : all) {
-        if (text == name_of(value)) return value;
-        allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : ", ", name_of(value));
-    }
-    throw InputError(fmt::format("{}: found \"{}\"; allowed: {}", name, text, allowed));
-}
-
 double sign_of_branch(const CamSpec& spec, const char* name) {
-    return chosen(spec, name, {RemoteBranch::left, RemoteBranch::right}) == RemoteBranch::left ? 1.0 : -1.0;
+    return chosen(spec, name, std::array{RemoteBranch::left, RemoteBranch::right}) == RemoteBranch::left
+               ? 1.0
+               : -1.0;
 }
 
 Eigen::Vector3d in_cam_frame(const remote::Vector<double>& fixed, double turn) {
@@ -41,13 +25,13 @@ Eigen::Vector3d in_cam_frame(const remote::Vector<double>& fixed, double turn) {
 }  // namespace
 
 RemoteCam::RemoteCam(const CamSpec& spec)
-    : linkage_(
-          chosen(spec, "linkage",
-                 {RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider,
-                  RemoteLinkage::lever_coupler_lever, RemoteLinkage::lever_coupler_lever_coupler_slider})),
+    : linkage_(chosen(
+          spec, "linkage",
+          std::array{RemoteLinkage::lever, RemoteLinkage::lever_coupler_slider,
+                     RemoteLinkage::lever_coupler_lever, RemoteLinkage::lever_coupler_lever_coupler_slider})),
       rotation_(spec.rotation),
-      pressure_point_(
-          chosen(spec, "pressure_angle_at", {PressurePoint::roller_center, PressurePoint::contact_point})),
+      pressure_point_(chosen(spec, "pressure_angle_at",
+                             std::array{PressurePoint::roller_center, PressurePoint::contact_point})),
       lever_branch_(sign_of_branch(spec, "lever_branch")),
       rocker_branch_(sign_of_branch(spec, "rocker_branch")) {
     if (spec.dimensions.size() != remote_dimension_count)

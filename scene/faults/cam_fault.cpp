@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace camopt {
@@ -34,17 +33,6 @@ Fault foreign_limit(const Scene& scene, const CamMechanism& cam) {
     return std::nullopt;
 }
 
-/// Displacements given by the scene, SI.
-std::pair<double, double> displacements(const MotionSpec& motion) {
-    if (motion.type != MotionType::program) return {0.0, motion.lift};
-    double least = 0.0, most = 0.0;
-    for (const ProgramSegment& segment : motion.segments) {
-        least = std::min(least, segment.to.value_or(0.0));
-        most = std::max(most, segment.to.value_or(0.0));
-    }
-    return {motion.lift * least, motion.lift * most};
-}
-
 }  // namespace
 
 std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const MotionSpec& motion) const {
@@ -54,7 +42,7 @@ std::optional<SceneFault> CamMechanism::find_fault(const CamSpec& spec, const Mo
         return SceneFault{"motion.lift", motion.lift_is_angle ? "an angle" : "a length",
                           fmt::format("{} for this mechanism, whose output {}",
                                       swings() ? "an angle" : "a length", swings() ? "swings" : "slides")};
-    const auto [least, most] = displacements(motion);
+    const auto [least, most] = motion.displacements();
     if (std::string found = fault(spec.middle(), least, most); !found.empty())
         return SceneFault{"cam", found,
                           "a mechanism that reaches (ranges: with every dimension in its middle)"};

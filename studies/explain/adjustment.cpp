@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace camopt {
@@ -85,12 +87,18 @@ bool only_grows(const CamMechanism& formulas, const CamDimension& dimension) {
            !formulas.binds(MechanismQuantity::pressure_numerator, 1);
 }
 
+std::optional<DimensionIndex> index_named(const std::string& name) {
+    for (int d = 0; d < dimension_count; ++d)
+        if (name == name_of(static_cast<DimensionIndex>(d))) return static_cast<DimensionIndex>(d);
+    return {};
+}
+
 /// Arms and radii of a cam with a base circle are positive; what else may be negative is for the formulas to
 /// say.
 bool has_sign(const CamSpec& cam, const CamDimension& dimension) {
     if (cam.find(DimensionIndex::base_radius) == nullptr) return true;
-    return dimension.name == name_of(DimensionIndex::offset) ||
-           dimension.name == name_of(DimensionIndex::face_offset);
+    const std::optional<DimensionIndex> index = index_named(dimension.name);
+    return index && is_offset(*index);
 }
 
 void add_dimension(std::vector<Adjustment>& all, const CamSpec& cam, std::size_t index, bool grows_only) {
@@ -120,9 +128,7 @@ void add_dimension(std::vector<Adjustment>& all, const CamSpec& cam, std::size_t
 bool is_looked_at(const CamSpec& cam, const CamDimension& dimension) {
     if (dimension.value.key.empty()) return false;
     if (cam.find(DimensionIndex::base_radius) == nullptr) return !dimension.value.is_variable();
-    for (int d = 0; d < dimension_count; ++d)
-        if (dimension.name == name_of(static_cast<DimensionIndex>(d))) return true;
-    return false;
+    return index_named(dimension.name).has_value();
 }
 
 void add_dimensions(std::vector<Adjustment>& all, const CamSpec& cam) {

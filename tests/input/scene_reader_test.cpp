@@ -98,7 +98,7 @@ std::string scene_with(const KeyCase& c) {
     return c.key == "objective.jerk" ? toml : toml + jerk_only;
 }
 
-/// Reaches everywhere, whatever its numbers: the cases try one number at a time.
+/// Reaches everywhere with any numbers: the cases try one number at a time.
 class ReachingMechanism final : public CamMechanism {
  public:
     explicit ReachingMechanism(const CamSpec& spec) : cam_(cam_formulas(spec)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every kind of cam that is registered must keep, whatever it is: enclosures of its quantities over
+// What every kind of cam that is registered must keep: enclosures of its quantities over
 // boxes and along stretches hold the values, slopes and second derivatives at every place within. A kind, a
 // follower or a linkage is tried as soon as an example scene has it; one that none has is a fault.
 #include "core/errors.hpp"
@@ -162,17 +162,21 @@ double magnitude(const Interval& range) {
     return std::max(std::abs(range.lower), std::abs(range.upper));
 }
 
-bool has(const CamMechanism& formulas, MechanismQuantity which, const MechanismState& state) {
-    try {
-        return std::isfinite(formulas.quantity(which, state, 0, {}).value);
-    } catch (const ModelError&) {
-        return false;
+/// Those that the cam has.
+std::vector<MechanismQuantity> quantities_of(const Trial& trial) {
+    const std::vector<double> numbers = trial.of().spec.middle();
+    const MechanismState state{numbers, {0.3 * trial.of().lift, 0.0, 0.0}, 0.0};
+    std::vector<MechanismQuantity> all;
+    for (const MechanismQuantity which : {pressure_numerator, pressure_denominator, pitch_curvature,
+                                          cam_radius, regularity, contact_offset, normal_lever}) {
+        try {
+            if (std::isfinite(trial.formulas().quantity(which, state, 0, {}).value)) all.push_back(which);
+        } catch (const ModelError&) {
+            continue;
+        }
     }
+    return all;
 }
-
-constexpr MechanismQuantity quantities[] = {pressure_numerator, pressure_denominator, pitch_curvature,
-                                            cam_radius,         regularity,           contact_offset,
-                                            normal_lever};
 
 /// One box: counts what its enclosure does not hold.
 struct Box {
@@ -253,9 +257,7 @@ constexpr int places = 3;
 TEST_P(EveryKind, HasItsQuantitiesEnclosedOverBoxes) {
     Trial trial(GetParam(), 1);
     const int boxes = testing_support::scenes_to_try(150, 10000);
-    const std::vector<double> middle = GetParam().spec.middle();
-    for (const MechanismQuantity which : quantities) {
-        if (!has(trial.formulas(), which, {middle, {0.3 * GetParam().lift, 0.0, 0.0}, 0.0})) continue;
+    for (const MechanismQuantity which : quantities_of(trial)) {
         for (int k = 0; k < boxes; ++k) {
             const Box box = random_box(trial);
             const int station = trial.random_station();
@@ -352,9 +354,7 @@ TEST_P(EveryKind, HasThePartialsOfItsDifferences) {
     constexpr double part = 1e-5, room = 1e-6;  // of a variable's size; of a partial's
     Trial trial(GetParam(), 4);
     const int boxes = testing_support::scenes_to_try(50, 1000);
-    const std::vector<double> middle = GetParam().spec.middle();
-    for (const MechanismQuantity which : quantities) {
-        if (!has(trial.formulas(), which, {middle, {0.3 * GetParam().lift, 0.0, 0.0}, 0.0})) continue;
+    for (const MechanismQuantity which : quantities_of(trial)) {
         for (int k = 0; k < boxes; ++k) {
             const Box box = random_box(trial);
             const int station = trial.random_station();
@@ -412,8 +412,7 @@ TEST_P(EveryKind, IsEnclosedAlongStretches) {
     Trial trial(GetParam(), 2);
     const int stretches = testing_support::scenes_to_try(150, 10000);
     const std::vector<double> numbers = GetParam().spec.middle();
-    for (const MechanismQuantity which : quantities) {
-        if (!has(trial.formulas(), which, {numbers, {0.3 * GetParam().lift, 0.0, 0.0}, 0.0})) continue;
+    for (const MechanismQuantity which : quantities_of(trial)) {
         for (int k = 0; k < stretches; ++k) {
             const double v = trial.velocity(), a = trial.acceleration();
             const Stretch stretch{trial.between(0.1, 0.9) * GetParam().lift,
@@ -438,7 +437,7 @@ TEST_P(EveryKind, IsEnclosedAlongStretches) {
                     << "quantity " << static_cast<int>(which) << ", stretch " << k;
                 ASSERT_TRUE(holds(range->slope, slope, magnitude(range->slope)))
                     << "slope of quantity " << static_cast<int>(which) << ", stretch " << k;
-                // The second derivative by the angle alone is nowhere at hand.
+                // No formula gives the second derivative by the angle alone.
                 ASSERT_TRUE(value.by_angle != 0.0 || holds(range->bend, bend, magnitude(range->bend)))
                     << "second derivative of quantity " << static_cast<int>(which) << ", stretch " << k;
             }
