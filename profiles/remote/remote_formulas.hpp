@@ -97,13 +97,11 @@ Turning<T> follow(const Dyad<T>& dyad, const Joint<T>& far) {
     const T f_a = dot(gap, swing), f_s = T(-dot(gap, far.first));
     const T f_aa = arm_squared - dot(gap, arm), f_as = T(-dot(swing, far.first));
     const T f_ss = dot(far.first, far.first) - dot(gap, far.second);
-    Turning<T> link;
-    link.direction = {T(arm.x / dyad.arm), T(arm.y / dyad.arm)};
-    link.first = T(-f_s) / f_a;
-    const T mixed = T(f_as * link.first) * 2.0;
-    const T pure = T(f_aa * link.first) * link.first;
-    link.second = T(-T(pure + mixed + f_ss)) / f_a;
-    return link;
+    const T first = T(-f_s) / f_a;
+    const T mixed = T(f_as * first) * 2.0;
+    const T pure = T(f_aa * first) * first;
+    const T second = T(-T(pure + mixed + f_ss)) / f_a;
+    return {{T(arm.x / dyad.arm), T(arm.y / dyad.arm)}, first, second};
 }
 
 /// A linkage with its numbers: output s -> where the roller's arm points.
