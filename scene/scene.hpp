@@ -169,6 +169,22 @@ struct WrittenLimit {
     [[nodiscard]] double given() const { return as_written(value / unit_value); }
 };
 
+/// What a limit of the cam holds on to: a figure that a cam is judged by.
+enum class LimitedFigure {
+    pressure_angle,         ///< |φ| at every cam angle
+    rise_pressure_angle,    ///< while the follower rises, in place of the one above
+    return_pressure_angle,  ///< while it returns
+    convex_radius,          ///< of the cam's surface, where it is convex
+    concave_radius,         ///< where it is concave
+    regularity,     ///< 1 − roller radius / pitch radius, or cam radius / base radius of a flat face
+    contact_force,  ///< F or M of ForceSpec
+    torque,         ///< |camshaft torque|
+    hertz_pressure,
+    residual,              ///< amplitude of the output's free vibration after a rise or a return
+    dynamic_contact_force  ///< of the elastic train on the cam
+};
+inline constexpr int limited_figure_count = 11;
+
 struct LimitSpec {
     std::optional<PeakLimit> velocity, acceleration, jerk;
     // The rest needs a cam.

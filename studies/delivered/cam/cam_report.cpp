@@ -7,8 +7,8 @@
 #include "scene/limit_table.hpp"
 #include "studies/explain/smallest_of_any_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace camopt {
 
@@ -26,83 +26,11 @@ ConstraintReport limit_report(const WrittenLimit& limit, const CamExtreme& worst
             worst.value / limit.unit_value, limit.unit, worst.at};
 }
 
-/// None where neither is there.
-std::optional<CamExtreme> larger(const std::optional<CamExtreme>& one,
-                                 const std::optional<CamExtreme>& other) {
-    if (!one || !other) return one ? one : other;
-    return one->value >= other->value ? one : other;
-}
-
-/// What the general limit on the pressure angle speaks of: all, or the stroke that has none of its own, and
-/// always where the follower rests.
-std::optional<CamExtreme> general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
-    const bool rise = limit_on(limits, LimitedFigure::rise_pressure_angle).has_value();
-    const bool back = limit_on(limits, LimitedFigure::return_pressure_angle).has_value();
-    if (!rise && !back) return summary.pressure_angle;
-    if (rise && back) return summary.rest_pressure_angle;
-    return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
-                  summary.rest_pressure_angle);
-}
-
-/// None where this cam has nothing it could be computed from.
-std::optional<CamExtreme> figure_of(LimitedFigure figure, const LimitSpec& limits,
-                                    const CamSummary& summary) {
-    const CamExtreme nowhere{infinity, 0.0};  // a radius that the cam has nowhere
-    const std::optional<ForceSummary>& forces = summary.forces;
-    if (limit_row(figure).needs_forces && !forces) return std::nullopt;
-    switch (figure) {
-        case LimitedFigure::pressure_angle:
-            return general_pressure_angle(limits, summary);
-        case LimitedFigure::rise_pressure_angle:
-            return larger(summary.rise_pressure_angle, summary.rest_pressure_angle);
-        case LimitedFigure::return_pressure_angle:
-            return larger(summary.return_pressure_angle, summary.rest_pressure_angle);
-        case LimitedFigure::convex_radius:
-            return summary.convex_radius.value_or(nowhere);
-        case LimitedFigure::concave_radius:
-            return summary.concave_radius.value_or(nowhere);
-        case LimitedFigure::regularity:
-            return summary.regularity;
-        case LimitedFigure::contact_force:
-            return forces->least_force;
-        case LimitedFigure::torque:
-            return forces->torque;
-        case LimitedFigure::hertz_pressure:
-            return forces->hertz_pressure;
-        case LimitedFigure::residual:
-        case LimitedFigure::dynamic_contact_force:
-            break;  // of the train, not of the cam
-    }
-    return std::nullopt;
-}
-
-/// The side on which a figure is as it is; empty where it is not of one side, or the same on both.
-std::string side_of(LimitedFigure figure, const CamExtreme& worst, const CamSummary& summary) {
-    const auto on = [&](const SideSummary& side) -> std::optional<CamExtreme> {
-        switch (figure) {
-            case LimitedFigure::pressure_angle:
-            case LimitedFigure::rise_pressure_angle:
-            case LimitedFigure::return_pressure_angle:
-                return side.pressure_angle;
-            case LimitedFigure::convex_radius:
-                return side.convex_radius;
-            case LimitedFigure::concave_radius:
-                return side.concave_radius;
-            case LimitedFigure::regularity:
-                return side.regularity;
-            case LimitedFigure::hertz_pressure:
-                return side.hertz_pressure;
-            case LimitedFigure::contact_force:
-            case LimitedFigure::torque:
-            case LimitedFigure::residual:
-            case LimitedFigure::dynamic_contact_force:
-                break;
-        }
-        return std::nullopt;
-    };
+/// The side that reaches the extreme of the whole cam; empty where the limit is not of one side, or both do.
+std::string side_of(std::size_t figure, const CamExtreme& worst, const CamSummary& summary) {
     std::string name;
     for (const SideSummary& side : summary.sides) {
-        const std::optional<CamExtreme> own = on(side);
+        const std::optional<CamExtreme>& own = side.limited[figure];
         if (!own || own->value != worst.value) continue;
         if (!name.empty()) return {};
         name = side.name;
@@ -116,10 +44,11 @@ void add_constraints(std::vector<ConstraintReport>& all, const Scene& scene, con
     for (const LimitRow& row : limit_rows()) {
         const auto& limit = row.in(scene.limits);
         if (!limit || row.needs_forces != of_forces) continue;
-        const std::optional<CamExtreme> worst = figure_of(row.figure, scene.limits, summary);
+        const auto figure = static_cast<std::size_t>(row.figure);
+        const std::optional<CamExtreme>& worst = summary.limited[figure];
         if (!worst) continue;
         all.push_back(limit_report(*limit, *worst));
-        all.back().side = side_of(row.figure, *worst, summary);
+        all.back().side = side_of(figure, *worst, summary);
         if (row.needs_contact && summary.no_contact) all.back().worst = infinity;
         all.back().no_contact = summary.no_contact && std::isinf(all.back().worst) && !row.may_be_infinite;
     }

@@ -300,6 +300,56 @@ CamSummary summary_of(const DrivenMechanism& cam, const CamTurn& turn) {
     return summary;
 }
 
+/// None where neither is there.
+std::optional<CamExtreme> larger(const std::optional<CamExtreme>& one,
+                                 const std::optional<CamExtreme>& other) {
+    if (!one || !other) return one ? one : other;
+    return one->value >= other->value ? one : other;
+}
+
+/// The pressure angle that the general limit compares with: of the whole cam, or of the stroke that has no
+/// limit of its own, and always where the follower rests.
+std::optional<CamExtreme> general_pressure_angle(const LimitSpec& limits, const CamSummary& summary) {
+    const bool rise = limits.rise_pressure_angle.has_value(), back = limits.return_pressure_angle.has_value();
+    if (!rise && !back) return summary.pressure_angle;
+    if (rise && back) return summary.rest_pressure_angle;
+    return larger(rise ? summary.return_pressure_angle : summary.rise_pressure_angle,
+                  summary.rest_pressure_angle);
+}
+
+std::optional<CamExtreme>& at(LimitedFigures& figures, LimitedFigure which) {
+    return figures[static_cast<std::size_t>(which)];
+}
+
+void add_limited(SideSummary& side) {
+    using enum LimitedFigure;
+    for (const LimitedFigure stroke : {pressure_angle, rise_pressure_angle, return_pressure_angle})
+        at(side.limited, stroke) = side.pressure_angle;
+    at(side.limited, convex_radius) = side.convex_radius;
+    at(side.limited, concave_radius) = side.concave_radius;
+    at(side.limited, regularity) = side.regularity;
+    at(side.limited, hertz_pressure) = side.hertz_pressure;
+}
+
+/// What each limit of the scene compares with.
+void add_limited(CamSummary& summary, const LimitSpec& limits) {
+    using enum LimitedFigure;
+    constexpr CamExtreme nowhere{infinity, 0.0};  // a radius that no part of the cam has
+    LimitedFigures& all = summary.limited;
+    at(all, pressure_angle) = general_pressure_angle(limits, summary);
+    at(all, rise_pressure_angle) = larger(summary.rise_pressure_angle, summary.rest_pressure_angle);
+    at(all, return_pressure_angle) = larger(summary.return_pressure_angle, summary.rest_pressure_angle);
+    at(all, convex_radius) = summary.convex_radius.value_or(nowhere);
+    at(all, concave_radius) = summary.concave_radius.value_or(nowhere);
+    at(all, regularity) = summary.regularity;
+    if (const std::optional<ForceSummary>& forces = summary.forces) {
+        at(all, contact_force) = forces->least_force;
+        at(all, torque) = forces->torque;
+        at(all, hertz_pressure) = forces->hertz_pressure;
+    }
+    for (SideSummary& side : summary.sides) add_limited(side);
+}
+
 }  // namespace
 
 CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const MotionScale& scale) {
@@ -310,6 +360,7 @@ CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const S
     const CamTurn turn(cam, motion, {scene.motion.lift, scene.motion.unit_angle()});
     CamSummary summary = summary_of(cam, turn);
     add_follower_figures(summary, cam, turn, scene);
+    add_limited(summary, scene.limits);
     return summary;
 }
 

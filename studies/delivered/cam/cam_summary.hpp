@@ -9,6 +9,7 @@
 #include "scene/cam_mechanism.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace camopt {
 
 /// A value in SI and rad, and the x where it is reached.
 using CamExtreme = Extremum;
+
+/// Figures by LimitedFigure; none where the cam has nothing it could be computed from.
+using LimitedFigures = std::array<std::optional<CamExtreme>, limited_figure_count>;
 
 struct ForceSummary {
     CamExtreme least_force, largest_force;  ///< F (N) or M (N m), see ForceSpec
@@ -34,6 +38,7 @@ struct SideSummary {
     /// Largest, of the cam angles at which this side carries; 0 where it never does. None without forces, the
     /// pressure without a width of contact; infinite without contact.
     std::optional<CamExtreme> normal_force, hertz_pressure;
+    LimitedFigures limited;  ///< those that differ from side to side
 };
 
 struct CamSummary {
@@ -57,6 +62,7 @@ struct CamSummary {
     std::optional<double> no_contact;
     std::optional<ForceSummary> forces;  ///< of a direct cam where the scene has forces and a speed
     std::vector<SideSummary> sides;      ///< in the order of the stations; empty: the cam has one side
+    LimitedFigures limited;              ///< what the scene's limits compare with; of a scene's cam
 
     [[nodiscard]] bool undercut() const { return !(regularity.value >= 0.0); }
     /// Touched as designed, and pointed: what a limit of 0 on the radius or on the margin allows.
@@ -67,7 +73,7 @@ struct CamSummary {
 [[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion,
                                      const MotionScale& scale);
 
-/// And what only direct cams have: strokes, contact, forces.
+/// And what only direct cams have: strokes, contact, forces; and what the scene's limits compare with.
 [[nodiscard]] CamSummary cam_summary(const DrivenMechanism& cam, const Motion& motion, const Scene& scene);
 
 }  // namespace camopt
