@@ -15,7 +15,7 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/tables/text_table.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
 #include "studies/solve/solve.hpp"
@@ -73,8 +73,9 @@ std::vector<std::filesystem::path> write_results(const SolveRequest& request, co
     if (request.out.empty()) return {};
     // Who pressed Ctrl-C waits for the files, not for a follower that runs over the finished cam.
     if (!InterruptWatch::interrupted()) add_forward_check(solution);
-    return write_result_folder(request.out, solution, origin,
-                               {request.points, request.dxf, result_extras(solution, origin)});
+    const View view(solution);
+    return write_result_folder(request.out, view, origin,
+                               {request.points, request.dxf, result_extras(view, origin)});
 }
 
 // camopt check: is the scene right, can its problem be built, are its derivatives right? No solve.

@@ -6,7 +6,7 @@
 #include "core/units.hpp"
 #include "output/drawing/mechanism_figures.hpp"
 #include "profiles/sampling.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 

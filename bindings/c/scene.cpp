@@ -2,7 +2,7 @@
 #include "bindings/c/handles.hpp"
 #include "dynamics/train_formulas.hpp"
 #include "input/loading/load_scene.hpp"
-#include "output/chart/motion_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/json/result_json.hpp"

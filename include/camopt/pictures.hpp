@@ -3,6 +3,6 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "output/chart/motion_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/drawing/mechanism_svg.hpp"
 #include "output/drawing/profile_svg.hpp"

@@ -16,6 +16,11 @@
 
 namespace camopt {
 
+/// Where a plotting area lies on the canvas, px.
+struct PanelFrame {
+    double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
+};
+
 struct PlotAxis {
     double lower = 0.0, upper = 1.0;
     double begin = 0.0, end = 1.0;  ///< px of lower and upper

@@ -11,23 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace camopt {
 
 namespace {
-
-constexpr int uniform_steps = 360;
-constexpr double same_angle = 1e-12;   // relative to the motion's length: angles this close are one row
-constexpr double jump_of_jerk = 1e-9;  // relative to the peak jerk: a smaller difference is round-off
-
-bool jerk_jumps(const Motion& motion, double x, double peak) {
-    if (x <= motion.begin() || x >= motion.end()) return false;
-    const double left = motion.at(x, Side::left).derivative[3];
-    const double right = motion.at(x, Side::right).derivative[3];
-    if (!std::isfinite(left) || !std::isfinite(right)) return true;
-    return std::abs(right - left) > jump_of_jerk * peak;
-}
 
 void append_cell(std::string& line, double value) {
     line += ',';
@@ -83,27 +70,6 @@ void add_load(CsvLine& line, const FollowerLoads& load, bool pressure) {
 }
 
 }  // namespace
-
-std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks) {
-    const double begin = motion.begin(), end = motion.end();
-    const double near = same_angle * (end - begin);
-    const std::vector<double> breakpoints = motion.breakpoints();
-    // Breakpoints first: an angle that agrees with one to round-off must not stand in its place.
-    std::set<double> angles(breakpoints.begin(), breakpoints.end());
-    const auto add = [&](double x) {
-        const auto next = angles.lower_bound(x - near);
-        if (x >= begin && x <= end && (next == angles.end() || *next > x + near)) angles.insert(x);
-    };
-    for (const Extremum* peak : {&peaks.velocity, &peaks.acceleration, &peaks.jerk, &peaks.torque})
-        add(peak->at);
-    for (int i = 0; i <= uniform_steps; ++i) add(begin + (end - begin) * i / uniform_steps);
-    std::vector<MotionRow> rows;
-    for (const double x : angles) {
-        if (jerk_jumps(motion, x, peaks.jerk.value)) rows.push_back({x, Side::left});
-        rows.push_back({x, x >= end ? Side::left : Side::right});
-    }
-    return rows;
-}
 
 std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec) {
     const DisplayScale scale = display_scale(spec);

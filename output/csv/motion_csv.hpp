@@ -10,6 +10,7 @@
 #include "core/peaks.hpp"
 #include "scene/scene.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <string>
@@ -17,14 +18,6 @@
 
 namespace camopt {
 
-/// One row of the table: an angle, and the side it is seen from.
-struct MotionRow {
-    double x = 0.0;
-    Side side = Side::right;
-};
-
-/// Ascending, without repetitions.
-[[nodiscard]] std::vector<MotionRow> motion_rows(const Motion& motion, const Peaks& peaks);
 
 [[nodiscard]] std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec);
 

@@ -8,7 +8,7 @@
 #include "core/whole_turn.hpp"
 #include "output/words/number_text.hpp"
 #include "profiles/sampling.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 

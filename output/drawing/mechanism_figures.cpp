@@ -3,18 +3,13 @@
 
 #include "core/units.hpp"
 #include "output/chart/placed_texts.hpp"
-#include "output/chart/turn_diagram.hpp"
 #include "output/drawing/picture_page.hpp"
-#include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
-#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,40 +17,7 @@ namespace camopt {
 
 namespace {
 
-using units::degree;
-
 constexpr double points_a_turn = 3600.0;
-
-std::string title_of_cam(const Solution& solution) {
-    return solution.scene.title.empty() ? "Cam" : solution.scene.title;
-}
-
-/// Piece by piece between the motion's breakpoints.
-template <class Figure>
-std::vector<std::vector<Eigen::Vector2d>> pieces_of(const MechanismProfile& profile, const Figure& figure) {
-    std::vector<std::vector<Eigen::Vector2d>> pieces(1);
-    for (const MechanismPoint& point : profile.points)
-        pieces.back().emplace_back(point.theta / degree, figure(point));
-    return pieces;
-}
-
-TurnDiagram diagram_of(const Solution& solution, const MechanismProfile& profile, TurnPanel panel) {
-    TurnDiagram diagram{title_of_cam(solution),
-                        profile.points.front().theta / degree,
-                        profile.points.back().theta / degree,
-                        {},
-                        {}};
-    for (const int index : profile.breaks)
-        diagram.knots.push_back(profile.points[static_cast<std::size_t>(index)].theta / degree);
-    diagram.panels.push_back(std::move(panel));
-    return diagram;
-}
-
-/// The value there is that of the nearest point: its sign is what the extreme does not tell.
-double near(const MechanismProfile& profile, double theta, double MechanismPoint::*figure) {
-    const auto distance = [&](const MechanismPoint& point) { return std::abs(point.theta - theta); };
-    return (*std::ranges::min_element(profile.points, {}, distance)).*figure;
-}
 
 using Eigen::Vector2d;
 
@@ -75,57 +37,6 @@ std::vector<Vector2d> line_of(const MechanismProfile& profile, Eigen::Vector3d M
 }
 
 }  // namespace
-
-std::string pressure_angle_svg(const Solution& solution, const MechanismProfile& profile) {
-    TurnPanel panel;
-    panel.least_range = 2.0;
-    panel.caption = "Pressure angle φ";
-    panel.unit = "deg";
-    panel.pieces =
-        pieces_of(profile, [](const MechanismPoint& point) { return point.pressure_angle / degree; });
-    panel.words = [](double value) { return fmt::format("φ = {}°", short_text(value, 4)); };
-    const double begin = profile.points.front().theta / degree, end = profile.points.back().theta / degree;
-    if (const auto& limit = limit_on(solution.scene.limits, LimitedFigure::pressure_angle))
-        for (const double sign : {1.0, -1.0})
-            panel.limits.push_back(
-                {begin, end, sign * limit->value / degree,
-                 sign > 0.0 ? fmt::format("limit {}°", short_text(limit->value / degree)) : ""});
-    const CamExtreme& largest = solution.cam->summary.pressure_angle;
-    const double theta = solution.scene.motion.unit_angle() * largest.at;
-    const double signed_value =
-        std::copysign(largest.value, near(profile, theta, &MechanismPoint::pressure_angle)) / degree;
-    panel.marks = std::vector<TurnMark>{{theta / degree, signed_value, signed_value > 0.0}};
-    return turn_diagram_svg(diagram_of(solution, profile, std::move(panel)));
-}
-
-std::string curvature_svg(const Solution& solution, const MechanismProfile& profile) {
-    const ShownUnits units = shown_units(solution.scene);
-    const double unit_angle = solution.scene.motion.unit_angle();
-    TurnPanel panel;
-    panel.caption = "Curvature of the cam 1/ρ (convex > 0, concave < 0)";
-    panel.unit = units.curvature.name;
-    panel.pieces = pieces_of(
-        profile, [&](const MechanismPoint& point) { return units.curvature.factor / point.cam_radius; });
-    panel.words = [name = units.length.name](double value) {
-        return fmt::format("ρ = {} {}", short_text(1.0 / value, 4), name);
-    };
-    const double begin = profile.points.front().theta / degree, end = profile.points.back().theta / degree;
-    for (const auto& [figure, sign, name] : {std::tuple{LimitedFigure::convex_radius, 1.0, "convex"},
-                                             std::tuple{LimitedFigure::concave_radius, -1.0, "concave"}})
-        if (const auto& limit = limit_on(solution.scene.limits, figure); limit && limit->value > 0.0)
-            panel.limits.push_back(
-                {begin, end, sign * units.curvature.factor / limit->value,
-                 fmt::format("least {} radius {}", name, units.length.text(limit->value))});
-    std::vector<TurnMark> marks;
-    const CamSummary& summary = solution.cam->summary;
-    if (const std::optional<CamExtreme> convex = convex_radius(summary))
-        marks.push_back({unit_angle * convex->at / degree, units.curvature.factor / convex->value, true});
-    if (summary.concave_radius)
-        marks.push_back({unit_angle * summary.concave_radius->at / degree,
-                         -units.curvature.factor / summary.concave_radius->value, false});
-    panel.marks = std::move(marks);
-    return turn_diagram_svg(diagram_of(solution, profile, std::move(panel)));
-}
 
 int default_profile_points(const Motion& motion, const MotionScale& scale) {
     const double turns = (motion.end() - motion.begin()) * scale.unit_angle / units::turn;

@@ -8,7 +8,7 @@
 #include "output/drawing/picture_page.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 
 namespace camopt {
 
-/// Along this motion (drawn_motion of studies/check/check_cam.hpp). Throws InputError for a mechanism that
+/// Along this motion (drawn_motion of studies/delivered/delivered.hpp). Throws InputError for a mechanism that
 /// cannot be drawn.
 [[nodiscard]] std::string mechanism_svg(const Solution& solution, const Motion& motion);
 

@@ -5,7 +5,7 @@
 #include "output/chart/plot_frame.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 

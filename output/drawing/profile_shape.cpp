@@ -3,7 +3,7 @@
 
 #include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <algorithm>
 #include <cmath>

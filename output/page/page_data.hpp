@@ -43,6 +43,7 @@
 
 #include "output/json/certificate/run_origin.hpp"
 #include "output/report/result_folder.hpp"
+#include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <span>
@@ -63,7 +64,7 @@ struct PageDataOptions {
 };
 
 /// Ends in a line feed. Any text of the scene stands in it as a JSON string and nowhere else.
-[[nodiscard]] std::string page_data(const Solution& solution, const RunOrigin& origin = {},
+[[nodiscard]] std::string page_data(const View& view, const RunOrigin& origin = {},
                                     const PageDataOptions& options = {});
 
 /// The page of the solution needs a library for three dimensions.
@@ -73,7 +74,7 @@ struct PageDataOptions {
 // drum.
 
 /// For WriteOptions::also: report.html, and of a three-dimensional cam drum.svg and developed.svg.
-[[nodiscard]] std::vector<FolderFile> result_extras(const Solution& solution, const RunOrigin& origin = {});
+[[nodiscard]] std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin = {});
 
 // Laws of the catalogue in the place of a solution's motion, for the curves of its page.
 //

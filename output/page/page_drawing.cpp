@@ -7,7 +7,6 @@
 #include "output/spatial/flank_surfaces.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/number_text.hpp"
-#include "studies/check/check_cam.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
@@ -40,38 +39,39 @@ void append(Json& list, const ShownUnit& unit, const Eigen::Ref<const Eigen::Vec
 
 /// The plane mechanism by rows.
 struct PlaneCourse {
-    const Solution& solution;
+    const View& view;
     ShownUnit length;
     std::vector<std::vector<MechanismShape>> shapes;  ///< by row
     std::vector<double> turned;                       ///< rad
-    std::vector<MechanismPoint> points;
     double least_offset = 0.0, largest_offset = 0.0;  ///< of the contact on a face
+
+    [[nodiscard]] const CamReport& report() const { return *view.solution.cam; }
+    [[nodiscard]] const DrivenMechanism& cam() const { return report().cam; }
 };
 
-PlaneCourse plane_course(const Solution& solution, const PageRows& rows) {
-    PlaneCourse course{solution, shown_units(solution.scene).length, {}, {}, {}};
-    const DrivenMechanism& cam = solution.cam->cam;
-    const MotionScale scale = motion_scale(solution.scene);
-    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-        const double theta = scale.unit_angle * rows.rows[i].x;
-        const MechanismState state{cam.dimensions, state_of(page_motion_at(solution, rows, i), scale), theta};
+PlaneCourse plane_course(const View& view) {
+    PlaneCourse course{view, view.units.length, {}, {}};
+    const DrivenMechanism& cam = course.cam();
+    const MotionScale& scale = view.delivered.scale;
+    for (const DeliveredRow& row : view.delivered.rows) {
+        const MechanismState state{cam.dimensions, state_of(row.motion, scale), scale.unit_angle * row.x};
+        const bool first = course.turned.empty();
         course.shapes.push_back(cam.formulas->shapes(state));
         course.turned.push_back(cam.formulas->turned(state));
-        course.points.push_back(cam.formulas->point(theta, state, 0));
-        const double offset = course.points.back().contact_offset;
+        const double offset = row.cam.front().contact_offset;
         if (!std::isfinite(offset)) continue;
-        course.least_offset = i == 0 ? offset : std::min(course.least_offset, offset);
-        course.largest_offset = i == 0 ? offset : std::max(course.largest_offset, offset);
+        course.least_offset = first ? offset : std::min(course.least_offset, offset);
+        course.largest_offset = first ? offset : std::max(course.largest_offset, offset);
     }
     return course;
 }
 
 /// From where to where a face is drawn, along itself.
 std::pair<double, double> reach_of_face(const PlaneCourse& course) {
-    const Scene& scene = course.solution.scene;
+    const Scene& scene = course.view.solution.scene;
     if (scene.cam && scene.cam->face_half_width)
         return {-*scene.cam->face_half_width, *scene.cam->face_half_width};
-    const double beyond = face_beyond * course.solution.cam->summary.base_radius;
+    const double beyond = face_beyond * course.report().summary.base_radius;
     return {std::min(course.least_offset - beyond, 0.0), std::max(course.largest_offset + beyond, 0.0)};
 }
 
@@ -136,11 +136,11 @@ Json outline(const PlaneCourse& course, const MechanismProfile& profile, const c
             {"points", std::move(points)}};
 }
 
-Json outlines_of(const PlaneCourse& course, const PageRows& rows) {
-    const DrivenMechanism& cam = course.solution.cam->cam;
-    const MotionScale scale = motion_scale(course.solution.scene);
+Json outlines_of(const PlaneCourse& course) {
+    const DrivenMechanism& cam = course.cam();
     const auto profile = [&](int station) {
-        return mechanism_profile(cam, *rows.whole, scale, outline_points, station);
+        return mechanism_profile(cam, *course.view.delivered.whole, course.view.delivered.scale, outline_points,
+                                 station);
     };
     Json all = Json::array();
     const MechanismProfile first = profile(0);
@@ -162,40 +162,41 @@ Json outlines_of(const PlaneCourse& course, const PageRows& rows) {
 
 Json circles_of(const PlaneCourse& course) {
     Json all = Json::array();
-    const CamMechanism& formulas = *course.solution.cam->cam.formulas;
+    const CamMechanism& formulas = *course.cam().formulas;
     if (!formulas.planar()) return all;
-    const double base = course.solution.cam->summary.base_radius;
+    const double base = course.report().summary.base_radius;
     all.push_back({{"name", "base circle"}, {"radius", rounded_json(course.length.factor * base)}});
     if (const int roller = formulas.roller_radius(); roller >= 0)
         all.push_back(
             {{"name", "prime circle"},
              {"radius",
               rounded_json(course.length.factor *
-                           (base + course.solution.cam->cam.dimensions[static_cast<std::size_t>(roller)]))}});
+                           (base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
     return all;
 }
 
 }  // namespace
 
-Json plane_drawing(const Solution& solution, const PageRows& rows) {
-    if (!solution.cam || !rows.whole || !solution.cam->cam.formulas->is_plane_curve()) return nullptr;
-    const PlaneCourse course = plane_course(solution, rows);
+Json plane_drawing(const View& view) {
+    const Solution& solution = view.solution;
+    if (!view.delivered.whole || !solution.cam->cam.formulas->is_plane_curve()) return nullptr;
+    const PlaneCourse course = plane_course(view);
     if (course.shapes.front().empty()) return nullptr;
     const Vector2d center = course.shapes.front().front().points.front();
     Json turned = Json::array(), contact = Json::array(), middle = Json::array();
     for (std::size_t i = 0; i < course.turned.size(); ++i) {
         turned.push_back(rounded_json(course.turned[i] / units::degree));
         append(contact, course.length,
-               center + Eigen::Rotation2Dd(course.turned[i]) * course.points[i].contact.head<2>());
+               center + Eigen::Rotation2Dd(course.turned[i]) * view.delivered.rows[i].cam.front().contact.head<2>());
     }
     append(middle, course.length, center);
-    const std::optional<ProfileShape> shape = delivered_shape(solution, *rows.whole);
+    const std::optional<ProfileShape> shape = delivered_shape(solution, *view.delivered.whole);
     const std::optional<double> rim = shape ? rim_radius(*shape) : std::nullopt;
     return {{"rim", rim ? rounded_json(course.length.factor * *rim) : Json(nullptr)},
             {"unit", course.length.name},
             {"rotation", sense_of(solution.cam->cam.formulas->rotation())},
             {"center", std::move(middle)},
-            {"outlines", outlines_of(course, rows)},
+            {"outlines", outlines_of(course)},
             {"circles", circles_of(course)},
             {"turned", std::move(turned)},
             {"contact", std::move(contact)},
@@ -217,14 +218,15 @@ Json mesh_json(const CamScene::Part& part, const ShownUnit& length) {
 
 }  // namespace
 
-Json solid_drawing(const Solution& solution, const PageRows& rows) {
-    if (!rows.whole || !page_needs_solids(solution)) return nullptr;
-    const MotionScale scale = motion_scale(solution.scene);
+Json solid_drawing(const View& view) {
+    const Solution& solution = view.solution;
+    if (!page_needs_solids(solution)) return nullptr;
+    const MotionScale& scale = view.delivered.scale;
     std::vector<double> angles;
-    for (const MotionRow& row : rows.rows) angles.push_back(scale.unit_angle * row.x);
+    for (const DeliveredRow& row : view.delivered.rows) angles.push_back(scale.unit_angle * row.x);
     const CamScene scene =
-        cam_scene(solved_spatial_cam(solution), follower_motion(*rows.whole, scale), angles);
-    const ShownUnit length = shown_units(solution.scene).length;
+        cam_scene(solved_spatial_cam(solution), follower_motion(*view.delivered.whole, scale), angles);
+    const ShownUnit& length = view.units.length;
     Json parts = Json::array(), rollers = Json::array();
     for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));
     for (const std::vector<RollerPlace>& roller : scene.rollers) {

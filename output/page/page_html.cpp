@@ -89,10 +89,10 @@ std::string page_html(const PageHtml& page) {
                                                    {"@SCRIPTS@", std::move(scripts)}});
 }
 
-std::string report_html(const Solution& solution, const RunOrigin& origin) {
+std::string report_html(const View& view, const RunOrigin& origin) {
     PageHtml page;
     page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
-    page.data = page_data(solution, origin);
+    page.data = page_data(view, origin);
     page.solids = page_needs_solids(solution);
     return page_html(page);
 }

@@ -26,6 +26,6 @@ struct PageHtml {
 [[nodiscard]] std::string page_html(const PageHtml& page);
 
 /// report.html: the report of a solution.
-[[nodiscard]] std::string report_html(const Solution& solution, const RunOrigin& origin = {});
+[[nodiscard]] std::string report_html(const View& view, const RunOrigin& origin = {});
 
 }  // namespace camopt

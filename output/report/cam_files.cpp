@@ -3,17 +3,14 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/chart/limit_spans.hpp"
-#include "output/chart/profile_diagrams_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/drawing/mechanism_figures.hpp"
 #include "output/drawing/mechanism_svg.hpp"
 #include "output/drawing/profile_svg.hpp"
-#include "output/words/cam_words.hpp"
-#include "scene/limit_table.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/cam/follower_loads.hpp"
 
 #include <algorithm>
@@ -34,7 +31,7 @@ const CamFile force_file = {diagram, "forces.svg", "Force, torque and pressure",
 struct KindFiles {
     bool (*is_it)(const CamMechanism&);
     std::vector<CamFile> files;
-    std::vector<std::string> (*texts)(const Solution&, const CamFileOptions&);
+    std::vector<std::string> (*texts)(const View&, const CamFileOptions&);
 };
 
 /// The first that fits.
@@ -74,11 +71,6 @@ const KindFiles* kind_of(const Solution& solution) {
     return found == kinds().end() ? nullptr : &*found;
 }
 
-std::optional<double> value_of(const std::optional<WrittenLimit>& limit) {
-    if (!limit) return {};
-    return limit->value;
-}
-
 /// Of each point; none where the scene has no forces. Of a cam that drives both ways those of one side: 0
 /// along the normal where the other one carries.
 std::vector<FollowerLoads> loads_of(const Solution& solution, const Motion& motion,
@@ -113,28 +105,6 @@ std::string csv_of(const Solution& solution, const Motion& motion, const CamFile
     return profile_csv(profile, columns);
 }
 
-/// Where the report says that the extremes are: one source, so that both name the same angle where a
-/// maximum is flat or is reached twice.
-ProfileDiagramMarks marks_of(const ProfileShape& shape, const CamSummary& summary, double unit_angle) {
-    ProfileDiagramMarks marks;
-    const auto add_pressure = [&](const std::optional<CamExtreme>& extreme) {
-        if (!extreme || !(extreme->value > 0.0)) return;
-        const double theta = unit_angle * extreme->at;
-        if (std::ranges::find(marks.pressure, theta, &ProfileMark::theta) != marks.pressure.end()) return;
-        marks.pressure.push_back({theta, std::copysign(extreme->value, shape.at(theta).pressure_angle)});
-    };
-    add_pressure(summary.pressure_angle);
-    add_pressure(summary.rise_pressure_angle);
-    add_pressure(summary.return_pressure_angle);
-    if (!summary.sides.empty()) return marks;  // its panels are the sides', which find their own
-    if (const std::optional<CamExtreme> convex = convex_radius(summary))
-        marks.curvature.push_back({unit_angle * convex->at, 1.0 / convex->value});
-    if (summary.concave_radius)
-        marks.curvature.push_back(
-            {unit_angle * summary.concave_radius->at, -1.0 / summary.concave_radius->value});
-    return marks;
-}
-
 using units::degree, units::millimetre;
 
 constexpr int left_wall = 0, right_wall = 1;  // stations of the mechanism
@@ -166,21 +136,22 @@ std::vector<CamFile> cam_file_list(const Solution& solution) {
     return files;
 }
 
-std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& options) {
+std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options) {
+    const Solution& solution = view.solution;
     std::vector<CamFile> files = cam_file_list(solution);
     if (files.empty()) return files;
-    std::vector<std::string> texts = kind_of(solution)->texts(solution, options);
-    if (solution.cam->summary.forces) texts.push_back(force_diagrams_svg(solution, cam_motion(solution)));
+    std::vector<std::string> texts = kind_of(solution)->texts(view, options);
+    if (solution.cam->summary.forces) texts.push_back(force_diagrams_svg(view));
     for (std::size_t i = 0; i < files.size(); ++i) files[i].text = std::move(texts[i]);
     if (options.drawing)
         files.push_back({drawing, drawing_name, "", cam_dxf(solution, options.dxf_tolerance).text});
     return files;
 }
 
-std::string cam_view(const Solution& solution, CamView view, CamFileOptions options) {
-    options.drawing = view == drawing;
-    const std::vector<CamFile> files = cam_files(solution, options);
-    const auto found = std::ranges::find(files, view, &CamFile::view);
+std::string cam_view(const View& view, CamView shown, CamFileOptions options) {
+    options.drawing = shown == drawing;
+    const std::vector<CamFile> files = cam_files(view, options);
+    const auto found = std::ranges::find(files, shown, &CamFile::view);
     if (found == files.end())
         throw InputError("a plane profile needs a plane mechanism, and this solution has none");
     return found->text;
@@ -193,43 +164,34 @@ std::vector<std::string> cam_file_names() {
     return names;
 }
 
-std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution), drawn = drawn_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
-    // The diagrams show the motion alone: along a dwell arc nothing changes.
-    const ProfileShape shape = delivered_shape(solution, motion).value(),
-                       whole = delivered_shape(solution, drawn).value();
-    const std::string title = solution.scene.title.empty() ? "Cam" : solution.scene.title;
-    const ProfileDiagramLimits limits{
-        pressure_spans(solution.scene, motion),
-        value_of(limit_on(solution.scene.limits, LimitedFigure::convex_radius)),
-        value_of(limit_on(solution.scene.limits, LimitedFigure::concave_radius))};
-    const ProfileDiagramMarks marks = marks_of(shape, solution.cam->summary, scale.unit_angle);
-    std::vector<std::string> texts = {csv_of(solution, drawn, options, 0), profile_svg(whole, title),
-                                      profile_diagrams_svg(shape, limits, title, marks)};
-    if (shape.other) texts.push_back(csv_of(solution, drawn, options, 1));
+std::vector<std::string> disk_texts(const View& view, const CamFileOptions& options) {
+    const MotionChain drawn = drawn_motion(view.solution);
+    const ProfileShape whole = delivered_shape(view.solution, drawn).value();
+    std::vector<std::string> texts = {csv_of(view.solution, drawn, options, 0),
+                                      profile_svg(whole, view.title("Cam")), cam_diagrams_svg(view)};
+    if (whole.other) texts.push_back(csv_of(view.solution, drawn, options, 1));
     return texts;
 }
 
-std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = cam_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
+std::vector<std::string> guide_texts(const View& view, const CamFileOptions& options) {
+    const MotionChain& motion = *view.delivered.whole;
+    const MotionScale& scale = view.delivered.scale;
     const int count = options.points.value_or(default_profile_points(motion, scale));
-    const DrivenMechanism& mechanism = solution.cam->cam;
+    const DrivenMechanism& mechanism = view.solution.cam->cam;
     const GuideWalls walls{mechanism_profile(mechanism, motion, scale, count, left_wall),
                            mechanism_profile(mechanism, motion, scale, count, right_wall)};
-    return {csv_of_walls(walls), guide_svg(solution, walls), pressure_angle_svg(solution, walls.left)};
+    return {csv_of_walls(walls), guide_svg(view.solution, walls), cam_diagrams_svg(view, "pressure_angle")};
 }
 
-std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOptions& options) {
-    const MotionChain motion = drawn_motion(solution);
-    const MotionScale scale = motion_scale(solution.scene);
+std::vector<std::string> linkage_texts(const View& view, const CamFileOptions& options) {
+    const MotionChain motion = drawn_motion(view.solution);
+    const MotionScale& scale = view.delivered.scale;
     const int count = options.points.value_or(default_profile_points(motion, scale));
-    const DrivenMechanism& mechanism = solution.cam->cam;
+    const DrivenMechanism& mechanism = view.solution.cam->cam;
     const MechanismProfile profile = mechanism_profile(mechanism, motion, scale, count);
     return {profile_csv(profile, {.swings = mechanism.formulas->swings(), .loads = {}}),
-            mechanism_svg(solution, motion), pressure_angle_svg(solution, profile),
-            curvature_svg(solution, profile)};
+            mechanism_svg(view.solution, motion), cam_diagrams_svg(view, "pressure_angle"),
+            cam_diagrams_svg(view, "curvature")};
 }
 
 }  // namespace camopt

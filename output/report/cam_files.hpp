@@ -14,6 +14,7 @@
 // middle_radius_mm (> 0: bent to the left), regularity_left, regularity_right.
 #pragma once
 
+#include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <optional>
@@ -43,10 +44,10 @@ struct CamFileOptions {
 
 /// The whole cam: an RR motion is followed by its dwell, a DRD motion stays a sector. None of a cam that is
 /// no plane curve, and of a solution without a cam.
-[[nodiscard]] std::vector<CamFile> cam_files(const Solution& solution, const CamFileOptions& options = {});
+[[nodiscard]] std::vector<CamFile> cam_files(const View& view, const CamFileOptions& options = {});
 
 /// The text of the one that shows this. Throws InputError where the solution has no plane cam.
-[[nodiscard]] std::string cam_view(const Solution& solution, CamView view, CamFileOptions options = {});
+[[nodiscard]] std::string cam_view(const View& view, CamView shown, CamFileOptions options = {});
 
 /// The same without their texts, and without the drawing.
 [[nodiscard]] std::vector<CamFile> cam_file_list(const Solution& solution);
@@ -58,12 +59,12 @@ struct CamFileOptions {
 // cam_files.cpp.
 
 /// Points, the cam to scale, its diagrams.
-[[nodiscard]] std::vector<std::string> disk_texts(const Solution& solution, const CamFileOptions& options);
+[[nodiscard]] std::vector<std::string> disk_texts(const View& view, const CamFileOptions& options);
 
 /// Points, cam and linkage to scale, pressure angle, curvature.
-[[nodiscard]] std::vector<std::string> linkage_texts(const Solution& solution, const CamFileOptions& options);
+[[nodiscard]] std::vector<std::string> linkage_texts(const View& view, const CamFileOptions& options);
 
 /// Points of both walls, the guide to scale, pressure angle.
-[[nodiscard]] std::vector<std::string> guide_texts(const Solution& solution, const CamFileOptions& options);
+[[nodiscard]] std::vector<std::string> guide_texts(const View& view, const CamFileOptions& options);
 
 }  // namespace camopt

@@ -6,7 +6,7 @@
 #include "core/text/text_file.hpp"
 #include "input/result/json_source.hpp"
 #include "input/result/result_reader.hpp"
-#include "output/chart/motion_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/json/certificate/certificate_reader.hpp"
@@ -133,17 +133,18 @@ void prepare_folder(const std::filesystem::path& folder) {
 }
 
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const Solution& solution, const RunOrigin& origin,
+                                                       const View& view, const RunOrigin& origin,
                                                        const WriteOptions& options) {
+    const Solution& solution = view.solution;
     FolderUpdate writer(folder);
     for (const char* const name : optional_files) writer.remove_earlier(name);
     for (const std::string& name : cam_file_names()) writer.remove_earlier(name);
     if (solution.motion) {
         writer.write("motion.csv",
                      motion_csv(*solution.motion, solution.motion_peaks, solution.scene.motion));
-        writer.write("motion.svg", motion_svg(solution));
+        writer.write("motion.svg", motion_svg(view));
     }
-    for (const CamFile& file : cam_files(solution, {.points = options.points, .drawing = options.dxf}))
+    for (const CamFile& file : cam_files(view, {.points = options.points, .drawing = options.dxf}))
         writer.write(file.name, file.text);
     if (!origin.scene_text.empty()) writer.write("scene.toml", origin.scene_text);
     for (const FolderFile& file : options.also) writer.write(file.name, file.text);

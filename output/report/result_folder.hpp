@@ -5,6 +5,7 @@
 #pragma once
 
 #include "output/json/certificate/run_origin.hpp"
+#include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <filesystem>
@@ -30,7 +31,7 @@ struct WriteOptions {
 /// removed. Returns the paths written. Throws InputError where the path is a file or cannot be written: the
 /// folder is then as it was, or says by INCOMPLETE.txt that it is not.
 std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const Solution& solution, const RunOrigin& origin = {},
+                                                       const View& view, const RunOrigin& origin = {},
                                                        const WriteOptions& options = {});
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.

@@ -7,7 +7,7 @@
 #include "output/sheet/sheet_furniture.hpp"
 #include "output/words/number_text.hpp"
 #include "scene/limit_table.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The delivered cam as a whole: its motion over the turn, and the check that its points move a follower as
-// designed.
+// The check that the points of a delivered cam move its follower as designed.
 #pragma once
 
-#include "profiles/sampling.hpp"
-#include "splines/motion_chain.hpp"
 #include "studies/check/forward_check_input.hpp"
-#include "studies/delivered/solution.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <optional>
-#include <string>
 
 namespace camopt {
-
-/// lift and unit angle of the scene: what the points of a cam are made with.
-[[nodiscard]] MotionScale motion_scale(const Scene& scene);
-
-/// Solution::whole_turn.
-[[nodiscard]] MotionChain whole_turn(const Solution& solution);
-
-/// The motion of the whole cam: an RR motion that leaves a part of the turn rests there, which closes the
-/// cam. A DRD motion stays the open sector of its rise. Throws InputError where the solution has no motion.
-[[nodiscard]] MotionChain cam_motion(const Solution& solution);
-
-/// What pictures, tables and drawings of the cam show: cam_motion, and of a DRD cam that turns the dwell arcs
-/// on either side of its rise, each half of what the rise leaves of the turn. The first lies before cam angle
-/// 0. Between their far ends the scene gives no motion: the cam is open there.
-[[nodiscard]] MotionChain drawn_motion(const Solution& solution);
-
-/// Why a cam along drawn_motion is open; empty: its motion closes it.
-[[nodiscard]] std::string open_because(const Solution& solution);
 
 /// Exports about `points` points of the cam, the motion's breakpoints among them, and runs a follower, or the
 /// lever and linkage, over them that knows nothing else (forward_check.hpp). points: default 2000, 6000 where

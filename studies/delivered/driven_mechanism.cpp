@@ -7,8 +7,8 @@ namespace camopt {
 
 MechanismPoint mechanism_point(const DrivenMechanism& mechanism, const MotionPoint& motion,
                                const MotionScale& scale, int station) {
-    return mechanism.formulas->point(scale.unit_angle * motion.x,
-                                     {mechanism.dimensions, state_of(motion, scale)}, station);
+    const double theta = scale.unit_angle * motion.x;
+    return mechanism.formulas->point(theta, {mechanism.dimensions, state_of(motion, scale), theta}, station);
 }
 
 MechanismProfile mechanism_profile(const DrivenMechanism& mechanism, const Motion& motion,

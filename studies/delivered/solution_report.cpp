@@ -148,7 +148,7 @@ SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double
             run.pieces().middleCols(first, last - first + 1)};
 }
 
-void report_delivered(Solution& solution, Delivered delivered) {
+void report_delivered(Solution& solution, MotionAndCam delivered) {
     solution.motion = std::move(delivered.motion);
     if (solution.scene.motion.type == MotionType::program) {
         report_segments(solution);
@@ -168,7 +168,7 @@ void report_delivered(Solution& solution, Delivered delivered) {
 void report_motion(Solution& solution, const CamProblem& problem, const Eigen::VectorXd& x) {
     const CamModel& model = problem.model();
     const Eigen::VectorXd parameters = x.tail(static_cast<Eigen::Index>(model.parameters.size()));
-    Delivered delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
+    MotionAndCam delivered{std::make_shared<const MotionChain>(problem.motion(x)), {}};
     if (model.cam) delivered.dimensions = model.cam->dimensions_at(parameters);
     report_delivered(solution, std::move(delivered));
     const MotionFamily& design = model.design;

@@ -15,13 +15,13 @@ void report_motion(Solution& solution, const CamProblem& problem, const Eigen::V
 
 /// What a solve delivers: all that is reported of the motion and its cam follows from it and the scene. Of a
 /// DRD or RR scene one spline, of a program one part a segment.
-struct Delivered {
+struct MotionAndCam {
     std::shared_ptr<const MotionChain> motion;
     std::vector<double> dimensions;  ///< of the scene's cam, in the order of scene.cam
 };
 
 /// Fills motion, curve, segments, peaks, cam and constraints of a solution that has its scene.
-void report_delivered(Solution& solution, Delivered delivered);
+void report_delivered(Solution& solution, MotionAndCam delivered);
 
 /// The part of a spline over [begin, end] of x, where the spline's own x is x + shift; both at breakpoints.
 [[nodiscard]] SplineCurve part_of_run(const SplineCurve& run, double begin, double end, double shift);

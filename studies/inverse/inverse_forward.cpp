@@ -8,7 +8,7 @@
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/sampling.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 

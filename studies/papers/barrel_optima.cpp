@@ -8,7 +8,7 @@
 #include "profiles/spatial/spatial_extremes.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 

@@ -75,7 +75,7 @@ std::vector<double> dimensions_of(const CamSpec& spec, const CamRecord& record) 
     return numbers;
 }
 
-Delivered delivered_of(const Scene& scene, const ResultRecord& record) {
+MotionAndCam delivered_of(const Scene& scene, const ResultRecord& record) {
     const std::optional<CamSpec>& cam = scene.cam;
     if (cam.has_value() != record.cam.has_value())
         refuse(fmt::format("found {} cam; allowed: {}", record.cam ? "a" : "no", cam ? "one" : "none"));

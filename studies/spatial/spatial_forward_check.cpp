@@ -6,7 +6,7 @@
 #include "core/numbers/scalar_search.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
 

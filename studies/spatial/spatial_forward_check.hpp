@@ -104,7 +104,7 @@ class FlankContact {
 
 // The spatial cam of a solved scene: its dimensions, its motion in SI, its forward check.
 
-/// The motion must outlive what is returned. Of a cam: its whole_turn (studies/check/check_cam.hpp).
+/// The motion must outlive what is returned. Of a cam: its whole_turn (studies/delivered/delivered.hpp).
 [[nodiscard]] FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale);
 
 /// Whether the scene's cam is a barrel or a cylindrical one.

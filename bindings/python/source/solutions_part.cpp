@@ -128,8 +128,9 @@ std::string html(const SolvedScene& solved) {
 std::vector<std::string> write(const SolvedScene& solved, const std::string& folder,
                                std::optional<int> points, bool with_dxf) {
     std::vector<std::string> written;
-    const WriteOptions options{points, with_dxf, result_extras(of(solved), solved.origin)};
-    for (const auto& path : write_result_folder(folder, of(solved), solved.origin, options))
+    const View view(of(solved));
+    const WriteOptions options{points, with_dxf, result_extras(view, solved.origin)};
+    for (const auto& path : write_result_folder(folder, view, solved.origin, options))
         written.push_back(path.string());
     return written;
 }

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/motion.hpp"
-#include "output/chart/motion_panel.hpp"
+#include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "studies/compare/reference_table.hpp"
 

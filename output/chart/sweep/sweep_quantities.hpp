@@ -3,7 +3,7 @@
 #pragma once
 
 #include "output/chart/axis_ticks.hpp"
-#include "output/chart/motion_panel.hpp"
+#include "output/chart/plot_frame.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"

@@ -5,7 +5,7 @@
 #include "core/numbers/scalar_search.hpp"
 #include "core/whole_turn.hpp"
 #include "output/drawing/dxf/dxf_drawing.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "core/infinity.hpp"
 #include "profiles/sampling.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/json/certificate/certificate_json.hpp"
 #include "output/report/cam_files.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "tests/bindings/c/c_face.hpp"
 
 #include <array>

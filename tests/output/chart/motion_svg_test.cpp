@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/motion_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 
 #include "core/errors.hpp"
 #include "output/chart/axis_ticks.hpp"

@@ -6,7 +6,7 @@
 #include "input/scene_reader.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
 #include "output/report/result_folder.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/output/drawing/dxf_text.hpp"

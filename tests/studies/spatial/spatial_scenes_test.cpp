@@ -3,7 +3,7 @@
 // by the short formulas of each mechanism, undercut by the distance of the flank from the roller's sweep.
 #include "input/loading/load_scene.hpp"
 #include "profiles/spatial/interference.hpp"
-#include "studies/check/check_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 #include "tests/profiles/spatial/reference_cams.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/chart/limit_spans.hpp"
+#include "output/view/limit_spans.hpp"
 
 #include "objectives/rules/cam_limits.hpp"
 #include "scene/limit_table.hpp"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Displacement, velocity, acceleration and jerk by the cam angle, with limits, peaks and set points.
+#include "output/view/limit_spans.hpp"
+#include "output/view/view.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/tables/peak_comparison.hpp"
+#include "scene/motion/set_points.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace camopt {
+
+namespace {
+
+constexpr int mark_digits = 6;  // as in the tables
+constexpr std::array<const char*, 4> keys = {"displacement", "velocity", "acceleration", "jerk"};
+constexpr std::array<const char*, 4> titles = {"Displacement", "Velocity", "Acceleration", "Jerk"};
+
+std::vector<CurveLimit> limits_of(const View& view, const MotionUnit& unit) {
+    std::vector<CurveLimit> all;
+    if (unit.order == 0) return all;
+    const int order = static_cast<int>(unit.order);
+    const std::optional<PeakLimit>& limit = peak_limit_of(view.solution.scene.limits, order);
+    if (!limit) return all;
+    std::vector<LimitSpan> spans = segment_limits(view.solution, *limit, order);
+    const Motion& motion = *view.solution.motion;
+    if (spans.empty()) spans.push_back({motion.begin(), motion.end(), limit->normalised});
+    const std::string words =
+        fmt::format("limit {}{}{}", short_text(limit->given), limit->unit.empty() ? "" : " ", limit->unit);
+    for (const LimitSpan& span : spans)
+        for (const int side : {1, -1})
+            all.push_back({view.degrees(span.begin), view.degrees(span.end),
+                           unit.per_normalised * side * span.normalised, side, words});
+    return all;
+}
+
+/// The peaks of both signs; of the displacement where it leaves the range of its stroke.
+std::vector<CurveMark> peak_marks(const View& view, const MotionUnit& unit, const PeakRow* row) {
+    std::vector<CurveMark> all;
+    const auto add = [&](const Extremum& peak) {
+        if (!std::isfinite(peak.value)) return;
+        all.push_back({view.degrees(peak.at), unit.per_normalised * peak.value,
+                       unit.normalised_text(peak.value, mark_digits)});
+    };
+    if (row == nullptr) {
+        for (const Excursion& one : excursions(view.solution)) add(one.farthest);
+        return all;
+    }
+    add(row->sides.largest);
+    if (row->sides.opposite) add(*row->sides.opposite);
+    return all;
+}
+
+/// Set points on the curve of what they give; of a region, which has a constant velocity, with its end.
+void add_set_points(std::vector<CurveMark>& marks, const View& view, const MotionUnit& unit) {
+    for (const PlacedPoint& point : placed_points(view.solution.scene.motion)) {
+        if (unit.order >= point.wanted.size() || !point.wanted[unit.order]) continue;
+        const double value = *point.wanted[unit.order];
+        CurveMark mark{view.degrees(point.begin), unit.per_normalised * value,
+                       "given: " + unit.normalised_text(value, mark_digits), true};
+        if (point.is_region() && unit.order == 1) mark.to = view.degrees(point.end);
+        marks.push_back(std::move(mark));
+    }
+}
+
+std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion& reference) {
+    std::string note = fmt::format("{} = {}{}", row.symbol, short_text(row.optimum.value),
+                                   view.segments.empty() ? "" : " of the spline segments");
+    if (row.reference)
+        note += fmt::format(" · {} {} = {} · change {}", reference_title(reference), row.symbol,
+                            short_text(*row.reference), row.change());
+    return note;
+}
+
+}  // namespace
+
+std::vector<Curve> motion_curves(const View& view) {
+    const ReferenceMotion reference = reference_motion(view.solution.scene);
+    const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
+    const Motion* const measured =
+        view.solution.measured ? view.solution.measured->motion.get() : nullptr;
+    std::vector<Curve> all;
+    for (std::size_t order = 0; order < keys.size(); ++order) {
+        const ShownDerivative& shown = view.units.motion[order];
+        const MotionUnit& unit = shown.first;
+        const PeakRow* const row = order == 0 ? nullptr : &peaks[order - 1];
+        Curve curve{keys[order], "motion", titles[order], unit.symbol, unit};
+        for (const DeliveredRow& place : view.delivered.rows)
+            curve.values.push_back(unit.per_normalised * place.motion.derivative[order]);
+        curve.beside = shown.beside;
+        if (shown.beside) curve.beside_factor = shown.beside->per_normalised / unit.per_normalised;
+        curve.normalised_factor = 1.0 / unit.per_normalised;
+        if (reference.motion)
+            curve.reference = ComparedCurve{reference.title, view.along(*reference.motion, unit)};
+        if (measured != nullptr) curve.measured = ComparedCurve{"measured", view.along(*measured, unit)};
+        curve.limits = limits_of(view, unit);
+        curve.marks = peak_marks(view, unit, row);
+        add_set_points(curve.marks, view, unit);
+        if (row != nullptr) curve.note = note_of(view, *row, reference);
+        all.push_back(std::move(curve));
+    }
+    return all;
+}
+
+}  // namespace camopt

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "output/view/view.hpp"
+
+#include "output/words/tables/segment_table.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace camopt {
+
+View::View(const Solution& shown)
+    : solution(shown), units(shown_units(shown.scene)), delivered(sample_delivered(shown)) {
+    if (!solution.motion) return;
+    for (const DeliveredRow& row : delivered.rows) angles.push_back(degrees(row.x));
+    for (const double x : solution.motion->breakpoints()) breakpoints.push_back(degrees(x));
+    for (const SegmentReport& segment : solution.segments)
+        segments.push_back({degrees(segment.begin), degrees(segment.end), segment_title(segment)});
+    curves = motion_curves(*this);
+    if (!solution.cam) return;
+    std::vector<Curve> of_cam = cam_curves(*this);
+    curves.insert(curves.end(), std::move_iterator(of_cam.begin()), std::move_iterator(of_cam.end()));
+}
+
+std::string View::title(const char* untitled) const {
+    return solution.scene.title.empty() ? untitled : solution.scene.title;
+}
+
+std::vector<double> View::along(const Motion& motion, const MotionUnit& unit) const {
+    std::vector<double> values;
+    for (const DeliveredRow& row : delivered.rows) {
+        const bool inside = !row.closing && row.x >= motion.begin() && row.x <= motion.end();
+        values.push_back(inside ? unit.per_normalised * motion.at(row.x, row.side).derivative[unit.order]
+                                : std::nan(""));
+    }
+    return values;
+}
+
+}  // namespace camopt

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A solution as people see it: rows of the motion and its cam in display units, with limits, marks and
+// reference curves, made once. Charts, pages and the studio iterate over it; none of them converts a unit.
+//
+// A new quantity along the motion is one row in motion_curves.cpp or cam_curves.cpp of this folder.
+#pragma once
+
+#include "output/words/shown_units.hpp"
+#include "studies/delivered/delivered.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace camopt {
+
+/// A limit over a stretch of the cam: a horizontal line, in the curve's unit.
+struct CurveLimit {
+    double from = 0.0, to = 0.0;  ///< deg
+    double at = 0.0;
+    int outside = 1;  ///< +1: values above violate it, −1: below
+    std::string words;
+};
+
+/// A value to name: an extreme as the tables have it, or a set point of the scene.
+struct CurveMark {
+    double at = 0.0;  ///< deg
+    double value = 0.0;
+    std::string words;              ///< "12.3 mm/s"
+    bool given = false;             ///< a set point
+    std::optional<double> to = {};  ///< of a region: its end, deg
+};
+
+/// Another motion at the same rows.
+struct ComparedCurve {
+    std::string title;
+    std::vector<double> values;  ///< NaN outside of that motion
+};
+
+/// One quantity by the rows of View::delivered.
+struct Curve {
+    std::string key;    ///< "velocity", "pressure_angle"
+    std::string group;  ///< "motion", "cam", "forces"
+    std::string title, symbol;
+    ShownUnit unit;
+    std::vector<double> values;        ///< in `unit`; NaN: no value there
+    std::optional<MotionUnit> beside;  ///< a second unit of the same values
+    double beside_factor = 1.0;        ///< value in `beside` = beside_factor · value
+    double normalised_factor = 0.0;    ///< normalised value = normalised_factor · value; 0: has none
+    std::optional<ComparedCurve> reference, measured;
+    std::vector<CurveLimit> limits;
+    std::vector<CurveMark> marks;
+    std::string note;  ///< how it compares: "V = 1.5 · modified sine V = 1.76 · change −15 %"
+};
+
+/// A segment of a program, deg.
+struct ViewSegment {
+    double from = 0.0, to = 0.0;
+    std::string title;
+};
+
+/// Keeps a reference to the solution. Everything is empty without a motion.
+struct View {
+    View(const Solution& shown);  // NOLINT(google-explicit-constructor): a solution is shown by its view
+
+    const Solution& solution;
+    ShownUnits units;
+    Delivered delivered;
+    std::vector<double> angles;  ///< of the rows, deg
+    std::vector<Curve> curves;
+    std::vector<ViewSegment> segments;
+    std::vector<double> breakpoints;  ///< of the motion, deg
+
+    [[nodiscard]] double degrees(double x) const { return units.degrees_per_x * x; }
+    /// The scene's title, or this.
+    [[nodiscard]] std::string title(const char* untitled) const;
+    /// A derivative of another motion at the rows, in that unit; NaN outside of it.
+    [[nodiscard]] std::vector<double> along(const Motion& motion, const MotionUnit& unit) const;
+};
+
+// Private to output/view.
+
+/// Displacement, velocity, acceleration and jerk.
+[[nodiscard]] std::vector<Curve> motion_curves(const View& view);
+/// Pressure angle, curvature or regularity, loads: what this cam has.
+[[nodiscard]] std::vector<Curve> cam_curves(const View& view);
+
+}  // namespace camopt
