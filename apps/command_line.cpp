@@ -2,7 +2,7 @@
 #include "apps/command_line.hpp"
 
 #include "apps/command_words.hpp"
-#include "apps/completion/completion.hpp"
+#include "apps/completion.hpp"
 #include "apps/manual/manual.hpp"
 #include "apps/scene_loading.hpp"
 #include "apps/terminal.hpp"

@@ -13,7 +13,7 @@
 #include "output/words/number_text.hpp"
 #include "output/words/scene_words.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/text_table.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/check/scene_check.hpp"

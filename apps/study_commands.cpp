@@ -14,9 +14,9 @@
 #include "output/report/folder_update.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/words/study_text.hpp"
-#include "output/words/tables/dynamics_text.hpp"
+#include "output/words/dynamics_text.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 #include "studies/response/train_study.hpp"
 

@@ -5,7 +5,7 @@
 // for the true continuous maxima of violation, and adds their rows, until the worst one is below tolerance.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/nlp.hpp"
 
 #include <Eigen/Core>

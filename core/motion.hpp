@@ -5,7 +5,7 @@
 // [0, 1], an RR motion on [0, 1 + return angle / rise angle]. No units; physical ones return in output/.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/numbers/interval.hpp"
 
 #include <array>

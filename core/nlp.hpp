@@ -9,8 +9,8 @@
 // Sizes, bounds, patterns and flags are fixed on construction; only values are computed later.
 #pragma once
 
-#include "core/extremum.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/numbers/infinity.hpp"
 
 #include <Eigen/Core>
 

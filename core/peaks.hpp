@@ -2,7 +2,7 @@
 // The peaks of a motion: the figures cams are chosen by.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 namespace camopt {
 

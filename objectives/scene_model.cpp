@@ -8,7 +8,7 @@
 #include "objectives/response/response_rule.hpp"
 #include "objectives/rules/cam_limits.hpp"
 #include "objectives/rules/cam_reach.hpp"
-#include "objectives/rules/own_point_rule.hpp"
+#include "objectives/own_point_rule.hpp"
 #include "objectives/rules/peak_rule.hpp"
 #include "objectives/rules/torque_rule.hpp"
 #include "objectives/set_point_conditions.hpp"

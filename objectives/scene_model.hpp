@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/peaks.hpp"
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "objectives/strokes.hpp"
 #include "scene/scene.hpp"
 

@@ -13,7 +13,7 @@
 // own has no range.
 #pragma once
 
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "scene/scene.hpp"
 
 #include <optional>

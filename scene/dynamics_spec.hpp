@@ -11,8 +11,8 @@
 // evaluates nothing of it, and a program that links no camopt::dynamics has none of it.
 #pragma once
 
-#include "core/extremum.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/motion.hpp"
 
 #include <Eigen/Core>

@@ -258,4 +258,13 @@ void validate(const Scene& scene);
 [[nodiscard]] const char* name_of(EndJerk value);
 [[nodiscard]] const char* name_of(TieBreak value);
 
+[[nodiscard]] int segments_of(const SplineSpec& spline);
+
+/// Uniform breakpoints: any number of segments. Given breakpoints are kept and their intervals halved until
+/// there are at least so many.
+[[nodiscard]] Scene with_segments(const Scene& scene, int segments);
+
+/// A segment has a range for its angle.
+[[nodiscard]] bool searches_angles(const Scene& scene);
+
 }  // namespace camopt

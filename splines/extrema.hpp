@@ -3,7 +3,7 @@
 // inside.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/peaks.hpp"
 #include "splines/curve.hpp"
 

@@ -5,7 +5,7 @@
 // Dimension N = (p + 1) + (n − 1)(p − k). Clamped knots: ends p + 1 fold, interior breakpoints p − k fold.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <vector>
 

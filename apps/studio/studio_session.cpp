@@ -7,7 +7,7 @@
 #include "output/page/page_data.hpp"
 #include "studies/delivered/solution.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 
 #include <fmt/format.h>
 

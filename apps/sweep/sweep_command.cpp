@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // camopt sweep: many solves of one scene, by worker processes, into a folder that can be continued.
 #include "apps/commands.hpp"
-#include "apps/sweep/ranks/sweep_ranks.hpp"
+#include "apps/sweep/sweep_ranks.hpp"
 #include "apps/sweep/sweep_job.hpp"
 #include "apps/terminal.hpp"
 #include "core/errors.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/cam/cam_measurement.hpp"
 
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 
 #include <algorithm>
 #include <cmath>

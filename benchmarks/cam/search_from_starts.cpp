@@ -14,7 +14,7 @@
 #include "objectives/scene_model.hpp"
 #include "output/csv/csv_line.hpp"
 #include "solvers/registry.hpp"
-#include "studies/solve/start_search.hpp"
+#include "studies/search/start_search.hpp"
 
 #include <fmt/format.h>
 

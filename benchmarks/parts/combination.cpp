@@ -2,7 +2,7 @@
 #include "benchmarks/parts/combination.hpp"
 
 #include "solvers/registry.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_tables.hpp"
 
 #include <fmt/format.h>

@@ -20,7 +20,7 @@ from plot import COLOURS, Axis, Panel, Picture  # noqa: E402
 
 ROWS = 1_000_000
 WORKERS = (1, 10, 100, 1000, 10_000)
-ANSWER = 0.002  # s; the longest sleep of a rank, apps/sweep/ranks/sweep_ranks.cpp
+ANSWER = 0.002  # s; the longest sleep of a rank, apps/sweep/sweep_ranks.cpp
 SERVICE = "rank 0 a chunk, TCP"
 STUDIES = (("quick", 25), ("quick", 250), ("slow", 1), ("slow", 25))  # sweep, rows a chunk
 

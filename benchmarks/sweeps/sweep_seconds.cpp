@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sweep_seconds FOLDER: 1,000 weights of a DRD cubic of 32 segments in one process: warm-started along the
-// sweep (studies/solve/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with
+// sweep (studies/search/solve_sequence.hpp, each chunk of 25 starts cold), each cold, and each cold with
 // Ipopt.
 //
 // Writes FOLDER/sweep_seconds.csv, a line a way: passes over all rows, their median seconds, rows that are
@@ -13,8 +13,8 @@
 #include "benchmarks/parts/solver_variants.hpp"
 #include "core/text/text_file.hpp"
 #include "output/csv/csv_line.hpp"
-#include "studies/solve/solve_sequence.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_sequence.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 #include "studies/sweep/sweep_run.hpp"
 

@@ -4,7 +4,7 @@
 #include "input/loading/load_scene.hpp"
 #include "output/chart/curve_chart.hpp"
 #include "output/csv/motion_csv.hpp"
-#include "output/json/certificate/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "output/report/report.hpp"

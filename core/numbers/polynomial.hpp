@@ -2,7 +2,7 @@
 // Polynomials in one variable, p(t) = Σ_m c_m t^m: coefficients ascending, as Eigen vectors of size >= 1.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/numbers/sampled_maximum.hpp"
 
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
 
 #include <algorithm>

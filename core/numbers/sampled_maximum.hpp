@@ -4,7 +4,7 @@
 // piece is known to rounding, its place to about 1e-10 of the piece.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -9,5 +9,5 @@
 #include "output/disk/disk_export.hpp"
 #include "output/nc/checked_program.hpp"
 #include "output/nc/machine.hpp"
-#include "output/nc/post/post_processor.hpp"
+#include "output/nc/post_processor.hpp"
 #include "output/spatial/nc_export.hpp"

@@ -3,4 +3,4 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"

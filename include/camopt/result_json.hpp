@@ -5,6 +5,6 @@
 #pragma once
 
 #include "core/language.hpp"
-#include "output/json/certificate/certificate_json.hpp"
-#include "output/json/certificate/certificate_reader.hpp"
+#include "output/json/certificate_json.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "output/json/result_json.hpp"

@@ -10,7 +10,7 @@
 
 #include "core/nlp.hpp"
 #include "objectives/hessian_slots.hpp"
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "splines/free_knot_energy.hpp"
 #include "splines/free_knot_form.hpp"
 

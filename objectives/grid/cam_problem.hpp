@@ -8,7 +8,7 @@
 #include "core/continuous_problem.hpp"
 #include "objectives/grid/equality_projection.hpp"
 #include "objectives/grid/grid_nlp.hpp"
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 
 #include <map>
 #include <memory>

@@ -9,7 +9,7 @@
 
 #include "core/nlp.hpp"
 #include "objectives/hessian_slots.hpp"
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "splines/gram.hpp"
 
 #include <Eigen/SparseCore>

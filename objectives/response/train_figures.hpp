@@ -3,8 +3,8 @@
 // speed or at the worst of a range.
 #pragma once
 
-#include "core/extremum.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/extremum.hpp"
+#include "core/numbers/infinity.hpp"
 #include "objectives/response/motion_events.hpp"
 #include "scene/scene.hpp"
 

@@ -3,7 +3,7 @@
 // row of its own, where the ranges do not keep it anyhow.
 #pragma once
 
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "scene/cam_spec.hpp"
 
 namespace camopt {

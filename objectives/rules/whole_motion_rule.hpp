@@ -6,7 +6,7 @@
 // the rule is largest over places and settings together.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "splines/motion_family.hpp"
 

@@ -9,7 +9,7 @@
 #include "core/motion.hpp"
 #include "core/peaks.hpp"
 #include "scene/scene.hpp"
-#include "studies/delivered/cam/follower_loads.hpp"
+#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
@@ -28,7 +28,7 @@ namespace camopt {
 // pitch_radius_mm (radius of curvature of the pitch curve; flat: of the cam), cam_radius_mm, regularity, and
 // for a flat face contact_offset_mm. Where the scene has forces then force_n (swinging: moment_nm),
 // torque_nm, normal_force_n and, with a width of contact, hertz_pressure_mpa
-// (studies/delivered/cam/follower_loads.hpp); the last two are empty where the follower cannot touch the cam
+// (studies/delivered/follower_loads.hpp); the last two are empty where the follower cannot touch the cam
 // as designed. Radii are signed, > 0 convex, and empty where infinite. Cam frame of
 // output/drawing/profile_shape.hpp.
 

@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "output/csv/csv_line.hpp"
 #include "output/words/comparison_words.hpp"
-#include "output/words/tables/reference_table_rows.hpp"
+#include "output/words/reference_table_rows.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>

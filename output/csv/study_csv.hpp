@@ -3,7 +3,7 @@
 #pragma once
 
 #include "studies/compare/comparison.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/response/train_study.hpp"
 

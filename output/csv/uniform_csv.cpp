@@ -2,14 +2,14 @@
 #include "output/csv/uniform_csv.hpp"
 
 #include "core/errors.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/text/split_text.hpp"
 #include "core/units.hpp"
 #include "core/whole_turn.hpp"
 #include "output/words/number_text.hpp"
 #include "profiles/sampling.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/cam/follower_loads.hpp"
+#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
 
 #include <fmt/format.h>

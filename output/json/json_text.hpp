@@ -3,7 +3,7 @@
 // number that is not finite. Private to output/: the JSON library stays out of the public headers.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 // read back as the same double. Never throws for what a Solution holds.
 #pragma once
 
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

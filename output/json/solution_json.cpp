@@ -6,7 +6,7 @@
 #include "motions/laws/law.hpp"
 #include "output/words/cam_words.hpp"
 #include "output/words/shown_units.hpp"
-#include "output/words/tables/segment_table.hpp"
+#include "output/words/segment_table.hpp"
 #include "splines/curve.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "output/json/solution_json.hpp"
 #include "output/words/comparison_words.hpp"
 #include "output/words/shown_units.hpp"
-#include "output/words/tables/reference_table_rows.hpp"
+#include "output/words/reference_table_rows.hpp"
 #include "studies/delivered/scene_limits.hpp"
 
 #include <cstddef>

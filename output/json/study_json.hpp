@@ -2,9 +2,9 @@
 // Studies beside a solve as JSON: elastic follower trains, comparisons, papers.
 #pragma once
 
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/response/train_study.hpp"
 

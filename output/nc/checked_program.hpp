@@ -8,8 +8,8 @@
 #include "output/nc/nc_check.hpp"
 #include "output/nc/nc_program.hpp"
 #include "output/nc/nc_travel.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
-#include "output/nc/post/post_processor.hpp"
+#include "output/nc/cutter_compensation.hpp"
+#include "output/nc/post_processor.hpp"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/cutter_compensation.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

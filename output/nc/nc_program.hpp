@@ -15,7 +15,7 @@
 #include "output/nc/blank.hpp"
 #include "output/nc/machine.hpp"
 #include "output/nc/nc_reader.hpp"
-#include "output/nc/post/post_processor.hpp"
+#include "output/nc/post_processor.hpp"
 
 #include <Eigen/Core>
 

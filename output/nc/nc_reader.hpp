@@ -8,7 +8,7 @@
 #pragma once
 
 #include "output/nc/machine.hpp"
-#include "output/nc/post/post_processor.hpp"
+#include "output/nc/post_processor.hpp"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include "core/errors.hpp"
 #include "core/units.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "output/spatial/drum_pictures.hpp"
 #include "output/words/cam_remarks.hpp"
 #include "output/words/scene_words.hpp"
-#include "studies/compare/law_motion.hpp"
+#include "studies/laws/law_motion.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
 
 #include <array>

@@ -41,7 +41,7 @@
 //   scene         file, text (TOML), lines[] (the scene in words)
 #pragma once
 
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "output/report/result_folder.hpp"
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"

@@ -9,9 +9,9 @@
 #include "output/words/key_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/dynamics_text.hpp"
-#include "output/words/tables/peak_comparison.hpp"
-#include "output/words/tables/segment_table.hpp"
+#include "output/words/dynamics_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
 #include "studies/compare/comparison.hpp"
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@
 
 #include "output/chart/studies/study_svg.hpp"
 #include "output/chart/sweep/sweep_svg.hpp"
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "output/json/sweep_json.hpp"
 #include "studies/compare/comparison.hpp"
 

@@ -5,7 +5,7 @@
 // degree 3 its s, s': where the motion is a polynomial of no higher degree, the piece is that polynomial.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "scene/scene.hpp"
 #include "splines/motion_chain.hpp"
 

@@ -11,7 +11,7 @@
 #include "output/drawing/mechanism_svg.hpp"
 #include "output/drawing/profile_svg.hpp"
 #include "studies/delivered/delivered.hpp"
-#include "studies/delivered/cam/follower_loads.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <algorithm>
 #include <array>

@@ -13,10 +13,10 @@
 #include "output/words/scene_words.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/dynamics_text.hpp"
-#include "output/words/tables/peak_comparison.hpp"
-#include "output/words/tables/segment_table.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/dynamics_text.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
+#include "output/words/text_table.hpp"
 
 #include <fmt/format.h>
 

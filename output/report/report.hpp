@@ -2,7 +2,7 @@
 // report.md: the result for a cam engineer, in words, tables and the picture motion.svg beside it.
 #pragma once
 
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "studies/delivered/solution.hpp"
 
 #include <string>

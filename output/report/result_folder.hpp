@@ -4,7 +4,7 @@
 // where asked for, profile.dxf. read_result_folder reads it back.
 #pragma once
 
-#include "output/json/certificate/run_origin.hpp"
+#include "output/json/run_origin.hpp"
 #include "output/view/view.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "output/chart/plot_frame.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/cutter_compensation.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "output/view/limit_spans.hpp"
 #include "output/view/view.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/peak_comparison.hpp"
 #include "scene/motion/set_points.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 
 #include "core/units.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/text_table.hpp"
 #include "scene/cam_spec.hpp"
 #include "studies/delivered/solution.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/text_table.hpp"
 #include "scene/cost_table.hpp"
 
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 #include "output/words/number_text.hpp"
 #include "output/words/shown_units.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/reference_table_rows.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/reference_table_rows.hpp"
+#include "output/words/text_table.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 #include <fmt/format.h>

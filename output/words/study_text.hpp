@@ -4,7 +4,7 @@
 
 #include "scene/scene.hpp"
 #include "studies/compare/comparison.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_report.hpp"
 #include "studies/sweep/sweep_row.hpp"
 

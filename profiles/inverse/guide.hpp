@@ -14,7 +14,7 @@
 // Mechanism Subjected by a Curvilinear Inverse Cam (I), eqs. 1 to 12, corrected (docs/papers/000.md).
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 // m, s. Errors: InputError where strokes do not follow one another in time or the roller jumps between them.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 
 #include <vector>
 

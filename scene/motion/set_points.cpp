@@ -4,6 +4,7 @@
 #include "core/errors.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
+#include "scene/limit_table.hpp"
 
 #include <fmt/format.h>
 
@@ -197,6 +198,17 @@ void keep_written(MotionSpec& changed, const MotionSpec& before) {
         keep(segment.via, {segment.angle, changed.lift, changed.speed},
              {before.segments[i].angle, before.lift, before.speed});
     }
+}
+
+void keep_written(Scene& changed, const MotionSpec& before) {
+    MotionSpec& now = changed.motion;
+    keep_written(now, before);
+    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds.
+    const double pace =
+        before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
+    for (const PeakLimitRow& row : peak_limit_rows())
+        if (auto& limit = row.in(changed.limits); limit && limit->in_time())
+            limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
 }
 
 }  // namespace camopt

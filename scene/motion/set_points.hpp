@@ -76,4 +76,8 @@ struct WrittenValue {
 /// they said before.
 void keep_written(MotionSpec& changed, const MotionSpec& before);
 
+/// After angles, lift or speed changed: set points, displacements and limits in time say what they said
+/// before.
+void keep_written(Scene& changed, const MotionSpec& before);
+
 }  // namespace camopt

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/continuous_problem.hpp"
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "core/nlp.hpp"
 #include "solvers/solver.hpp"
 

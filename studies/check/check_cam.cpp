@@ -2,7 +2,7 @@
 #include "studies/check/check_cam.hpp"
 
 #include "core/errors.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "studies/check/point_curve.hpp"
 

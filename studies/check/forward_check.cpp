@@ -3,7 +3,7 @@
 
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "studies/check/forward_check_input.hpp"
 #include "studies/check/point_curve.hpp"

@@ -2,7 +2,7 @@
 #include "studies/check/forward_check_input.hpp"
 
 #include "core/errors.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/whole_turn.hpp"
 
 #include <algorithm>

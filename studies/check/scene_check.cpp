@@ -8,7 +8,7 @@
 #include "scene/written_limits.hpp"
 #include "solvers/registry.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/solve/solve_from_starts.hpp"
+#include "studies/search/solve_from_starts.hpp"
 
 #include <fmt/format.h>
 

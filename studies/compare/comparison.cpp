@@ -5,16 +5,16 @@
 #include "core/peak_figures.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "objectives/rules/cam_limits.hpp"
-#include "objectives/rules/own_point_rule.hpp"
+#include "objectives/own_point_rule.hpp"
 #include "objectives/rules/whole_motion_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "scene/written_limits.hpp"
-#include "studies/compare/law_motion.hpp"
-#include "studies/delivered/cam/cam_report.hpp"
+#include "studies/laws/law_motion.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/solution_parts.hpp"
-#include "studies/solve/program/solve_free_angles.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/program/solve_free_angles.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/compare/law_losses.hpp"
 
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "objectives/scene_model.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 
 #include <Eigen/LU>
 

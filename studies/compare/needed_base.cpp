@@ -2,7 +2,7 @@
 #include "studies/compare/needed_base.hpp"
 
 #include "core/errors.hpp"
-#include "core/infinity.hpp"
+#include "core/numbers/infinity.hpp"
 #include "core/numbers/interval.hpp"
 #include "core/numbers/scalar_search.hpp"
 #include "objectives/rules/cam_limits.hpp"

@@ -9,8 +9,8 @@
 #include "solvers/solver.hpp"
 #include "splines/curve.hpp"
 #include "splines/motion_chain.hpp"
-#include "studies/delivered/cam/cam_summary.hpp"
-#include "studies/delivered/cam/enclosed_limits.hpp"
+#include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/enclosed_limits.hpp"
 
 #include <Eigen/Core>
 

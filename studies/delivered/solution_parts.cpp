@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 #include "objectives/response/response_rule.hpp"
-#include "objectives/rules/own_point_rule.hpp"
+#include "objectives/own_point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "scene/limit_table.hpp"

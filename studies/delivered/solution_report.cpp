@@ -7,8 +7,8 @@
 #include "objectives/scene_model.hpp"
 #include "scene/limit_table.hpp"
 #include "splines/extrema.hpp"
-#include "studies/compare/law_motion.hpp"
-#include "studies/delivered/cam/cam_report.hpp"
+#include "studies/laws/law_motion.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_parts.hpp"
 

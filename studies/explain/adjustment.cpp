@@ -260,17 +260,6 @@ std::vector<Adjustment> adjustments(const Scene& scene) {
     return all;
 }
 
-void keep_written(Scene& changed, const MotionSpec& before) {
-    MotionSpec& now = changed.motion;
-    keep_written(now, before);
-    // Normalised peak · lift · (speed / unit angle)^order is what a limit in time holds.
-    const double pace =
-        before.speed.value_or(1.0) / now.speed.value_or(1.0) * now.unit_angle() / before.unit_angle();
-    for (const PeakLimitRow& row : peak_limit_rows())
-        if (auto& limit = row.in(changed.limits); limit && limit->in_time())
-            limit->normalised *= before.lift / now.lift * std::pow(pace, row.order());
-}
-
 std::vector<Adjustment> peak_adjustments(const Scene& scene) {
     std::vector<Adjustment> all;
     for (const PeakLimitRow& row : peak_limit_rows())

@@ -70,8 +70,4 @@ struct SetPointChanges {
 };
 [[nodiscard]] std::vector<SetPointChanges> set_point_changes(const Scene& scene);
 
-/// After angles, lift or speed changed: set points, displacements and limits in time say what they said
-/// before.
-void keep_written(Scene& changed, const MotionSpec& before);
-
 }  // namespace camopt

@@ -6,8 +6,8 @@
 #include "solvers/exchange/elastic.hpp"
 #include "solvers/structured/structured_solver.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/solve/rest_conflict.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/rest_conflict.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 
 namespace camopt {
 

@@ -34,26 +34,6 @@ bool is_told(const Scene& scene, int segments, const Budget& budget) {
 
 }  // namespace
 
-int segments_of(const SplineSpec& spline) {
-    return spline.breakpoints.empty() ? spline.segments : static_cast<int>(spline.breakpoints.size()) - 1;
-}
-
-Scene with_segments(const Scene& scene, int segments) {
-    Scene finer = scene;
-    finer.spline.segments = segments;
-    finer.spline.by_stroke = false;  // a number that is written is uniform
-    std::vector<double>& points = finer.spline.breakpoints;
-    while (!points.empty() && static_cast<int>(points.size()) - 1 < segments) {
-        std::vector<double> halved = {points.front()};
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            halved.push_back(0.5 * (points[i - 1] + points[i]));
-            halved.push_back(points[i]);
-        }
-        points = std::move(halved);
-    }
-    return finer;
-}
-
 FinerSpline finer_spline(const Scene& scene, const Budget& budget) {
     FinerSpline result;
     const int given = segments_of(scene.spline);

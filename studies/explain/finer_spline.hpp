@@ -9,12 +9,6 @@
 
 namespace camopt {
 
-[[nodiscard]] int segments_of(const SplineSpec& spline);
-
-/// Uniform breakpoints: any number of segments. Given breakpoints are kept and their intervals halved until
-/// there are at least so many.
-[[nodiscard]] Scene with_segments(const Scene& scene, int segments);
-
 struct FinerSpline {
     std::optional<Relaxation> row;  ///< key spline.segments: the fewest that were solved; of given
                                     ///< breakpoints spline.breakpoints: every interval cut alike

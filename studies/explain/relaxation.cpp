@@ -6,10 +6,10 @@
 #include "scene/motion/set_points.hpp"
 #include "studies/explain/adjustment.hpp"
 #include "studies/explain/finer_spline.hpp"
-#include "studies/explain/smallest_of_any_motion.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "studies/explain/value_search.hpp"
-#include "studies/solve/solve_from_starts.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_from_starts.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 // seen in y: it only picks the smoothest where the rows leave a part of the spline to itself.
 #pragma once
 
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 #include "studies/delivered/solution.hpp"
 
 namespace camopt {

@@ -2,7 +2,7 @@
 #include "core/numbers/sampled_maximum.hpp"
 #include "core/units.hpp"
 #include "studies/check/forward_check_input.hpp"
-#include "studies/delivered/cam/cam_summary.hpp"
+#include "studies/delivered/cam_summary.hpp"
 #include "studies/papers/papers.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"

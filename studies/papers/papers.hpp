@@ -2,7 +2,7 @@
 // The papers that are computed again: one function a paper.
 #pragma once
 
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 namespace camopt {
@@ -40,7 +40,7 @@ namespace camopt {
 [[nodiscard]] PaperReport paper_003(const SolveControl& control = {}, const PaperProgress& finished = {});
 
 // T.-Y. Shon and M.-Y. Yang, "Synthesis of Optimum CAM Curve by Cubic Spline", 1994: Tables 1 to 4 and Figs.
-// 1 to 8 beside the proved optima. The numbers are those of studies/compare/reference_table.hpp.
+// 1 to 8 beside the proved optima. The numbers are those of studies/papers/reference_table.hpp.
 
 /// Some seconds: 15 solves.
 [[nodiscard]] PaperReport paper_004(const SolveControl& control = {}, const PaperProgress& finished = {});

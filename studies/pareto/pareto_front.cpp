@@ -4,7 +4,7 @@
 #include "core/errors.hpp"
 #include "scene/written_limits.hpp"
 #include "studies/pareto/front_chain.hpp"
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include "objectives/scene_model.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/measured/measured_fit.hpp"
-#include "studies/solve/limit_curve.hpp"
-#include "studies/solve/program/solve_free_angles.hpp"
+#include "studies/search/limit_curve.hpp"
+#include "studies/search/program/solve_free_angles.hpp"
 
 #include <fmt/format.h>
 

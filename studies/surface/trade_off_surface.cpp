@@ -5,7 +5,7 @@
 #include "objectives/scene_model.hpp"
 #include "scene/cost_table.hpp"
 #include "studies/pareto/sweep_front.hpp"
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 #include "studies/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/sweep_run.hpp"
 
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 
 #include <fmt/format.h>
 

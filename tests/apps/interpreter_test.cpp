@@ -3,7 +3,7 @@
 // linuxcnc-uspace) prints the motions it would command; they are those that the verifier followed.
 #include "core/text/text_file.hpp"
 #include "output/nc/nc_reader.hpp"
-#include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/cutter_compensation.hpp"
 #include "program.hpp"
 #include "tests/output/temporary_folder.hpp"
 

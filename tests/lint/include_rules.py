@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""include_rules.py ROOT: each folder includes, and links, only the folders that the design allows it."""
+"""include_rules.py ROOT: each folder includes, and links, only the folders that the design allows it, and no two folders, at
+any level, include each other in a circle."""
 
 import pathlib
 import re
@@ -55,12 +56,42 @@ def faults_of_links(root, path):
                 yield f"{path}:{number}: {folder}/ must not link camopt::{target}"
 
 
+def cycles(root, code):
+    """Folders, at every level, that include each other in a circle; with one include of each step."""
+    includes = {}
+    for path in code:
+        folder = path.parent.as_posix()
+        if source_tree.module_of(path) not in source_tree.EVERY_MODULE:
+            continue
+        for line in (root / path).read_text().splitlines():
+            match = QUOTED.match(line)
+            target = pathlib.PurePosixPath(match.group(1)).parent.as_posix() if match else folder
+            if target != folder and (root / match.group(1)).is_file():
+                includes.setdefault(folder, {}).setdefault(target, path)
+    done, found = set(), []
+
+    def follow(folder, way):
+        if folder in way:
+            ring = way[way.index(folder):] + [folder]
+            found.append("folders include each other in a circle: " + ", ".join(
+                f"{user} -> {used} ({includes[user][used]})" for user, used in zip(ring, ring[1:])))
+        elif folder not in done:
+            for target in sorted(includes.get(folder, {})):
+                follow(target, way + [folder])
+            done.add(folder)
+
+    for folder in sorted(includes):
+        follow(folder, [])
+    return found
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     # Consumers of the installed package stand outside the tree.
     code = [path for path in source_tree.code(root) if path.parts[:2] != ("tests", "package")]
     lists = [path for path in source_tree.files(root) if path.name == "CMakeLists.txt"]
     faults = [fault for path in code for fault in faults_of_code(root, path)]
+    faults += cycles(root, code)
     faults += [fault for path in lists for fault in faults_of_links(root, path)]
     source_tree.report("include_rules", faults, len(code))
 

@@ -12,6 +12,7 @@ SPDX = "// SPDX-License-Identifier: MIT\n"
 CLEAN = {
     "core/a.hpp": SPDX + '#pragma once\n#include <Eigen/Core>\n#include <vector>\nint a();\n',
     "solvers/s.cpp": SPDX + '#include "core/a.hpp"\n',
+    "core/numbers/n.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
     "apps/p.hpp": SPDX + "#pragma once\n",
     "tests/apps/p_test.cpp": SPDX + '#include "apps/p.hpp"\n',
     "objectives/o.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
@@ -37,6 +38,7 @@ PLANTED = [
      "profiles/ must not link camopt::profiles_inverse"),
     ("include_rules", "output/nc/n.cpp", SPDX + '#include "profiles/p.hpp"\n', "output/nc/ must not include profiles/"),
     ("include_rules", "core/b.cpp", SPDX + '#include "a.hpp"\n', "from the project's root"),
+    ("include_rules", "core/b.cpp", SPDX + '#include "core/numbers/n.hpp"\n', "core -> core/numbers (core/b.cpp), core/numbers -> core"),
     ("include_rules", "core/a.cpp", SPDX + '#include <vector>\n#include "core/a.hpp"\n', "its own header must be the first"),
     ("include_rules", "bindings/b.cpp", SPDX + '#include "apps/p.hpp"\n', "bindings/ must not include apps/"),
     ("include_rules", "gears/g.cpp", SPDX, "has no line"),

@@ -4,7 +4,7 @@
 #include "bindings/python/source/parts.hpp"
 #include "bindings/python/source/read_scene.hpp"
 #include "bindings/python/source/watch.hpp"
-#include "studies/solve/solve_sequence.hpp"
+#include "studies/search/solve_sequence.hpp"
 
 #include <camopt/errors.hpp>
 #include <camopt/scene_file.hpp>

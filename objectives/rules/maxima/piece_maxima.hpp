@@ -2,7 +2,7 @@
 // The parts of rule_maxima.cpp: maxima of a rule inside one piece of a motion. Private.
 #pragma once
 
-#include "core/extremum.hpp"
+#include "core/numbers/extremum.hpp"
 #include "objectives/rules/point_rule.hpp"
 #include "splines/motion_chain.hpp"
 

@@ -8,7 +8,7 @@
 // rule.
 #pragma once
 
-#include "objectives/model.hpp"
+#include "objectives/rules/model.hpp"
 
 #include <Eigen/Core>
 

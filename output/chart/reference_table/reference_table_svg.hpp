@@ -10,7 +10,7 @@
 #include "core/motion.hpp"
 #include "output/chart/plot_frame.hpp"
 #include "output/chart/svg_canvas.hpp"
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 
 #include <string>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include "output/words/comparison_words.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/text_table.hpp"
 
 #include <fmt/format.h>
 

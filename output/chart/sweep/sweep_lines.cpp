@@ -3,7 +3,7 @@
 #include "output/chart/placed_texts.hpp"
 #include "output/chart/sweep/sweep_quantities.hpp"
 #include "output/words/number_text.hpp"
-#include "output/words/tables/text_table.hpp"
+#include "output/words/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chunks handed out to ranks: each is done once, and what a rank had goes to others.
-#include "apps/sweep/ranks/chunk_hand_out.hpp"
+#include "apps/sweep/chunk_hand_out.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/units.hpp"
 #include "output/csv/motion_csv.hpp"
 #include "output/drawing/dxf/cam_dxf.hpp"
-#include "output/json/certificate/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 #include "output/report/cam_files.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "tests/bindings/c/c_face.hpp"

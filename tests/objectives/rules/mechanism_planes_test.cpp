@@ -2,7 +2,7 @@
 // Planes under the limits of every kind of mechanism over random boxes: never above the limit, and nearer the
 // smaller the box. Which rules have none.
 #include "core/units.hpp"
-#include "objectives/rules/own_point_rule.hpp"
+#include "objectives/own_point_rule.hpp"
 #include "objectives/scene_model.hpp"
 #include "profiles/inverse/inverse_mechanism.hpp"
 #include "profiles/inverse/inverse_spec.hpp"

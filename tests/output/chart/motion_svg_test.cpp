@@ -6,7 +6,7 @@
 #include "output/report/report.hpp"
 #include "output/words/number_text.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/peak_comparison.hpp"
+#include "output/words/peak_comparison.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/support/refusal.hpp"
 

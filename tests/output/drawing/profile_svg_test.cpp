@@ -2,13 +2,17 @@
 #include "output/drawing/profile_svg.hpp"
 
 #include "core/units.hpp"
-#include "output/chart/profile_diagrams_svg.hpp"
+#include "output/chart/curve_chart.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
+#include "profiles/disk/disk_spec.hpp"
+#include "studies/delivered/cam_summary.hpp"
 #include "tests/studies/cam_samples.hpp"
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camopt {
@@ -67,31 +71,50 @@ TEST(ProfileSvg, ASectorIsOpen) {
     EXPECT_EQ(count_of(svg, "class=\"cam\""), 0);
 }
 
-TEST(ProfileDiagramsSvg, ShowLimitsAndExtremes) {
+/// A solution with that cam along the motion, as a solve reports it.
+Solution with_cam(const DiskCam& cam, const MotionChain& motion, const MotionScale& scale) {
+    Solution solution;
+    Scene& scene = solution.scene;
+    scene.motion.type = MotionType::program;
+    scene.motion.lift = scale.lift;
+    scene.motion.lift_is_angle = is_oscillating(cam.follower);
+    scene.motion.segments = {{.kind = SegmentKind::spline, .angle = scale.unit_angle}};
+    DiskSpec spec{.follower = cam.follower, .rotation = cam.rotation};
+    for (std::size_t i = 0; i < cam.dimensions.size(); ++i) spec.dimensions[i] = cam.dimensions[i];
+    scene.cam = disk_spec(spec);
+    solution.motion = std::make_shared<const MotionChain>(motion);
+    CamReport report;
+    report.cam = disk_mechanism(cam);
+    report.summary = cam_summary(report.cam, motion, scene);
+    solution.cam = std::move(report);
+    return solution;
+}
+
+TEST(CamDiagrams, ShowLimitsAndExtremes) {
     for (const FollowerType follower : test::all_followers) {
-        const MotionChain motion = test::turn_motion("modified_sine");
-        const ProfileShape shape =
-            profile_shape(disk_mechanism(test::sample_cam(follower)), motion, test::sample_scale(follower));
-        ProfileDiagramLimits limits;
-        limits.pressure = {{shape.begin(), shape.end(), 30 * units::degree}};
-        limits.convex_radius_min = 20e-3;
-        const std::string svg = profile_diagrams_svg(shape, limits, "Cam");
+        Solution solution = with_cam(test::sample_cam(follower), test::turn_motion("modified_sine"),
+                                     test::sample_scale(follower));
+        solution.scene.limits.pressure_angle = WrittenLimit(30 * units::degree);
+        solution.scene.limits.cam_radius_min = WrittenLimit(20e-3);
+        const std::string svg = cam_diagrams_svg(solution);
         expect_sound(svg);
         // A translating flat face presses straight down: its pressure angle 0 is no diagram.
         const bool straight = follower == FollowerType::translating_flat;
-        EXPECT_EQ(count_of(svg, "class=\"curve\""), straight ? 1 : 2);
-        EXPECT_EQ(svg.find("Pressure angle") == std::string::npos, straight);
-        EXPECT_NE(svg.find("least convex radius 20 mm"), std::string::npos);
-        EXPECT_EQ(count_of(svg, "ρ = "), 2);
-        EXPECT_EQ(svg.find("φ = ") == std::string::npos, straight);
+        EXPECT_EQ(count_of(svg, "class=\"optimum\""), straight ? 1 : 2);
+        EXPECT_EQ(svg.find("Pressure angle φ") == std::string::npos, straight);
+        EXPECT_EQ(svg.find(">limit 30 deg<") == std::string::npos, straight);
+        EXPECT_NE(svg.find("limit: radius 20 mm"), std::string::npos);
+        EXPECT_GE(count_of(svg, ">radius "), 1);
+        EXPECT_GE(count_of(svg, " deg at "), straight ? 0 : 1);
     }
 }
 
-TEST(ProfileDiagramsSvg, ACurvatureWithoutBoundLeavesTheFrame) {
-    DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
-    const MotionChain motion = test::turn_motion("polynomial_4567");
-    expect_sound(profile_diagrams_svg(profile_shape(disk_mechanism(cam), motion, {10 * units::degree, 1.0}),
-                                      {}, "Undercut"));
+TEST(CamDiagrams, UnboundedCurvatureLeavesTheFrame) {
+    const DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
+    const std::string svg = cam_diagrams_svg(
+        with_cam(cam, test::turn_motion("polynomial_4567"), {10 * units::degree, 1.0}), "curvature");
+    expect_sound(svg);
+    EXPECT_NE(svg.find("it leaves the frame"), std::string::npos);
 }
 
 }  // namespace profile_svg_test

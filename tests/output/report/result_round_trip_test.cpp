@@ -5,7 +5,7 @@
 #include "core/text/text_file.hpp"
 #include "input/loading/known_names.hpp"
 #include "input/scene_reader.hpp"
-#include "output/json/certificate/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 #include "output/json/result_json.hpp"
 #include "output/report/result_folder.hpp"
 #include "studies/checked/checked_cam.hpp"

@@ -6,8 +6,8 @@
 #include "output/words/infeasible_words.hpp"
 #include "output/words/key_words.hpp"
 #include "output/words/solution_text.hpp"
-#include "output/words/tables/peak_comparison.hpp"
-#include "output/words/tables/segment_table.hpp"
+#include "output/words/peak_comparison.hpp"
+#include "output/words/segment_table.hpp"
 #include "studies/check/check_cam.hpp"
 #include "tests/output/sample_solution.hpp"
 

@@ -7,7 +7,7 @@
 #include "objectives/scene_model.hpp"
 #include "studies/bound/bounder.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/disk/disk_mechanism.hpp"
-#include "studies/compare/law_motion.hpp"
+#include "studies/laws/law_motion.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // The reference table's figures. Exact optima of n = 4 … 12 are fractions; the others were found with linear
 // programs (HiGHS, exchange of the binding angles), independent of camopt. The printed ones are those of the
 // paper.
-#include "studies/compare/reference_table.hpp"
+#include "studies/papers/reference_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include "profiles/disk/disk_mechanism.hpp"
 #include "studies/check/check_cam.hpp"
 #include "studies/compare/needed_base.hpp"
-#include "studies/delivered/cam/cam_summary.hpp"
-#include "studies/delivered/cam/follower_loads.hpp"
-#include "studies/explain/smallest_of_any_motion.hpp"
+#include "studies/delivered/cam_summary.hpp"
+#include "studies/delivered/follower_loads.hpp"
+#include "studies/delivered/smallest_of_any_motion.hpp"
 #include "tests/studies/cam_samples.hpp"
 #include "tests/studies/cam_scenes.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Limits along all of a delivered motion: which are verified and which are not, and what passes a limit
 // between the places that figures come from.
-#include "studies/delivered/cam/enclosed_limits.hpp"
+#include "studies/delivered/enclosed_limits.hpp"
 
 #include "input/loading/load_scene.hpp"
 #include "studies/delivered/delivered_audit.hpp"

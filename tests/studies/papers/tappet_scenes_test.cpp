@@ -9,7 +9,7 @@
 #include "studies/check/check_cam.hpp"
 #include "studies/papers/tappet_shedding.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 #include "tests/support/counting_clock.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -11,7 +11,7 @@
 #include "objectives/scene_model.hpp"
 #include "output/csv/sweep_csv.hpp"
 #include "output/json/solution_json.hpp"
-#include "output/words/tables/dynamics_text.hpp"
+#include "output/words/dynamics_text.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/compare/comparison.hpp"
 #include "studies/delivered/solution_parts.hpp"

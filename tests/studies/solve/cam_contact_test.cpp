@@ -3,11 +3,11 @@
 // and what is reported of a cam that cannot be touched is not a number. Pressure angles where the follower
 // rests.
 #include "profiles/disk/disk_mechanism.hpp"
-#include "studies/delivered/cam/cam_report.hpp"
+#include "studies/delivered/cam_report.hpp"
 #include "studies/delivered/scene_limits.hpp"
 #include "studies/delivered/solution_report.hpp"
 #include "studies/explain/adjustment.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/studies/independent_cam.hpp"
 

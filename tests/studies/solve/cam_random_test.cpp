@@ -4,7 +4,7 @@
 #include "profiles/disk/disk_mechanism.hpp"
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/solve/solve.hpp"
-#include "studies/solve/solve_without_explaining.hpp"
+#include "studies/search/solve_without_explaining.hpp"
 #include "tests/studies/cam_scenes.hpp"
 #include "tests/support/long_run.hpp"
 

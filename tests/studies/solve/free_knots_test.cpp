@@ -3,7 +3,7 @@
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"
-#include "studies/solve/free_knot_descent.hpp"
+#include "studies/search/free_knot_descent.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -8,7 +8,7 @@
 #include "benchmarks/stability/stability_scenes.hpp"
 #include "core/errors.hpp"
 #include "studies/delivered/delivered_audit.hpp"
-#include "studies/solve/cost_scale.hpp"
+#include "studies/search/cost_scale.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Searches from several starts: the structured solver needs few passes where rules are not convex, and does
 // not find the same minimum twice.
-#include "studies/solve/start_search.hpp"
+#include "studies/search/start_search.hpp"
 
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "output/json/certificate/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 
 #include "core/errors.hpp"
 #include "core/text/text_file.hpp"
-#include "output/json/certificate/certificate_reader.hpp"
+#include "output/json/certificate_reader.hpp"
 #include "tests/output/sample_solution.hpp"
 #include "tests/output/temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The proof recomputed from certificate.json alone, by code that knows the file's recipe and nothing of the
 // library.
-#include "output/json/certificate/certificate_json.hpp"
+#include "output/json/certificate_json.hpp"
 #include "studies/solve/solve.hpp"
 #include "tests/studies/scenes_for_tests.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arcs and cutter compensation: where the cutter's centre goes, by hand.
-#include "output/nc/path/cutter_compensation.hpp"
+#include "output/nc/cutter_compensation.hpp"
 
 #include "core/errors.hpp"
 

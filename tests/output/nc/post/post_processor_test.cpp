@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Post-processor files: what they set, what they are refused for, what it does to the text.
-#include "output/nc/post/post_processor.hpp"
+#include "output/nc/post_processor.hpp"
 
 #include "core/errors.hpp"
 #include "core/units.hpp"

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A term or a limit that the program brought (scene/own_rule.hpp) as a rule of the optimizer:
+//     (g(point) − level) / size − q <= 0,   q the term's variable; a limit has none.
+#pragma once
+
+#include "objectives/rules/model.hpp"
+#include "objectives/rules/point_rule.hpp"
+#include "scene/scene.hpp"
+
+#include <memory>
+
+namespace camopt {
+
+class OwnPointRule final : public PointRule {
+ public:
+    /// `parameter`: index of q among the problem's parameters.
+    OwnPointRule(const OwnTerm& term, int parameter);
+    explicit OwnPointRule(const OwnLimit& limit);
+
+    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] const std::vector<int>& parameters() const override { return parameters_; }
+    [[nodiscard]] bool linear() const override { return shape_ == Curvature::linear; }
+    [[nodiscard]] Curvature curvature(double, double) const override { return shape_; }
+    [[nodiscard]] int highest_order() const override { return highest_order_; }
+    [[nodiscard]] bool limit() const override { return parameters_.empty(); }
+    [[nodiscard]] double scale() const override { return 1.0; }
+    /// Throws ModelError where the formula contradicts its shape, or its partials have no value where it has
+    /// one.
+    [[nodiscard]] RuleValue evaluate(const MotionPoint& point, const Eigen::VectorXd& q) const override;
+
+ private:
+    std::string name_;
+    MotionFormula formula_;
+    Curvature shape_;
+    int highest_order_;
+    double level_ = 0.0, size_ = 1.0;
+    std::vector<int> parameters_;
+
+    void check_shape(const MotionPoint& point, const FormulaValue& found) const;
+};
+
+/// Parameters and rules of every own term and limit of the scene.
+void add_own_rules(CamModel& model, const Scene& scene);
+
+/// The largest g of an own term along a motion, or 0 where it is nowhere above, and where. Exact to rounding
+/// where g is smooth between breakpoints; found by samples of value and slope.
+[[nodiscard]] Extremum largest_of_own(const OwnTerm& term, const Motion& motion);
+/// The largest g of a limit.
+[[nodiscard]] Extremum largest_of_own(const OwnLimit& limit, const Motion& motion);
+
+}  // namespace camopt

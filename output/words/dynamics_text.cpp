@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "output/words/dynamics_text.hpp"
+
+#include "core/units.hpp"
+#include "output/words/cam_words.hpp"
+#include "output/words/number_text.hpp"
+#include "output/words/shown_units.hpp"
+#include "output/words/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camopt {
+namespace {
+
+constexpr double no_train_force =
+    1e-7;  // of what presses at the top: a limit of 0 is met to the tolerance of the solve
+
+double rpm(double speed) {
+    return speed / units::revolution_per_minute;
+}
+
+std::string rpm_text(double speed) {
+    return short_text(rpm(speed));
+}
+
+std::string hertz_text(double frequency) {
+    return short_text(frequency / units::turn);
+}
+
+struct AmplitudeUnit {
+    double per_lift;
+    const char* name;
+};
+
+/// Micrometres, or thousandths of a degree.
+AmplitudeUnit amplitude_unit(const MotionSpec& motion) {
+    if (motion.lift_is_angle) return {motion.lift / (1e-3 * units::degree), "mdeg"};
+    return {motion.lift / 1e-6, "um"};
+}
+
+/// Of the output at this speed of the camshaft, from lifts by x².
+double acceleration_at(const Scene& scene, double normalised, double speed) {
+    const double faster = speed / scene.motion.speed.value();
+    return normalised * shown_units(scene).motion[2].first.per_normalised * faster * faster;
+}
+
+/// The row of a motion at the speed nearest to the scene's own.
+const TrainRow& row_at_speed(const TrainStudy& study, std::size_t motion) {
+    const std::size_t count = study.speeds.size();
+    const double speed = study.scene.motion.speed.value();
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < count; ++k)
+        if (std::abs(study.speeds[k] - speed) < std::abs(study.speeds[nearest] - speed)) nearest = k;
+    return study.rows[motion * count + nearest];
+}
+
+std::string speeds_words(const std::array<double, 2>& speeds) {
+    if (speeds[0] == speeds[1]) return fmt::format("at {} rpm", rpm_text(speeds[0]));
+    return fmt::format("from {} to {} rpm", rpm_text(speeds[0]), rpm_text(speeds[1]));
+}
+
+}  // namespace
+
+std::string dynamics_text(const TrainStudy& study) {
+    const MotionSpec& motion = study.scene.motion;
+    const AmplitudeUnit amplitude = amplitude_unit(motion);
+    const ShownUnits shown = shown_units(study.scene);
+    std::string text = study.scene.title.empty() ? std::string() : study.scene.title + "\n";
+    text += "Natural frequencies with the cam held:";
+    for (const double one : study.natural_frequencies) text += fmt::format(" {} Hz", hertz_text(one));
+    text += fmt::format("; one rise from rest, {} speeds from {} to {} rpm.\n", study.speeds.size(),
+                        rpm_text(study.speeds.front()), rpm_text(study.speeds.back()));
+    if (study.motions.empty()) return text;
+    text += fmt::format("At {} rpm, the nearest to the scene's speed, {} natural periods a rise:\n\n",
+                        rpm_text(row_at_speed(study, 0).speed),
+                        short_text(row_at_speed(study, 0).frequency_ratio, 4));
+    const bool pressed = study.scene.dynamics->pressed();
+    TextTable table;
+    table.columns = {{"motion", true},
+                     {fmt::format("residual {}", amplitude.name)},
+                     {fmt::format("deflection {}", amplitude.name)},
+                     {fmt::format("output {}", shown.motion[2].first.name)},
+                     {fmt::format("worst residual {}", amplitude.name)},
+                     {"at rpm"}};
+    if (pressed) {
+        table.columns.push_back({fmt::format("least force {}", shown.load.name)});
+        table.columns.push_back({"lifts off at rpm"});
+    }
+    const std::size_t count = study.speeds.size();
+    for (std::size_t i = 0; i < study.motions.size(); ++i) {
+        const TrainRow& row = row_at_speed(study, i);
+        const auto begin = study.rows.begin() + static_cast<std::ptrdiff_t>(i * count);
+        const TrainRow& worst =
+            *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(count),
+                              [](const TrainRow& a, const TrainRow& b) { return a.residual < b.residual; });
+        std::vector<std::string> cells = {
+            study.motions[i].second,
+            fixed_text(row.residual * amplitude.per_lift, 2),
+            fixed_text(row.peak_deflection * amplitude.per_lift, 2),
+            fixed_text(acceleration_at(study.scene, row.peak_acceleration, row.speed), 2),
+            fixed_text(worst.residual * amplitude.per_lift, 2),
+            fixed_text(rpm(worst.speed), 1)};
+        if (pressed) {
+            cells.push_back(fixed_text(row.least_force, 2));
+            cells.push_back(study.lift_off_speeds[i] ? fixed_text(rpm(*study.lift_off_speeds[i]), 1)
+                                                     : std::string("–"));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    text += aligned_text(table);
+    if (pressed)
+        text +=
+            "\nLifts off: the lowest speed at which the force on the cam reaches 0 (–: none up to twice the "
+            "highest speed). Beyond it the train is no longer linear.\n";
+    return text;
+}
+
+std::vector<std::string> train_sentences(const Solution& solution) {
+    if (!solution.train) return {};
+    const TrainReport& train = *solution.train;
+    const Scene& scene = solution.scene;
+    const ShownUnits shown = shown_units(scene);
+    const AmplitudeUnit amplitude = amplitude_unit(scene.motion);
+    std::string frequencies;
+    for (const double one : train.natural_frequencies)
+        frequencies += (frequencies.empty() ? "" : ", ") + hertz_text(one);
+    std::vector<std::string> sentences = {
+        fmt::format("elastic follower train of {} Hz: {} natural periods in the rise at {} rpm", frequencies,
+                    short_text(train.frequency_ratio, 4), rpm_text(*scene.motion.speed))};
+    if (!train.acceleration) {
+        sentences.emplace_back(
+            "no dwell: the motion never rests, so there is no transient from rest and no residual vibration "
+            "to report");
+        return sentences;
+    }
+    const std::string range = speeds_words(train.speeds);
+    if (train.residual)
+        sentences.push_back(fmt::format("residual vibration at most {} {} {} (worst at {} rpm)",
+                                        short_text(train.residual->value * amplitude.per_lift, 4),
+                                        amplitude.name, range, rpm_text(train.residual->speed)));
+    sentences.push_back(fmt::format(
+        "acceleration of the output at most {} (normalised), {} {} {}, at {} deg",
+        short_text(train.acceleration->value, 5),
+        short_text(acceleration_at(scene, train.acceleration->value, train.acceleration->speed), 5),
+        shown.motion[2].first.name, range, degrees_at(solution, train.acceleration->at)));
+    const DynamicsSpec& spec = *scene.dynamics;
+    const double pressed = spec.preload + spec.return_stiffness * scene.motion.lift;
+    if (train.least_force)
+        sentences.push_back(fmt::format(
+            "force of the train on the cam at least {} {}, at {} deg{}",
+            shown.load.text(train.least_force->value, 5), range, degrees_at(solution, train.least_force->at),
+            train.least_force->value < -no_train_force * pressed ? ": THE FOLLOWER LIFTS OFF" : ""));
+    return sentences;
+}
+
+}  // namespace camopt

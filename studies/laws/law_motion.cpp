@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "studies/laws/law_motion.hpp"
+
+#include "motions/laws/law_catalogue.hpp"
+#include "motions/laws/law_peaks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace camopt {
+
+namespace {
+
+// A jump of y'' below this part of the motion's peak is rounding, not an impulse.
+constexpr double smallest_jump = 1e-9;
+// In lifts: a stroke that the optimizer has chosen to be shorter stands still.
+constexpr double smallest_rise = 1e-7;
+
+double width_of(const LawStroke& stroke) {
+    return stroke.end - stroke.begin;
+}
+
+double rise_of(const LawStroke& stroke) {
+    return *stroke.to - *stroke.from;
+}
+
+/// Whether two neighbouring strokes of the law turn from one into the other without a rest.
+bool turns(const LawStroke& before, const LawStroke& after) {
+    const bool both_move = std::min(std::abs(rise_of(before)), std::abs(rise_of(after))) > smallest_rise;
+    return both_move && before.kind == SegmentKind::spline && after.kind == SegmentKind::spline &&
+           rise_of(before) * rise_of(after) < 0.0;
+}
+
+std::string free_displacement(std::span<const LawStroke> strokes) {
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (strokes[i].from && strokes[i].to) continue;
+        return fmt::format(
+            "the scene leaves a displacement of segment {} free, and there is no optimum to "
+            "take it from",
+            i);
+    }
+    return {};
+}
+
+/// A law from rest to rest does not take the velocity of a segment whose ends move.
+std::string moving_neighbour(std::span<const LawStroke> strokes) {
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (strokes[i].kind == SegmentKind::law && !make_law(strokes[i].law)->info().rests)
+            return fmt::format("rests at its ends, where segment {} moves on", i);
+    return {};
+}
+
+/// Turns every stroke so that the law's top lies where the motion turns; says why where it cannot.
+std::string turn_strokes(std::vector<LawStroke>& strokes, bool closed) {
+    const std::size_t count = strokes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        LawStroke& stroke = strokes[i];
+        if (stroke.kind != SegmentKind::spline) continue;
+        const bool at_begin = (i > 0 || closed) && turns(strokes[(i + count - 1) % count], stroke);
+        const bool at_end = (i + 1 < count || closed) && turns(stroke, strokes[(i + 1) % count]);
+        if (at_begin && at_end) return "turns back at its top and needs a dwell at its foot";
+        if (!at_begin && !at_end) return "turns back at its top, where this motion dwells";
+        stroke.mirrored = at_begin;
+    }
+    return {};
+}
+
+MotionChain chain_of(std::span<const LawStroke> strokes,
+                     const std::vector<std::shared_ptr<const Law>>& laws) {
+    std::vector<ChainPart> parts;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const LawStroke& stroke = strokes[i];
+        ChainPart part{stroke.begin, stroke.end, laws[i], stroke.begin, width_of(stroke), *stroke.from, 0.0};
+        if (laws[i]) part.y_scale = rise_of(stroke);
+        if (laws[i] && stroke.mirrored) {
+            part = {stroke.begin,      stroke.end, laws[i],         stroke.end,
+                    -width_of(stroke), *stroke.to, -rise_of(stroke)};
+        }
+        parts.push_back(std::move(part));
+    }
+    return MotionChain(std::move(parts));
+}
+
+/// x of a place of the law on its stroke.
+double placed_at(const LawStroke& stroke, double own) {
+    return stroke.mirrored ? stroke.end - width_of(stroke) * own : stroke.begin + width_of(stroke) * own;
+}
+
+/// Peaks of a law placed on its stroke.
+Peaks stretched(const Peaks& law, const LawStroke& stroke, double rise, double width) {
+    Peaks peaks = scaled_peaks(law, rise, width);
+    for (const auto member : {&Peaks::velocity, &Peaks::acceleration, &Peaks::jerk, &Peaks::torque}) {
+        Extremum& peak = peaks.*member;
+        peak.at = placed_at(stroke, peak.at);
+        if (stroke.mirrored) peak.side = peak.side == Side::left ? Side::right : Side::left;
+    }
+    return peaks;
+}
+
+/// y'' beyond one end of a stroke: of its neighbour, at rest 0.
+double acceleration_beyond(const MotionChain& motion, double x, bool closed, Side side) {
+    const double edge = side == Side::left ? motion.begin() : motion.end();
+    if (x != edge) return motion.at(x, side).derivative[2];
+    if (!closed) return 0.0;
+    return motion.at(side == Side::left ? motion.end() : motion.begin(), side).derivative[2];
+}
+
+/// The first place of a stroke, its ends included, where y'' jumps by more than `least`.
+std::optional<double> impulse_of(const LawStroke& stroke, const Law& law, const MotionChain& motion,
+                                 bool closed, double least) {
+    const auto jump = [&](double left, double right) { return std::abs(left - right) > least; };
+    const auto inside = [&](double x, Side side) { return motion.at(x, side).derivative[2]; };
+    if (jump(acceleration_beyond(motion, stroke.begin, closed, Side::left),
+             inside(stroke.begin, Side::right)))
+        return stroke.begin;
+    std::vector<double> points = law.breakpoints();
+    if (stroke.mirrored) std::ranges::reverse(points);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const double x = placed_at(stroke, points[i]);
+        if (jump(inside(x, Side::left), inside(x, Side::right))) return x;
+    }
+    if (jump(inside(stroke.end, Side::left), acceleration_beyond(motion, stroke.end, closed, Side::right)))
+        return stroke.end;
+    return {};
+}
+
+/// Peaks of every stroke from inside, in lifts and units of x; none where it rests.
+std::vector<Peaks> inner_peaks(std::span<const LawStroke> strokes,
+                               const std::vector<std::shared_ptr<const Law>>& laws) {
+    std::vector<Peaks> all(strokes.size());
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!laws[i]) continue;
+        all[i] = stretched(find_peaks_without_impulses(*laws[i]), strokes[i], std::abs(rise_of(strokes[i])),
+                           width_of(strokes[i]));
+    }
+    return all;
+}
+
+void add_peaks(LawMotion& result, std::span<const LawStroke> strokes,
+               const std::vector<std::shared_ptr<const Law>>& laws, bool closed) {
+    std::vector<Peaks> inner = inner_peaks(strokes, laws);
+    for (const Peaks& peaks : inner) raise_peaks(result.motion_peaks, peaks);
+    const double least = smallest_jump * result.motion_peaks.acceleration.value;
+    JoinedMeans means;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!laws[i]) continue;
+        const LawStroke& stroke = strokes[i];
+        if (const auto x = impulse_of(stroke, *laws[i], *result.motion, closed, least)) {
+            inner[i].jerk = {infinity, *x, Side::right};
+            derivative_mean(inner[i], 3) = infinity;
+            raise_peaks(result.motion_peaks, inner[i]);
+        }
+        if (stroke.kind != SegmentKind::spline) continue;
+        const Peaks own = normalised_peaks(inner[i], stroke.scale);
+        raise_peaks(result.peaks, own);
+        means.add(own, width_of(stroke));
+    }
+    means.set(result.peaks);
+}
+
+}  // namespace
+
+std::vector<LawStroke> strokes_of(const MotionSpec& motion) {
+    std::vector<LawStroke> strokes(1);
+    strokes[0].from = 0.0;
+    strokes[0].to = 1.0;
+    if (motion.type != MotionType::rr) return strokes;
+    LawStroke back = strokes[0];
+    back.begin = 1.0;
+    back.end = motion.length();
+    std::swap(back.from, back.to);
+    back.mirrored = true;
+    strokes.push_back(back);
+    return strokes;
+}
+
+std::vector<LawStroke> strokes_of(const Scene& scene, const CamModel& model, const Motion* optimum) {
+    if (scene.motion.type != MotionType::program) return strokes_of(scene.motion);
+    std::vector<LawStroke> strokes;
+    for (std::size_t i = 0; i < scene.motion.segments.size(); ++i) {
+        const ProgramSegment& written = scene.motion.segments[i];
+        const MotionFamily::Stretch& stretch = model.design.stretches()[i];
+        LawStroke stroke{written.kind,
+                         written.law,
+                         stretch.begin,
+                         stretch.end,
+                         known_displacement(stretch.from),
+                         known_displacement(stretch.to),
+                         model.stretch_scale(static_cast<int>(i)),
+                         false};
+        if (!stroke.from && optimum) stroke.from = optimum->at(stroke.begin, Side::right).derivative[0];
+        if (!stroke.to && optimum) stroke.to = optimum->at(stroke.end, Side::left).derivative[0];
+        strokes.push_back(std::move(stroke));
+    }
+    return strokes;
+}
+
+LawMotion law_motion(std::span<const LawStroke> strokes, bool closed, const std::shared_ptr<const Law>& law) {
+    LawMotion result;
+    result.misfit = free_displacement(strokes);
+    if (!result.misfit.empty()) return result;
+    result.misfit = moving_neighbour(strokes);
+    if (!result.misfit.empty()) return result;
+    std::vector<LawStroke> placed(strokes.begin(), strokes.end());
+    if (law->info().top == TopEnd::turning_point) result.misfit = turn_strokes(placed, closed);
+    if (!result.misfit.empty()) return result;
+    std::vector<std::shared_ptr<const Law>> laws;
+    for (const LawStroke& stroke : placed) {
+        if (stroke.kind == SegmentKind::law)
+            laws.push_back(make_law(stroke.law));
+        else
+            laws.push_back(stroke.kind == SegmentKind::spline ? law : nullptr);
+    }
+    result.motion = std::make_shared<MotionChain>(chain_of(placed, laws));
+    add_peaks(result, placed, laws, closed);
+    return result;
+}
+
+Peaks scaled_peaks(Peaks peaks, double size, double width) {
+    for (const PeakFigure& figure : peak_figures) {
+        const double sizes = figure.size_power == 2 ? size * size : size;
+        figure.in(peaks) *= sizes / std::pow(width, figure.width_power);
+    }
+    return peaks;
+}
+
+Peaks normalised_peaks(const Peaks& peaks, const StretchScale& scale) {
+    return scaled_peaks(peaks, 1.0 / scale.displacement, 1.0 / scale.angle);
+}
+
+void raise_peaks(Peaks& peaks, const Peaks& other) {
+    for (const PeakFigure& figure : peak_figures)
+        if (figure.extremum != nullptr && figure.of(other) > figure.of(peaks))
+            peaks.*figure.extremum = other.*figure.extremum;
+}
+
+void JoinedMeans::add(const Peaks& part, double width) {
+    for (int order = 1; order <= 3; ++order) {
+        const double mean = derivative_mean(part, order);
+        squares_[static_cast<std::size_t>(order) - 1] += width * mean * mean;
+    }
+    width_ += width;
+}
+
+void JoinedMeans::set(Peaks& whole) const {
+    for (int order = 1; order <= 3; ++order)
+        derivative_mean(whole, order) = std::sqrt(squares_[static_cast<std::size_t>(order) - 1] / width_);
+}
+
+}  // namespace camopt

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "studies/search/solve_free_knots.hpp"
+
+#include "objectives/scene_model.hpp"
+#include "solvers/certificate/forget_proof.hpp"
+#include "solvers/counting_solver.hpp"
+#include "solvers/structured/structured_solver.hpp"
+#include "studies/search/free_knot_descent.hpp"
+#include "studies/search/backend_choice.hpp"
+#include "studies/search/solve_without_explaining.hpp"
+#include "studies/search/tie_break.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+namespace camopt {
+
+namespace {
+
+// Random segments are between this and 1 plus this, before they are brought to the length of the motion.
+constexpr double shortest_random = 0.3;
+// The limit no curve can pass is computed to rounding; this part of it is given away for that.
+constexpr double limit_rounding = 1e-11;
+// Of the seconds that the first breakpoints took: kept for the solve on the last ones.
+constexpr double kept_for_last = 1.5;
+// Part of the gap within which of the limit nothing is left to gain.
+constexpr double nothing_left = 0.01;
+
+/// Of the whole motion; mirrored where it is symmetric.
+std::vector<double> random_breakpoints(const Scene& scene, unsigned seed) {
+    std::vector<double> points = start_breakpoints(scene);
+    const std::size_t segments = points.size() - 1;
+    const double length = points.back();
+    std::mt19937 engine(seed);
+    std::vector<double> widths(segments);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < segments; ++i) {
+        const bool repeat = scene.motion.symmetric && 2 * i >= segments;
+        // Plain arithmetic on the engine: the standard's distributions differ from library to library.
+        widths[i] = repeat ? widths[segments - 1 - i]
+                           : shortest_random + static_cast<double>(engine()) / 4294967295.0;
+        sum += widths[i];
+    }
+    for (std::size_t i = 0; i + 1 < segments; ++i) points[i + 1] = points[i] + widths[i] * length / sum;
+    for (std::size_t i = 0; scene.motion.symmetric && i <= segments / 2; ++i) {
+        points[segments - i] = length - points[i];
+        if (2 * i == segments) points[i] = 0.5 * length;
+    }
+    return points;
+}
+
+struct FreeKnotSearch {
+    FreeKnotResult best;
+    std::vector<double> breakpoints;
+    int starts = 0, steps = 0, rounds = 0, iterations = 0;
+    EvaluationCounts evaluations;
+};
+
+FreeKnotSearch search_breakpoints(const Scene& scene, const Solution& start, const SolveControl& control) {
+    const Peaks reference = reference_peaks(scene);
+    const CountingSolver solver(make_structured_solver());
+    FreeKnotOptions options;
+    options.exchange = exchange_options(scene);
+    options.exchange.backend.native.clear();  // they belong to the backend the user chose
+    options.tolerance = scene.solver.tolerance;
+    if (start.any_curve_limit) {
+        const double limit = start.any_curve_limit->objective;
+        options.enough = limit + nothing_left * scene.solver.wanted_gap() * std::max(1.0, limit);
+    }
+    FreeKnotSearch search;
+    const int starts = scene.solver.starts.value_or(default_starts);
+    for (int k = 0; k < starts; ++k) {
+        if (const std::optional<Termination> ending = control.ending()) {
+            search.best.termination = *ending;
+            break;
+        }
+        const std::vector<double> points =
+            k == 0 ? start_breakpoints(scene)
+                   : random_breakpoints(scene, scene.solver.seed + static_cast<unsigned>(k));
+        FreeKnotProblem problem(with_breakpoints(scene, points), reference);
+        FreeKnotResult result = descend(problem, problem.start(), solver, options, control);
+        ++search.starts;
+        search.steps += result.steps;
+        search.rounds += result.rounds;
+        search.iterations += result.iterations;
+        if (result.found.x.size() == 0) continue;
+        const bool first = search.best.found.x.size() == 0;
+        if (first || is_better(result.found, search.best.found, scene.solver.tolerance)) {
+            search.breakpoints = problem.breakpoints(result.found.x);
+            search.best = std::move(result);
+        }
+        const Candidate& best = search.best.found;
+        if (best.violation <= scene.solver.tolerance && best.objective <= options.enough) break;
+    }
+    search.evaluations = solver.counts();
+    return search;
+}
+
+void add(EvaluationCounts& to, const EvaluationCounts& more) {
+    to.cost += more.cost;
+    to.gradient += more.gradient;
+    to.constraints += more.constraints;
+    to.jacobian += more.jacobian;
+    to.hessian += more.hessian;
+    to.profile_points += more.profile_points;
+}
+
+/// With a motion that stood the audit.
+bool is_delivered(const Solution& solution) {
+    return solution.motion != nullptr && solution.certificate.verdict != Verdict::failed;
+}
+
+/// From a verdict for fixed breakpoints to one for free ones.
+void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene& scene) {
+    Certificate& certificate = solution.certificate;
+    const std::optional<double> gap = certificate.gap;
+    forget_proof(certificate);
+    solution.solver.proof_source.clear();
+    if (!is_delivered(solution)) {
+        solution.conflict.clear();
+        if (solution.motion) return;  // the audit has said what is wrong with it
+        certificate.verdict = Verdict::failed;
+        const Termination ended = search.best.termination;
+        certificate.reason = was_stopped(ended) ? reason_of(ended) : Reason::no_feasible_point;
+        solution.notes.emplace_back(
+            "no motion was found on any breakpoints tried; that there is none is not proved");
+        return;
+    }
+    certificate.stationarity = search.best.stationarity;
+    if (solution.any_curve_limit) {
+        const double limit = solution.any_curve_limit->objective;
+        certificate.lower_bound = limit - limit_rounding * std::abs(limit);
+        certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+        certificate.proof_kind = ProofKind::any_curve_limit;
+    }
+    const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap()};
+    settle_verdict(certificate, search.best.termination, judge);
+    if (gap && *gap <= scene.solver.wanted_gap() && certificate.verdict != Verdict::optimal) {
+        solution.notes.push_back(
+            fmt::format("no spline of these breakpoints is better, and that is proved (gap {:.1e}); that "
+                        "other breakpoints "
+                        "are not is what is left open",
+                        *gap));
+    }
+    if (!solution.solver.choice.empty()) {
+        solution.solver.choice =
+            "the breakpoints are free: the structured solver moves them, and for given breakpoints: " +
+            solution.solver.choice;
+    }
+}
+
+void report_breakpoints(Solution& solution) {
+    if (!solution.curve) return;
+    const std::vector<double>& points = solution.curve->space().breakpoints();
+    const auto count = static_cast<Eigen::Index>(points.size()) - 2;
+    Eigen::VectorXd values(count + solution.design.values.size());
+    std::vector<std::string> names;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        names.push_back(fmt::format("x[{}]", k + 1));
+        values[k] = points[static_cast<std::size_t>(k) + 1];
+    }
+    values.tail(solution.design.values.size()) = solution.design.values;
+    names.insert(names.end(), solution.design.names.begin(), solution.design.names.end());
+    solution.design.names = std::move(names);
+    solution.design.values = std::move(values);
+}
+
+}  // namespace
+
+Solution solve_free_knots(const Scene& scene, const SolveControl& control) {
+    const Stopwatch watch;
+    Solution solution = solve_without_explaining(with_breakpoints(scene, start_breakpoints(scene)), control);
+    double at_start = infinity;
+    if (is_delivered(solution)) at_start = solution.certificate.objective;
+    const double searching = control.deadline.seconds_left() - kept_for_last * watch.seconds();
+    FreeKnotSearch search = search_breakpoints(scene, solution, control.sooner(searching));
+    const bool found = search.best.found.x.size() > 0 &&
+                       search.best.found.violation <= scene.solver.tolerance &&
+                       search.best.found.objective < at_start;
+    if (found) {
+        Solution better = solve_without_explaining(with_breakpoints(scene, search.breakpoints), control);
+        if (!is_delivered(better)) {
+            // What is delivered is another motion, of which the search says nothing.
+            search.best.stationarity = infinity;
+            search.best.termination = control.ending().value_or(Termination::numerical_failure);
+        } else if (better.certificate.objective < at_start) {
+            add(better.evaluations, solution.evaluations);
+            solution = std::move(better);
+        }
+    }
+    add(solution.evaluations, search.evaluations);
+    solution.scene = scene;
+    solution.solver.convex = false;
+    solution.solver.starts = search.starts;
+    solution.solver.iterations += search.iterations;
+    solution.solver.exchange_rounds += search.rounds;
+    solution.notes.push_back(fmt::format(
+        "free breakpoints: {} starts and {} steps, by the structured solver; objective {} on the first "
+        "breakpoints",
+        search.starts, search.steps,
+        at_start < infinity ? fmt::format("{:.9g}", at_start) : std::string("unknown")));
+    judge_freely(solution, search, scene);
+    report_breakpoints(solution);
+    solution.seconds_total = solution.seconds_solve = watch.seconds();
+    return solution;
+}
+
+}  // namespace camopt

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "studies/search/solve_held_strokes.hpp"
+
+#include "objectives/scene_model.hpp"
+#include "solvers/certificate/forget_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace camopt {
+
+namespace {
+
+/// Some directions given, and the best motion with them.
+struct Case {
+    std::vector<StrokeDirection> directions;
+    Solution solution;
+    double bound = 0.0;  ///< no cost is negative
+    std::shared_ptr<const DualityProof> proof = {};
+    int leaves = -1;  ///< the open stroke that leaves its range most, −1: none does
+
+    [[nodiscard]] bool infeasible() const { return solution.certificate.verdict == Verdict::infeasible; }
+    [[nodiscard]] double objective() const {
+        return solution.motion ? solution.certificate.objective : infinity;
+    }
+};
+
+class DirectionSearch {
+ public:
+    DirectionSearch(const Scene& scene, const SolveHeld& solve, const SolveControl& control)
+        : scene_(scene), solve_(solve), control_(control), family_(scene_family(scene, DesignKind::states)) {
+        for (const StrokeRange& stroke : strokes_of(scene, family_))
+            if (stroke.is_free()) members_.push_back(stroke.member);
+    }
+
+    [[nodiscard]] Solution run() {
+        const Stopwatch watch;
+        cases_.push_back(solved(std::vector(members_.size(), StrokeDirection::open), nullptr));
+        if (cases_.front().leaves < 0) return std::move(cases_.front().solution);
+        while (!control_.ending()) {
+            const auto next = std::ranges::min_element(cases_, [&](const Case& one, const Case& other) {
+                if (is_open(one) != is_open(other)) return is_open(one);
+                return one.bound < other.bound;
+            });
+            if (!is_open(*next)) break;
+            split(next);
+        }
+        Solution best = delivered();
+        best.seconds_solve = watch.seconds();
+        return best;
+    }
+
+ private:
+    const Scene& scene_;
+    const SolveHeld& solve_;
+    const SolveControl& control_;
+    MotionFamily family_;
+    std::vector<std::string> members_;  ///< of the free strokes
+    std::vector<Case> cases_;           ///< together they hold everything
+    int solves_ = 0;
+
+    [[nodiscard]] Case solved(std::vector<StrokeDirection> directions, const Case* whole) {
+        ++solves_;
+        Case part{directions, solve_({true, directions})};
+        const Certificate& certificate = part.solution.certificate;
+        if (whole != nullptr) {
+            part.bound = whole->bound;
+            part.proof = whole->proof;
+        }
+        const bool better = certificate.lower_bound && *certificate.lower_bound >= part.bound;
+        if (better) part.bound = *certificate.lower_bound;
+        if (certificate.proof && (better || part.infeasible()))
+            part.proof = std::make_shared<DualityProof>(*certificate.proof);
+        if (!part.solution.motion) return part;
+        const std::vector<double> excursions = free_excursions(*part.solution.motion);
+        double worst = scene_.solver.tolerance;
+        for (std::size_t k = 0; k < excursions.size(); ++k) {
+            if (directions[k] != StrokeDirection::open || excursions[k] <= worst) continue;
+            worst = excursions[k];
+            part.leaves = static_cast<int>(k);
+        }
+        return part;
+    }
+
+    [[nodiscard]] std::vector<double> free_excursions(const MotionChain& motion) const {
+        const std::vector<double> all = excursions_of(scene_, family_, motion);
+        const std::vector<StrokeRange> strokes = strokes_of(scene_, family_);
+        std::vector<double> free;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (strokes[k].is_free()) free.push_back(all[k]);
+        return free;
+    }
+
+    [[nodiscard]] double best_objective() const {
+        double best = infinity;
+        for (const Case& part : cases_)
+            if (part.leaves < 0) best = std::min(best, part.objective());
+        return best;
+    }
+
+    /// Its own motion leaves a stroke, and one that does not may be better than the best.
+    [[nodiscard]] bool is_open(const Case& part) const {
+        const double best = best_objective();
+        return part.leaves >= 0 &&
+               (!std::isfinite(best) || relative_gap(best, part.bound) > scene_.solver.wanted_gap());
+    }
+
+    void split(std::vector<Case>::iterator at) {
+        const Case whole = std::move(*at);
+        cases_.erase(at);
+        for (const StrokeDirection direction : {StrokeDirection::rises, StrokeDirection::falls}) {
+            std::vector<StrokeDirection> directions = whole.directions;
+            directions[static_cast<std::size_t>(whole.leaves)] = direction;
+            cases_.push_back(solved(std::move(directions), &whole));
+        }
+    }
+
+    [[nodiscard]] CaseProof proof_of(const Case& part) const {
+        std::vector<std::string> region;
+        for (std::size_t k = 0; k < members_.size(); ++k)
+            if (part.directions[k] != StrokeDirection::open)
+                region.push_back(fmt::format(
+                    "{} {}", members_[k],
+                    part.directions[k] == StrokeDirection::rises ? "rises or rests" : "falls or rests"));
+        return {std::move(region), part.bound, part.infeasible(), part.proof};
+    }
+
+    [[nodiscard]] Solution delivered() const {
+        const auto best = std::ranges::min_element(
+            cases_, {}, [](const Case& part) { return part.leaves < 0 ? part.objective() : infinity; });
+        const bool found = best->leaves < 0 && best->solution.motion;
+        const bool nothing = std::ranges::all_of(cases_, &Case::infeasible);
+        // Without a motion: of a case that is infeasible, or of one that ended early.
+        const Case& chosen = found || nothing ? *best : *std::ranges::find_if(cases_, [](const Case& part) {
+            return !part.infeasible();
+        });
+        Solution solution = chosen.solution;
+        Certificate& certificate = solution.certificate;
+        const Certificate own = certificate;
+        forget_proof(certificate);
+        certificate.cases.clear();
+        certificate.proof_kind = ProofKind::boxes;
+        double bound = infinity;
+        for (const Case& part : cases_) {
+            certificate.cases.push_back(proof_of(part));
+            if (!part.infeasible()) bound = std::min(bound, part.bound);
+        }
+        solution.notes.push_back(fmt::format(
+            "the best motion without {} leaves the range of a stroke whose displacement is free; {} solves "
+            "with given directions",
+            scene_.motion.monotone ? "motion.monotone" : "motion.within_lift", solves_ - 1));
+        if (!found) {
+            if (nothing) return solution;
+            solution.motion.reset();
+            solution.curve.reset();
+            certificate.verdict = Verdict::failed;
+            certificate.reason = control_.stopped()  ? Reason::interrupted
+                                 : control_.ending() ? Reason::time_limit
+                                                     : Reason::no_feasible_point;
+            return solution;
+        }
+        certificate.lower_bound = std::min(bound, certificate.objective);
+        certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+        if (certificate.gap <= scene_.solver.wanted_gap()) {
+            certificate.verdict = Verdict::optimal;
+            certificate.reason = Reason::none;
+        } else if (own.verdict == Verdict::optimal) {
+            certificate.verdict = Verdict::feasible;
+            certificate.reason =
+                control_.ending().has_value() ? Reason::time_limit : Reason::free_displacements;
+        }
+        return solution;
+    }
+};
+
+}  // namespace
+
+bool leaves_its_strokes(const Solution& solution) {
+    const Scene& scene = solution.scene;
+    if ((!scene.motion.within_lift && !scene.motion.monotone) || !solution.motion) return false;
+    const std::vector<double> excursions =
+        excursions_of(scene, scene_family(scene, DesignKind::states), *solution.motion);
+    return std::ranges::any_of(excursions,
+                               [&](double excursion) { return excursion > scene.solver.tolerance; });
+}
+
+Solution solve_held_strokes(const Scene& scene, const SolveHeld& solve, const SolveControl& control) {
+    return DirectionSearch(scene, solve, control).run();
+}
+
+void take_bound_of_relaxation(Solution& solution, const Solution& relaxed) {
+    Certificate& certificate = solution.certificate;
+    const Certificate& other = relaxed.certificate;
+    const bool delivered = solution.motion && certificate.verdict != Verdict::failed;
+    if (!delivered || !other.lower_bound) return;
+    if (certificate.lower_bound && *certificate.lower_bound >= *other.lower_bound) return;
+    certificate.lower_bound = std::min(*other.lower_bound, certificate.objective);
+    certificate.gap = relative_gap(certificate.objective, *certificate.lower_bound);
+    certificate.proof_kind = other.proof_kind;
+    certificate.proof = other.proof;
+    certificate.cases = other.cases;
+    certificate.box_proof = other.box_proof;
+    solution.solver.proof_source = relaxed.solver.proof_source;
+    if (*certificate.gap > solution.scene.solver.wanted_gap(solution.solver.convex)) return;
+    certificate.verdict = Verdict::optimal;
+    certificate.reason = Reason::none;
+}
+
+}  // namespace camopt
