@@ -15,9 +15,9 @@
 #include "output/words/solution_text.hpp"
 #include "output/words/text_table.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
-#include "studies/delivered/delivered.hpp"
 #include "studies/check/scene_check.hpp"
 #include "studies/checked/checked_cam.hpp"
+#include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <fmt/format.h>

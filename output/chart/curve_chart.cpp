@@ -21,10 +21,10 @@ namespace {
 // Layout, px.
 constexpr double page_width = 1000, left = 92, right = 924, panel_height = 196, panel_distance = 248,
                  first_line = 58, line_height = 17, below_lines = 44, below_panels = 56;
-constexpr double headroom = 0.17;        // of the range, above and below: for the labels
-constexpr double limit_in_sight = 2.0;   // a limit beyond this many times the largest value is not drawn
-constexpr double below_zero = 0.02;      // of the largest value: less than this is no negative value
-constexpr double least_drawn = 0.3;      // px: a step shorter than this is not drawn
+constexpr double headroom = 0.17;       // of the range, above and below: for the labels
+constexpr double limit_in_sight = 2.0;  // a limit beyond this many times the largest value is not drawn
+constexpr double below_zero = 0.02;     // of the largest value: less than this is no negative value
+constexpr double least_drawn = 0.3;     // px: a step shorter than this is not drawn
 constexpr std::size_t most_breakpoints = 200;  // more would be a grey band
 constexpr double mark_font = 12, limit_font = 11.5, caption_font = 14, note_font = 12, line_font = 13;
 constexpr int angle_digits_of_mark = 5;  // as in the report
@@ -54,9 +54,10 @@ PlotAxis value_axis(const Curve& curve, double top) {
         if (*other)
             for (const double value : (*other)->values) range.add(value);
     const double size = std::max(range.upper, -range.lower);
-    const bool falls = range.lower < -below_zero * size, rises = range.upper > below_zero * size;
+    const bool falls = range.lower<-below_zero * size, rises = range.upper> below_zero * size;
     for (const CurveLimit& limit : curve.limits)
-        if (std::abs(limit.at) <= limit_in_sight * size && (limit.at > 0.0 ? rises : falls)) range.add(limit.at);
+        if (std::abs(limit.at) <= limit_in_sight * size && (limit.at > 0.0 ? rises : falls))
+            range.add(limit.at);
     const double width = range.upper > range.lower ? range.upper - range.lower : 1.0;
     return {range.lower - headroom * width, range.upper + headroom * width, top + panel_height, top};
 }
@@ -82,7 +83,12 @@ Panel panel_at(SvgCanvas& canvas, const View& view, const Curve& curve, double t
     for (const double tick : degree_ticks(frame.horizontal.lower, frame.horizontal.upper, 13))
         frame.horizontal_ticks.push_back({tick, lowest ? tick_text(tick, 1.0) : ""});
     frame.vertical_ticks = labelled_ticks(frame.vertical.lower, frame.vertical.upper, 6);
-    return {canvas, view,    curve, std::move(frame), top, top + panel_height,
+    return {canvas,
+            view,
+            curve,
+            std::move(frame),
+            top,
+            top + panel_height,
             {left, top - 2, right, top + panel_height + 2}};
 }
 
@@ -203,7 +209,8 @@ void draw_caption(const Panel& panel) {
     const bool leaves = !std::ranges::all_of(curve.values, [](double value) { return std::isfinite(value); });
     const std::string caption = fmt::format("{} {}", curve.title, curve.symbol),
                       note = leaves && curve.note.empty() ? "it leaves the frame" : curve.note;
-    const bool both = text_width(caption, caption_font, true) + text_width(note, note_font) + 12.0 < right - left;
+    const bool both =
+        text_width(caption, caption_font, true) + text_width(note, note_font) + 12.0 < right - left;
     panel.canvas.text(left, both ? panel.top - 8 : panel.top - 24, caption, "caption");
     panel.canvas.text(right, panel.top - 8, note, leaves ? "warning end" : "note end");
 }
@@ -277,8 +284,8 @@ std::vector<const Curve*> curves_of(const View& view, std::string_view group, st
 std::string curve_chart_svg(const View& view, const CurveChart& chart) {
     const double head = first_line + line_height * static_cast<double>(chart.lines.size());
     const double first = head + (chart.legend ? below_lines : below_lines - line_height);
-    const double page_height =
-        first + panel_distance * (static_cast<double>(chart.panels.size()) - 1.0) + panel_height + below_panels;
+    const double page_height = first + panel_distance * (static_cast<double>(chart.panels.size()) - 1.0) +
+                               panel_height + below_panels;
     SvgCanvas canvas(page_width, page_height, chart_style, chart.title);
     canvas.rectangle(0, 0, page_width, page_height, "page");
     canvas.text(left, 36, chart.title, "title");
@@ -298,9 +305,9 @@ std::string motion_svg(const View& view) {
     CurveChart chart{view.title("Motion"), {}, true, curves_of(view, "motion")};
     add_line(chart.lines, verdict_sentence(view.solution));
     add_line(chart.lines, objective_line(view.solution, " · "));
-    chart.lines.push_back(fmt::format(
-        "Left axis: physical units. Right axis: normalised by lift and {}.",
-        view.segments.empty() ? "rise" : "the angle of the first spline segment"));
+    chart.lines.push_back(
+        fmt::format("Left axis: physical units. Right axis: normalised by lift and {}.",
+                    view.segments.empty() ? "rise" : "the angle of the first spline segment"));
     return curve_chart_svg(view, chart);
 }
 
@@ -312,7 +319,8 @@ std::string force_diagrams_svg(const View& view) {
     std::vector<const Curve*> curves = curves_of(view, "forces");
     if (curves.empty()) throw InputError("forces.svg needs forces, and this solution has none");
     const std::string& title = view.solution.scene.title;
-    return curve_chart_svg(view, {title.empty() ? "Forces" : title + ": forces", {}, false, std::move(curves)});
+    return curve_chart_svg(view,
+                           {title.empty() ? "Forces" : title + ": forces", {}, false, std::move(curves)});
 }
 
 }  // namespace camopt

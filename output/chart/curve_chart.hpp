@@ -29,11 +29,12 @@ struct CurveChart {
 /// where the solution has no motion.
 [[nodiscard]] std::string motion_svg(const View& view);
 
-/// profile_diagrams.svg, pressure_angle.svg, curvature.svg: the curves of the cam whose keys begin with `key`.
+/// profile_diagrams.svg, pressure_angle.svg, curvature.svg: the curves of the cam whose keys begin with
+/// `key`.
 [[nodiscard]] std::string cam_diagrams_svg(const View& view, std::string_view key = {});
 
-/// forces.svg: force or moment on the follower, camshaft torque, force along the normal, Hertz pressure. Where
-/// the follower cannot touch the cam the last two do not exist. Throws InputError without forces.
+/// forces.svg: force or moment on the follower, camshaft torque, force along the normal, Hertz pressure.
+/// Where the follower cannot touch the cam the last two do not exist. Throws InputError without forces.
 [[nodiscard]] std::string force_diagrams_svg(const View& view);
 
 }  // namespace camopt

@@ -9,15 +9,14 @@
 #include "core/motion.hpp"
 #include "core/peaks.hpp"
 #include "scene/scene.hpp"
-#include "studies/delivered/follower_loads.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
+#include "studies/delivered/follower_loads.hpp"
 
 #include <string>
 #include <vector>
 
 namespace camopt {
-
 
 [[nodiscard]] std::string motion_csv(const Motion& motion, const Peaks& peaks, const MotionSpec& spec);
 

@@ -139,8 +139,8 @@ Json outline(const PlaneCourse& course, const MechanismProfile& profile, const c
 Json outlines_of(const PlaneCourse& course) {
     const DrivenMechanism& cam = course.cam();
     const auto profile = [&](int station) {
-        return mechanism_profile(cam, *course.view.delivered.whole, course.view.delivered.scale, outline_points,
-                                 station);
+        return mechanism_profile(cam, *course.view.delivered.whole, course.view.delivered.scale,
+                                 outline_points, station);
     };
     Json all = Json::array();
     const MechanismProfile first = profile(0);
@@ -169,9 +169,8 @@ Json circles_of(const PlaneCourse& course) {
     if (const int roller = formulas.roller_radius(); roller >= 0)
         all.push_back(
             {{"name", "prime circle"},
-             {"radius",
-              rounded_json(course.length.factor *
-                           (base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
+             {"radius", rounded_json(course.length.factor *
+                                     (base + course.cam().dimensions[static_cast<std::size_t>(roller)]))}});
     return all;
 }
 
@@ -187,7 +186,8 @@ Json plane_drawing(const View& view) {
     for (std::size_t i = 0; i < course.turned.size(); ++i) {
         turned.push_back(rounded_json(course.turned[i] / units::degree));
         append(contact, course.length,
-               center + Eigen::Rotation2Dd(course.turned[i]) * view.delivered.rows[i].cam.front().contact.head<2>());
+               center + Eigen::Rotation2Dd(course.turned[i]) *
+                            view.delivered.rows[i].cam.front().contact.head<2>());
     }
     append(middle, course.length, center);
     const std::optional<ProfileShape> shape = delivered_shape(solution, *view.delivered.whole);

@@ -90,6 +90,7 @@ std::string page_html(const PageHtml& page) {
 }
 
 std::string report_html(const View& view, const RunOrigin& origin) {
+    const Solution& solution = view.solution;
     PageHtml page;
     page.title = solution.scene.title.empty() ? "Motion" : solution.scene.title;
     page.data = page_data(view, origin);

@@ -132,9 +132,8 @@ void prepare_folder(const std::filesystem::path& folder) {
         throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
 }
 
-std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const View& view, const RunOrigin& origin,
-                                                       const WriteOptions& options) {
+std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder, const View& view,
+                                                       const RunOrigin& origin, const WriteOptions& options) {
     const Solution& solution = view.solution;
     FolderUpdate writer(folder);
     for (const char* const name : optional_files) writer.remove_earlier(name);

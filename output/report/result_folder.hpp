@@ -30,8 +30,8 @@ struct WriteOptions {
 /// earlier run together (folder_update.hpp); those that this one does not have (motion.*, profile*.*) are
 /// removed. Returns the paths written. Throws InputError where the path is a file or cannot be written: the
 /// folder is then as it was, or says by INCOMPLETE.txt that it is not.
-std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder,
-                                                       const View& view, const RunOrigin& origin = {},
+std::vector<std::filesystem::path> write_result_folder(const std::filesystem::path& folder, const View& view,
+                                                       const RunOrigin& origin = {},
                                                        const WriteOptions& options = {});
 
 /// Creates the folder; throws InputError where it cannot. For commands that want to know before a long run.

@@ -17,8 +17,8 @@ namespace camopt {
 
 namespace {
 
-constexpr int mark_digits = 6;        // as in the tables
-constexpr double most_times = 8.0;    // a curvature beyond this many times that of the base circle is not drawn
+constexpr int mark_digits = 6;      // as in the tables
+constexpr double most_times = 8.0;  // a curvature beyond this many times that of the base circle is not drawn
 constexpr int every_station = -1;
 
 using PointFigure = std::function<double(const MechanismPoint&)>;
@@ -35,8 +35,8 @@ void add_mark(Curve& curve, const View& view, const std::optional<CamExtreme>& e
 
 /// The scene's limit on that figure over the whole cam, drawn at `at` (SI).
 void add_limit(Curve& curve, const View& view, double at, int outside, std::string words) {
-    curve.limits.push_back({view.angles.front(), view.angles.back(), curve.unit.factor * at, outside,
-                            std::move(words)});
+    curve.limits.push_back(
+        {view.angles.front(), view.angles.back(), curve.unit.factor * at, outside, std::move(words)});
 }
 
 /// Of one station, or of the station where the magnitude is largest (`least`: where the value is least).
@@ -102,8 +102,8 @@ Curve pressure_curve(const View& view, int station) {
 Curve curvature_curve(const View& view, int station) {
     const CamSummary& summary = view.solution.cam->summary;
     const double most = most_times / summary.base_radius;
-    Curve curve = curve_at(view, station, {"curvature", "cam", "Curvature of the cam, > 0 convex", "κ",
-                                           view.units.curvature});
+    Curve curve = curve_at(
+        view, station, {"curvature", "cam", "Curvature of the cam, > 0 convex", "κ", view.units.curvature});
     add_values(curve, view, station, [most](const MechanismPoint& point) {
         const double value = 1.0 / point.cam_radius;
         return std::abs(value) > most ? std::nan("") : value;
@@ -134,7 +134,8 @@ Curve curvature_curve(const View& view, int station) {
 /// Of cams that have no curvature of an outline: how far from undercut.
 Curve regularity_curve(const View& view) {
     Curve curve{"regularity", "cam", "Regularity (0: undercut)", "g", {"", 1.0}};
-    add_values(curve, view, every_station, [](const MechanismPoint& point) { return point.regularity; }, true);
+    add_values(
+        curve, view, every_station, [](const MechanismPoint& point) { return point.regularity; }, true);
     const CamExtreme& least = view.solution.cam->summary.regularity;
     add_mark(curve, view, least, 1.0, short_text(least.value, mark_digits));
     if (const auto& limit = limit_on(view.solution.scene.limits, LimitedFigure::regularity))
@@ -179,20 +180,20 @@ void add_loads(std::vector<Curve>& all, const View& view) {
                                     {summary->largest_force, summary->least_force},
                                     LimitedFigure::contact_force,
                                     -1}));
-    all.push_back(load_curve(view, {{"torque", "forces", "Camshaft torque, > 0: the shaft drives", "T",
-                                     view.units.torque},
-                                    [](const FollowerLoads& one) { return one.torque; },
-                                    {summary->torque},
-                                    LimitedFigure::torque,
-                                    1,
-                                    true}));
+    all.push_back(load_curve(
+        view, {{"torque", "forces", "Camshaft torque, > 0: the shaft drives", "T", view.units.torque},
+               [](const FollowerLoads& one) { return one.torque; },
+               {summary->torque},
+               LimitedFigure::torque,
+               1,
+               true}));
     if (view.solution.cam->summary.no_contact) return;  // neither exists
     if (summary->normal_force)
-        all.push_back(load_curve(view, {{"normal_force", "forces", "Force along the normal", "N",
-                                         view.units.force},
-                                        [](const FollowerLoads& one) { return one.normal_force; },
-                                        {summary->normal_force},
-                                        std::nullopt}));
+        all.push_back(
+            load_curve(view, {{"normal_force", "forces", "Force along the normal", "N", view.units.force},
+                              [](const FollowerLoads& one) { return one.normal_force; },
+                              {summary->normal_force},
+                              std::nullopt}));
     if (summary->hertz_pressure)
         all.push_back(load_curve(
             view, {{"hertz_pressure", "forces", "Hertz pressure", "p", view.units.pressure},
@@ -207,7 +208,8 @@ std::vector<Curve> cam_curves(const View& view) {
     const CamMechanism& formulas = *view.solution.cam->cam.formulas;
     const CamSummary& summary = view.solution.cam->summary;
     // Each side of a cam that drives both ways has a curvature; disks on one shaft have pressure angles too.
-    const int sides = formulas.planar() && !summary.sides.empty() ? static_cast<int>(summary.sides.size()) : 0;
+    const int sides =
+        formulas.planar() && !summary.sides.empty() ? static_cast<int>(summary.sides.size()) : 0;
     const bool two_disks = sides > 0 && !formulas.groove_wall(view.solution.cam->cam.dimensions);
     std::vector<Curve> all;
     // A translating flat face has the pressure angle 0 everywhere: nothing to draw.

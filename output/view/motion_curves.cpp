@@ -80,8 +80,7 @@ std::string note_of(const View& view, const PeakRow& row, const ReferenceMotion&
 std::vector<Curve> motion_curves(const View& view) {
     const ReferenceMotion reference = reference_motion(view.solution.scene);
     const std::vector<PeakRow> peaks = peak_comparison(view.solution, reference);
-    const Motion* const measured =
-        view.solution.measured ? view.solution.measured->motion.get() : nullptr;
+    const Motion* const measured = view.solution.measured ? view.solution.measured->motion.get() : nullptr;
     std::vector<Curve> all;
     for (std::size_t order = 0; order < keys.size(); ++order) {
         const ShownDerivative& shown = view.units.motion[order];

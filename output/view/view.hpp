@@ -44,14 +44,14 @@ struct Curve {
     std::string group;  ///< "motion", "cam", "forces"
     std::string title, symbol;
     ShownUnit unit;
-    std::vector<double> values;        ///< in `unit`; NaN: no value there
-    std::optional<MotionUnit> beside;  ///< a second unit of the same values
-    double beside_factor = 1.0;        ///< value in `beside` = beside_factor · value
-    double normalised_factor = 0.0;    ///< normalised value = normalised_factor · value; 0: has none
-    std::optional<ComparedCurve> reference, measured;
-    std::vector<CurveLimit> limits;
-    std::vector<CurveMark> marks;
-    std::string note;  ///< how it compares: "V = 1.5 · modified sine V = 1.76 · change −15 %"
+    std::vector<double> values = {};        ///< in `unit`; NaN: no value there
+    std::optional<MotionUnit> beside = {};  ///< a second unit of the same values
+    double beside_factor = 1.0;             ///< value in `beside` = beside_factor · value
+    double normalised_factor = 0.0;         ///< normalised value = normalised_factor · value; 0: has none
+    std::optional<ComparedCurve> reference = {}, measured = {};
+    std::vector<CurveLimit> limits = {};
+    std::vector<CurveMark> marks = {};
+    std::string note = {};  ///< how it compares: "V = 1.5 · modified sine V = 1.76 · change −15 %"
 };
 
 /// A segment of a program, deg.

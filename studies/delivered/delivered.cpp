@@ -116,7 +116,8 @@ Delivered sample_delivered(const Solution& solution) {
         add(*all.whole, {begin, Side::right}, true);
         for (int i = 1; i <= closing_steps; ++i)
             add(*all.whole,
-                {begin + (end - begin) * i / closing_steps, i < closing_steps ? Side::right : Side::left}, true);
+                {begin + (end - begin) * i / closing_steps, i < closing_steps ? Side::right : Side::left},
+                true);
     }
     const LoadsAt loads = delivered_loads(solution);
     const int stations = solution.cam->cam.formulas->stations();

@@ -78,7 +78,7 @@ Solution with_cam(const DiskCam& cam, const MotionChain& motion, const MotionSca
     scene.motion.type = MotionType::program;
     scene.motion.lift = scale.lift;
     scene.motion.lift_is_angle = is_oscillating(cam.follower);
-    scene.motion.segments = {{.kind = SegmentKind::spline, .angle = scale.unit_angle}};
+    scene.motion.segments = {{.kind = SegmentKind::spline, .angle = scale.unit_angle, .to = {}}};
     DiskSpec spec{.follower = cam.follower, .rotation = cam.rotation};
     for (std::size_t i = 0; i < cam.dimensions.size(); ++i) spec.dimensions[i] = cam.dimensions[i];
     scene.cam = disk_spec(spec);
