@@ -20,7 +20,7 @@ import tree
 HERE = pathlib.Path(__file__).parent
 # Sections of the site: the pages of docs/ in the order in which one reads them. What is in none is in the last.
 SECTIONS = [
-    ("Using camopt", ["scene_file", "results", "report", "compare", "sweep", "cams", "programs", "nc", "plc", "notation"]),
+    ("Using camopt", ["scene_file", "results", "report", "compare", "sweep", "cams", "programs", "nc", "plc"]),
     ("Reference", ["reference/scene", "reference/laws", "reference/solvers", "api/index", "embedding"]),
     ("Examples", ["gallery/index", "notebooks/index", "notebooks_cpp/README"]),
     ("Theory", ["method", "stability", "theory/pressure_angle"]),
