@@ -193,7 +193,7 @@ NcExportOptions nc_options(const ExportRequest& request) {
 
 void export_spatial(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
                     Exported& result) {
-    const SpatialCam cam = solved_spatial_cam(solution);
+    const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
     CamExportOptions options;
@@ -337,7 +337,7 @@ ExitCode export_command(const ExportRequest& request) {
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);
     if (solution.cam) {
-        if (has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
+        if (has_flanks(solution)) export_spatial(request, solution, folder, exported);
         export_plane(request, solution, folder);
         export_disk(request, solution, folder, exported);
     }

@@ -195,7 +195,7 @@ MotionPoint page_motion_at(const Solution& solution, const PageRows& rows, std::
 }
 
 bool page_needs_solids(const Solution& solution) {
-    return solution.motion && solution.cam && has_spatial_cam(solution);
+    return solution.motion && solution.cam && has_flanks(solution);
 }
 
 std::string page_data(const Solution& solution, const RunOrigin& origin, const PageDataOptions& options) {
@@ -225,8 +225,8 @@ std::string page_data(const Solution& solution, const RunOrigin& origin, const P
 
 std::vector<FolderFile> result_extras(const Solution& solution, const RunOrigin& origin) {
     std::vector<FolderFile> files = {{"report.html", report_html(solution, origin)}};
-    if (!solution.cam || !has_spatial_cam(solution)) return files;
-    const SpatialCam cam = solved_spatial_cam(solution);
+    if (!solution.cam || !has_flanks(solution)) return files;
+    const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
     const Drum drum{solution, cam, motion};

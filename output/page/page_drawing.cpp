@@ -222,8 +222,7 @@ Json solid_drawing(const Solution& solution, const PageRows& rows) {
     const MotionScale scale = motion_scale(solution.scene);
     std::vector<double> angles;
     for (const MotionRow& row : rows.rows) angles.push_back(scale.unit_angle * row.x);
-    const CamScene scene =
-        cam_scene(solved_spatial_cam(solution), follower_motion(*rows.whole, scale), angles);
+    const CamScene scene = cam_scene(solved_flanks(solution), follower_motion(*rows.whole, scale), angles);
     const ShownUnit length = shown_units(solution.scene).length;
     Json parts = Json::array(), rollers = Json::array();
     for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));

@@ -31,9 +31,10 @@ MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles", "profiles/kinds"
 # With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
 MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers", "input",
                                 "profiles/factory"}
-# Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
+# Geometry that goes out: programs and surfaces know no cam; what joins them with three-dimensional cams knows these
+# by their flanks (scene/cam_flanks.hpp).
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles/spatial"}
+MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 # The way of a program's cutter as a picture: of any machine, no cam.
 MAY_INCLUDE["output/toolpath"] = {"core", "output", "output/nc"}
