@@ -19,11 +19,14 @@ MAY_INCLUDE = {
     "studies": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
     "output": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
-# Mechanisms beside the disk cams: leaves, none of which knows another, so that each can be linked alone.
-LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
-for user in ("objectives", "studies", "output"):
-    MAY_INCLUDE[user] |= LEAVES
+# Kinds of cams: leaves, none of which knows another, so that each can be linked alone. Optimizer, studies and outputs
+# ask a cam through scene/cam_mechanism.hpp and know no kind.
+LEAVES = {"profiles/disk", "profiles/inverse", "profiles/remote", "profiles/spatial"}
 MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
+# A paper is about one kind of cam; the report that all of them fill is used elsewhere too.
+MAY_INCLUDE["studies/papers"] = MAY_INCLUDE["studies"] | {"studies"} | LEAVES
+for user in ("studies", "output"):
+    MAY_INCLUDE[user] |= {"studies/papers"}
 # What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
