@@ -41,7 +41,7 @@ const char* examples =
     "  camopt sweep scene.toml --weights simplex:20 --out map    all weights of velocity, acceleration, "
     "jerk\n"
     "  camopt sweep scene.toml --vary cam.base_radius_mm=30:60:7 --out radii --resume\n"
-    "  camopt export barrel.toml --out cam --stl --nc  surfaces, solids and the checked NC program\n"
+    "  camopt export drum.toml --out cam --stl --nc    surfaces, solids and the checked NC program\n"
     "  camopt export result --out cam --nc          the same of a result folder: nothing is solved again\n"
     "  camopt export result --out cam --csv --columns theta_deg,s_mm,v_mm_s --points 721  a uniform table\n"
     "  camopt export result --out cam --plc codesys,siemens  electronic cams with their stated loss\n"
@@ -198,7 +198,7 @@ void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
     choice("--spindle", request.spindle, {"clockwise", "counterclockwise"},
            "Which way it turns, seen from the spindle: clockwise (M3, the default) or counterclockwise (M4)");
     choice("--compensation", request.compensation, {"none", "control"},
-           "none (the default): the program is the way of the cutter's centre; control: of a disk cam, the "
+           "none (the default): the program is the way of the cutter's centre; control: of a plane cam, the "
            "contour with G41 or G42 and D");
     whole("--compensation-register", request.compensation_register,
           "D of G41 and G42; default: the tool's number, or 1");
@@ -206,7 +206,7 @@ void add_milling(CLI::App& command, CLI::Option& nc, ExportRequest& request) {
           "Calls the tool (T, M6); default: no tool call, and the program says so");
     optional_number(
         "--lead-mm", request.lead_mm,
-        "Radius of the quarter circles into and out of a disk cam's contour; of a closed groove how "
+        "Radius of the quarter circles into and out of a plane cam's contour; of a closed groove how "
         "long the cutter takes to its flank; default: the cutter's radius");
     command
         .add_option("--ramp-deg", request.ramp_deg,
@@ -229,7 +229,7 @@ void add_nc(CLI::App& command, ExportRequest& request) {
     };
     command
         .add_option("--cutter-mm", request.cutter_mm,
-                    "Diameter of the cutter; default: the roller's, for disk cams 16")
+                    "Diameter of the cutter; default: the roller's, for plane cams 16")
         ->type_name("NUMBER")
         ->needs(nc);
     const auto optional_number = [&](const char* name, std::optional<double>& target, const char* what) {
@@ -283,7 +283,7 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         command.add_flag("--csv", request.csv,
                          "table.csv: the motion evenly by cam angle, with or without a cam; and points of "
                          "the cam: profile.csv, "
-                         "guide.csv, of spatial cams flanks.csv, both flanks with normals");
+                         "guide.csv, of three-dimensional cams flanks.csv, both flanks with normals");
     command.add_option("--step-deg", request.step_deg, "Step of table.csv; --points is for the rest then")
         ->type_name("NUMBER")
         ->needs(csv);
@@ -314,17 +314,17 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
     command.add_flag("--dxf", request.dxf, "profile.dxf: a plane cam for CAD, as arcs");
     command
         .add_option("--drawing", request.sheet,
-                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a disk cam, to scale on "
+                    "drawing.svg, drawing.pdf, drawing.dxf: the workshop drawing of a plane cam, to scale on "
                     "A4 or A3, "
                     "with what [drawing] says")
         ->type_name("FORMAT")
         ->check(one_of(drawing_formats()));
-    command.add_flag(
-        "--step", request.step,
-        "Solid of a disk cam, cam.step; both flanks of a spatial cam as B-spline surfaces, flanks.step");
+    command.add_flag("--step", request.step,
+                     "Solid of a plane cam, cam.step; both flanks of a three-dimensional cam as B-spline "
+                     "surfaces, flanks.step");
     command.add_flag("--stl", request.stl,
-                     "Solids: cam.stl of a disk cam; groove.stl and, of an indexing cam, cam.stl");
-    command.add_flag("--obj", request.obj, "cam.obj: spatial cams for viewing");
+                     "Solids: cam.stl of a plane cam; groove.stl and, of an indexing cam, cam.stl");
+    command.add_flag("--obj", request.obj, "cam.obj: three-dimensional cams for viewing");
     command.add_flag("--picture", request.picture,
                      "cam.svg: a shaded picture; of plane cams profile.svg, mechanism.svg or guide.svg");
     constexpr int most_sections = 1000, most_angles = 100'000;
@@ -340,12 +340,12 @@ CLI::App& add_export(CLI::App& program, ExportRequest& request) {
         ->check(CLI::Range(least_points, most_angles));
     command
         .add_option("--thickness-mm", request.thickness_mm,
-                    "Thickness of a disk cam; default: drawing.thickness_mm, else 20")
+                    "Thickness of a plane cam; default: drawing.thickness_mm, else 20")
         ->type_name("NUMBER")
         ->check(CLI::PositiveNumber);
     command
         .add_option("--bore-mm", request.bore_mm,
-                    "Diameter of a disk cam's bore; default: drawing.bore_mm, else no bore")
+                    "Diameter of a plane cam's bore; default: drawing.bore_mm, else no bore")
         ->type_name("NUMBER")
         ->check(CLI::PositiveNumber);
     add_nc(command, request);

@@ -84,9 +84,9 @@ struct ExportRequest {
     std::string sheet;                            ///< "svg", "pdf", "dxf": a workshop drawing; empty: none
     int sections = 9;                             ///< of a flank along the roller
     std::optional<int> points = {};               ///< over the turn
-    std::optional<double> thickness_mm, bore_mm;  ///< of disk cams, in place of the scene's [drawing]
+    std::optional<double> thickness_mm, bore_mm;  ///< of plane cams, in place of the scene's [drawing]
     std::string post;                             ///< file of the post-processor; empty: the generic one
-    std::optional<double> cutter_mm;              ///< none: the roller's diameter; disk cams: 16
+    std::optional<double> cutter_mm;              ///< none: the roller's diameter; plane cams: 16
     double stock_mm = 0.0, z_offset_mm = 0.0, chord_mm = 1e-3, gouge_mm = 1e-2;
     std::optional<double> blank_diameter_mm, blank_from_mm, blank_to_mm;  ///< none: from the cam
     double blank_allowance_mm = 5.0, clearance_mm = 20.0, safe_mm = 2.0;

@@ -66,23 +66,33 @@ bool wants_only_motion(const ExportRequest& request) {
     return !cam && (request.csv || !request.plc.empty());
 }
 
+/// The types of cams that have a workshop drawing: "disk".
+std::string drawn_types() {
+    std::vector<std::string_view> types;
+    for (const CamKind& kind : cam_kinds())
+        if (kind.is_direct) types.emplace_back(kind.type);
+    return quoted_choices(types);
+}
+
+[[noreturn]] void refuse_drawing(const ExportRequest& request, const std::string& type) {
+    throw InputError(
+        fmt::format("{}: --drawing: found with a cam of type \"{}\"; allowed: with cam.type = {}",
+                    request.scene, type, drawn_types()));
+}
+
 /// Throws where the cam of this scene has no such files.
 void check_wishes(const ExportRequest& request, const Scene& scene) {
     const std::optional<CamSpec>& cam = scene.cam;
     if (!cam) {
         if (wants_only_motion(request)) return;
         throw InputError(
-            fmt::format("{}: export writes --csv and --plc of a motion; the rest is for disk, barrel and "
-                        "cylindrical cams, "
-                        "remote and inverse ones, and this scene has none",
+            fmt::format("{}: export writes --csv and --plc of a motion; the rest is for cams, and this "
+                        "scene has none",
                         request.scene));
     }
     if (request.sheet == "pdf") require_pdf();
     if (!cam_kind(cam->type)->is_plane_curve) {
-        if (!request.sheet.empty())
-            throw InputError(
-                fmt::format("{}: --drawing: found with a cam of type \"{}\"; allowed: with a disk cam",
-                            request.scene, cam->type));
+        if (!request.sheet.empty()) refuse_drawing(request, cam->type);
         if (!request.dxf) return;
         throw InputError(fmt::format("{}: --dxf: found with a cam of type \"{}\", which is no plane curve",
                                      request.scene, cam->type));
@@ -90,12 +100,10 @@ void check_wishes(const ExportRequest& request, const Scene& scene) {
     const bool direct = cam->formulas()->is_direct();
     if (direct && request.obj)
         throw InputError(fmt::format(
-            "{}: of a disk cam export writes --csv, --dxf, --drawing, --picture, --stl, --step and --nc",
-            request.scene));
-    if (!direct && !request.sheet.empty())
-        throw InputError(
-            fmt::format("{}: --drawing: found with a cam of type \"{}\"; allowed: with a disk cam",
-                        request.scene, cam->type));
+            "{}: of a cam of type \"{}\" export writes --csv, --dxf, --drawing, --picture, --stl, --step and "
+            "--nc",
+            request.scene, cam->type));
+    if (!direct && !request.sheet.empty()) refuse_drawing(request, cam->type);
     if (!direct && (request.step || request.obj || request.stl || request.nc))
         throw InputError(fmt::format("{}: of a cam of type \"{}\" export writes --csv, --dxf and --picture",
                                      request.scene, cam->type));
@@ -191,9 +199,9 @@ NcExportOptions nc_options(const ExportRequest& request) {
     return options;
 }
 
-void export_spatial(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
-                    Exported& result) {
-    const SpatialCam cam = solved_spatial_cam(solution);
+void export_flanks(const ExportRequest& request, const Solution& solution, FolderUpdate& folder,
+                   Exported& result) {
+    const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
     CamExportOptions options;
@@ -337,7 +345,7 @@ ExitCode export_command(const ExportRequest& request) {
     FolderUpdate folder(request.out);
     export_motion(request, solution, folder, exported);
     if (solution.cam) {
-        if (has_spatial_cam(solution)) export_spatial(request, solution, folder, exported);
+        if (has_flanks(solution)) export_flanks(request, solution, folder, exported);
         export_plane(request, solution, folder);
         export_disk(request, solution, folder, exported);
     }

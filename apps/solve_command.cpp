@@ -32,7 +32,7 @@ namespace camopt::apps {
 
 namespace {
 
-/// The types of cams that are plane curves: "disk", "remote" and "inverse".
+/// The types of cams that are plane curves.
 std::string plane_types() {
     std::vector<std::string> types;
     for (const CamKind& kind : cam_kinds())

@@ -46,8 +46,14 @@ struct CamVariant {
     std::function<CamSpec()> spec = {};
 };
 
+/// Another word that users write for one of this program.
+struct CamSynonym {
+    std::string_view word, meant;
+};
+
 struct CamKind {
-    std::string type;  ///< cam.type
+    std::string type;    ///< cam.type
+    std::string spoken;  ///< as a list of kinds names it: "a disk cam with its follower"; empty: its type
     /// The key whose word chooses the variant; empty: there is but one.
     std::string choosing_table, choosing_key;
     std::vector<CamVariant> variants;
@@ -57,7 +63,11 @@ struct CamKind {
     bool has_rotation = true;
     bool only_drd = false;
     bool is_plane_curve = true;  ///< a drawing can hold it
-    std::vector<KeyRow> rows;    ///< keys that no earlier kind has
+    bool is_direct = false;      ///< it touches its follower itself: it has a workshop drawing and a solid
+    /// Keys of its own. Where an earlier kind has the key too, its texts follow those of the earlier one.
+    std::vector<KeyRow> rows;
+    std::vector<CamSynonym> also_called;   ///< of keys in [cam]
+    std::vector<CamSynonym> parts_called;  ///< of parts of its variants' words
     /// Puts the numbers without an index that a scene gives, SI by their keys, into a spec that has all else.
     /// Throws SceneError for one that does not fit. None: there are no such numbers.
     std::function<CamSpec(const CamSpec& spec, const std::map<std::string, double>& given)> add_given = {};

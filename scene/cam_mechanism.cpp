@@ -2,6 +2,8 @@
 #include "scene/cam_mechanism.hpp"
 
 #include "core/errors.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/roller_guide.hpp"
 
 #include <fmt/format.h>
 
@@ -75,6 +77,14 @@ std::optional<double> CamMechanism::groove_wall(std::span<const double> /*dimens
 
 std::vector<DrivenMechanism> CamMechanism::pieces(std::span<const double> /*dimensions*/) const {
     return {};
+}
+
+std::optional<CamFlanks> CamMechanism::flanks(std::span<const double> /*dimensions*/) const {
+    return std::nullopt;
+}
+
+std::optional<RollerGuide> CamMechanism::guide(std::span<const double> /*dimensions*/) const {
+    return std::nullopt;
 }
 
 }  // namespace camopt

@@ -30,7 +30,9 @@
 
 namespace camopt {
 
+struct CamFlanks;
 struct MotionSpec;
+struct RollerGuide;
 struct SceneFault;
 
 /// What limits are made of. Each is smooth wherever the mechanism moves (a flat face on an arm: and
@@ -173,7 +175,7 @@ class CamMechanism {
     }
     /// Planar: the cam is the outline of a disk with a curvature, and can be drawn.
     [[nodiscard]] virtual bool planar() const = 0;
-    /// The cam is the guide of a roller in the body that moves (profiles/inverse).
+    /// The cam is the guide of a roller in the body that moves.
     [[nodiscard]] virtual bool has_guide() const { return false; }
     /// A drawing can hold the cam.
     [[nodiscard]] bool is_plane_curve() const { return planar() || has_guide(); }
@@ -349,6 +351,10 @@ class CamMechanism {
         static_cast<void>(station);
         return {};
     }
+    /// Of a three-dimensional cam: its roller and its flanks (scene/cam_flanks.hpp); none: it has no flanks.
+    [[nodiscard]] virtual std::optional<CamFlanks> flanks(std::span<const double> dimensions) const;
+    /// Of a cam that has a guide: what its forward check needs (scene/roller_guide.hpp).
+    [[nodiscard]] virtual std::optional<RollerGuide> guide(std::span<const double> dimensions) const;
 
  protected:
     CamMechanism() = default;

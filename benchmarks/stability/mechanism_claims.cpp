@@ -46,13 +46,13 @@ StabilityRow tappet_on_points() {
 
 StabilityRow drum_on_points(const std::string& file, double unit, const std::string& quantity) {
     const Solution solution = solve(mechanism_scene(file));
-    return figure_row(quantity, check_spatial_cam(solution, 1601).deviation / unit,
+    return figure_row(quantity, check_flanks(solution, 1601).deviation / unit,
                       at_most(1e-8, "docs/papers: 1601 points a section"));
 }
 
 StabilityRow guide_on_points() {
     const Solution solution = solve(mechanism_scene("inverse_feeder.toml"));
-    return figure_row("deviation / lift", check_inverse_cam(solution, 2000).relative,
+    return figure_row("deviation / lift", check_guide(solution, 2000).relative,
                       at_most(1e-9, "docs/papers/000.md"));
 }
 

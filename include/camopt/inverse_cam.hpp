@@ -5,5 +5,5 @@
 
 #include "core/language.hpp"
 #include "profiles/inverse/guide_points.hpp"
+#include "profiles/inverse/wished_guide.hpp"
 #include "studies/inverse/inverse_forward.hpp"
-#include "studies/inverse/inverse_guide.hpp"

@@ -5,6 +5,6 @@
 
 #include "core/language.hpp"
 #include "profiles/spatial/contact.hpp"
-#include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
+#include "scene/flank_grid.hpp"

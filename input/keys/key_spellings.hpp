@@ -49,10 +49,9 @@ using camopt::spellings::positive;
 
 namespace camopt::input {
 
-/// Rows of [cam], [forces], [drawing] and of what [objective] says about a cam.
-[[nodiscard]] std::vector<KeyRow> cam_rows();
+/// What [cam] says of any kind but its type, rows of [forces] and of what [objective] says about a cam.
+[[nodiscard]] std::vector<KeyRow> rotation_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
-[[nodiscard]] std::vector<KeyRow> drawing_rows();
 [[nodiscard]] std::vector<KeyRow> dynamics_rows();
 [[nodiscard]] std::vector<KeyRow> dimension_weight_rows();
 

@@ -3,6 +3,7 @@
 
 #include "core/text/spelling_hint.hpp"
 #include "input/keys/scene_keys.hpp"
+#include "profiles/kinds/cam_kinds.hpp"
 #include "scene/limit_table.hpp"
 
 #include <algorithm>
@@ -33,14 +34,6 @@ constexpr std::array synonyms = {
     Synonym{"spline", "order", "degree"},
     Synonym{"spline", "intervals", "segments"},
     Synonym{"spline", "pieces", "segments"},
-    Synonym{"cam", "base_circle", "base_radius"},
-    Synonym{"cam", "base_circle_radius", "base_radius"},
-    Synonym{"cam", "prime_radius", "base_radius"},
-    Synonym{"cam", "eccentricity", "offset"},
-    Synonym{"cam", "pivot_distance", "center_distance"},
-    Synonym{"cam", "arm", "arm_length"},
-    Synonym{"cam", "lever_length", "arm_length"},
-    Synonym{"cam", "follower_type", "follower"},
     Synonym{"cam", "direction", "rotation"},
     Synonym{"solver", "backend", "name"},
     Synonym{"solver", "method", "name"},
@@ -54,48 +47,34 @@ std::vector<Synonym> all_synonyms() {
     const auto add = [&](std::string_view name, std::span<const std::string_view> words) {
         for (const std::string_view word : words) all.push_back({"limits", word, name});
     };
+    for (const CamKind& kind : cam_kinds())
+        for (const CamSynonym& synonym : kind.also_called)
+            all.push_back({"cam", synonym.word, synonym.meant});
     for (const PeakLimitRow& row : peak_limit_rows()) add(row.name(), row.also_called);
     for (const LimitRow& row : limit_rows()) add(row.name, row.also_called);
     return all;
 }
 
-struct PartSynonym {
-    std::string_view word, part;
-};
-
-/// Of the names of followers.
-constexpr std::array follower_parts = {
-    PartSynonym{"swinging", "oscillating"},
-    PartSynonym{"swing", "oscillating"},
-    PartSynonym{"rocking", "oscillating"},
-    PartSynonym{"pivoted", "oscillating"},
-    PartSynonym{"reciprocating", "translating"},
-    PartSynonym{"linear", "translating"},
-    PartSynonym{"plane", "flat"},
-    PartSynonym{"mushroom", "flat"},
-    PartSynonym{"edge", "knife"},
-    PartSynonym{"pointed", "knife"},
-    PartSynonym{"wheel", "roller"},
-};
-
-std::string follower_in_our_words(std::string_view text) {
+/// The word of a variant in the words of its kind.
+std::string in_our_words(std::string_view text) {
     std::string word(text);
     std::ranges::replace(word, ' ', '_');
-    for (const PartSynonym& synonym : follower_parts) {
-        const std::size_t place = word.find(synonym.word);
-        const bool begins = place == 0 || (place != std::string::npos && word[place - 1] == '_');
-        const std::size_t end = place + synonym.word.size();
-        if (begins && (end == word.size() || word[end] == '_'))
-            word.replace(place, synonym.word.size(), synonym.part);
-    }
+    for (const CamKind& kind : cam_kinds())
+        for (const CamSynonym& synonym : kind.parts_called) {
+            const std::size_t place = word.find(synonym.word);
+            const bool begins = place == 0 || (place != std::string::npos && word[place - 1] == '_');
+            const std::size_t end = place + synonym.word.size();
+            if (begins && (end == word.size() || word[end] == '_'))
+                word.replace(place, synonym.word.size(), synonym.meant);
+        }
     return word;
 }
 
 /// Of cam.rotation.
 constexpr std::array rotations = {
-    PartSynonym{"cw", "clockwise"},
-    PartSynonym{"ccw", "counterclockwise"},
-    PartSynonym{"anticlockwise", "counterclockwise"},
+    CamSynonym{"cw", "clockwise"},
+    CamSynonym{"ccw", "counterclockwise"},
+    CamSynonym{"anticlockwise", "counterclockwise"},
 };
 
 /// A word of rises, dwells and returns, as other programs name motions: D, R and F. Its dwells at the ends
@@ -118,8 +97,7 @@ std::string motion_meant(std::string_view text) {
 }  // namespace
 
 std::string key_meant(std::string_view table, std::string_view written) {
-    static const std::vector<Synonym> all = all_synonyms();
-    for (const Synonym& synonym : all) {
+    for (const Synonym& synonym : all_synonyms()) {
         if (synonym.table != table || !written.starts_with(synonym.word)) continue;
         const std::string_view suffix = written.substr(synonym.word.size());
         const KeyRow* const row = find_row(table, synonym.name);
@@ -136,10 +114,10 @@ std::string choice_hint(std::string_view path, std::string_view text,
     if (path == "motion.type")
         if (std::string hint = motion_meant(text); !hint.empty()) return hint;
     if (path == "cam.rotation")
-        for (const PartSynonym& synonym : rotations)
-            if (text == synonym.word) return did_you_mean({std::string(synonym.part)});
+        for (const CamSynonym& synonym : rotations)
+            if (text == synonym.word) return did_you_mean({std::string(synonym.meant)});
     if (path == "cam.follower")
-        if (const std::string word = follower_in_our_words(text); word != text) {
+        if (const std::string word = in_our_words(text); word != text) {
             if (std::ranges::find(choices, word) != choices.end()) return did_you_mean({word});
             return spelling_hint(word, choices);
         }

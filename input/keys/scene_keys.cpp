@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <mutex>
+#include <string>
 
 namespace camopt::input {
 namespace {
@@ -39,9 +41,11 @@ Rows top_level() {
         {"", "spline", table, plain, any, {}, "its defaults", "The family of curves that is searched."},
         {"", "objective", table, plain, any, {}, "required", "What makes one curve better than another."},
         {"", "cam", table, plain, any, {}, "no cam", "The cam and its follower."},
-        {"", "linkage", table, plain, any, {}, "no linkage",
-         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.",
-         Availability::needs_cam},
+    };
+}
+
+Rows other_tables() {
+    return {
         {"", "forces", table, plain, any, {}, "no forces",
          "What the follower carries; needs a speed.", Availability::needs_cam},
         {"", "measured", table, plain, any, {}, "none",
@@ -49,8 +53,6 @@ Rows top_level() {
         {"", "dynamics", table, plain, any, {}, "a rigid follower",
          "The elastic follower train between cam and output; needs a speed."},
         {"", "limits", table, plain, any, {}, "no limits", "What no curve may exceed."},
-        {"", "drawing", table, plain, any, {}, "no bore",
-         "What the drawing and the solid of a disk cam need beside its profile.", Availability::needs_cam},
         {"", "solver", table, plain, any, {}, "its defaults", "How the optimum is found."},
     };
 }
@@ -250,10 +252,56 @@ Rows solver() {
 }
 // clang-format on
 
-Rows rows_of_kinds() {
-    Rows all;
-    for (const CamKind& kind : cam_kinds()) all.insert(all.end(), kind.rows.begin(), kind.rows.end());
-    return all;
+/// The rows, and the texts that were joined for them.
+struct KeyTable {
+    Rows rows;
+    std::deque<std::string> texts;
+
+    /// After the others of its table, so that a table is listed once.
+    void add(const KeyRow& row) {
+        const auto last = std::find_if(rows.rbegin(), rows.rend(),
+                                       [&](const KeyRow& other) { return other.table == row.table; });
+        rows.insert(last == rows.rend() ? rows.end() : last.base(), row);
+    }
+    void add(const Rows& all) {
+        for (const KeyRow& row : all) add(row);
+    }
+    /// Joined with that of an earlier kind, where there is one.
+    void add_of_kind(const KeyRow& row) {
+        const auto same = std::ranges::find_if(
+            rows, [&](const KeyRow& other) { return other.table == row.table && other.name == row.name; });
+        if (same == rows.end()) return add(row);
+        if (same->meaning != row.meaning)
+            same->meaning = texts.emplace_back(fmt::format("{} {}", same->meaning, row.meaning));
+        constexpr std::string_view needed = "required for ";
+        if (same->default_text != row.default_text && same->default_text.starts_with(needed) &&
+            row.default_text.starts_with(needed))
+            same->default_text = texts.emplace_back(
+                fmt::format("{}, {}", same->default_text, row.default_text.substr(needed.size())));
+    }
+};
+
+/// What chooses a kind: in the order of the manual.
+KeyRow type_row(KeyTable& table) {
+    std::string spoken;
+    for (const CamKind& kind : cam_kinds())
+        spoken +=
+            fmt::format("{}{}", spoken.empty() ? "" : ", ", kind.spoken.empty() ? kind.type : kind.spoken);
+    return {"cam",      "type",
+            text,       plain,
+            any,        cam_types(),
+            "required", table.texts.emplace_back(fmt::format("The kind of cam: {}.", spoken))};
+}
+
+/// What a key may say that chooses within a kind.
+void add_words_of_variants(Rows& rows) {
+    for (const CamKind& kind : cam_kinds())
+        for (KeyRow& row : rows) {
+            if (kind.choosing_key != row.name || kind.choosing_table != row.table) continue;
+            for (const CamVariant& variant : kind.variants)
+                if (std::ranges::find(row.choices, variant.word) == row.choices.end())
+                    row.choices.emplace_back(variant.word);
+        }
 }
 
 /// Empty where it has nothing to do with a kind, or all have it.
@@ -265,18 +313,20 @@ std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
     return types;
 }
 
-}  // namespace
-
-namespace {
-
-Rows all_rows() {
-    Rows all;
+KeyTable all_rows() {
+    KeyTable all;
     for (const Rows& part : {top_level(), motion(), set_points("motion.via", "rise"),
                              set_points("motion.segments.via", "segment"), measured(), spline(), objective(),
-                             dimension_weight_rows(), reference(), cam_rows(), rows_of_kinds(), force_rows(),
-                             dynamics_rows(), limits(), drawing_rows(), solver()})
-        all.insert(all.end(), part.begin(), part.end());
-    for (KeyRow& row : all) row.cam_types = kinds_that_know(row);
+                             dimension_weight_rows(), reference()})
+        all.add(part);
+    all.add(type_row(all));
+    for (const CamKind& kind : cam_kinds())
+        for (const KeyRow& row : kind.rows) all.add_of_kind(row);
+    for (const Rows& part :
+         {rotation_rows(), other_tables(), force_rows(), dynamics_rows(), limits(), solver()})
+        all.add(part);
+    add_words_of_variants(all.rows);
+    for (KeyRow& row : all.rows) row.cam_types = kinds_that_know(row);
     return all;
 }
 
@@ -285,11 +335,11 @@ Rows all_rows() {
 const std::vector<KeyRow>& scene_keys() {
     // A program may add kinds: a table for each number of them, so that rows handed out stay.
     static std::mutex mutex;
-    static std::map<std::size_t, Rows> tables;
+    static std::map<std::size_t, KeyTable> tables;
     const std::lock_guard lock(mutex);
     const auto [table, fresh] = tables.try_emplace(cam_kinds().size());
     if (fresh) table->second = all_rows();
-    return table->second;
+    return table->second.rows;
 }
 
 }  // namespace camopt::input

@@ -331,13 +331,13 @@ std::string words_of(ColumnNeed need) {
         case ColumnNeed::speed_swinging:
             return "needs motion.speed_rpm and a lift that is an angle";
         case ColumnNeed::loads:
-            return "needs a disk cam with [forces]";
+            return "needs a cam with [forces]";
         case ColumnNeed::force:
-            return "needs a disk cam with [forces] and a lift that is a length";
+            return "needs a cam with [forces] and a lift that is a length";
         case ColumnNeed::moment:
-            return "needs a disk cam with [forces] and a lift that is an angle";
+            return "needs a cam with [forces] and a lift that is an angle";
         case ColumnNeed::pressure:
-            return "needs a disk cam with [forces] and a width of contact";
+            return "needs a cam with [forces] and a width of contact";
         case ColumnNeed::plane_cam:
             return "needs a plane cam";
         case ColumnNeed::nothing:

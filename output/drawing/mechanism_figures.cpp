@@ -44,7 +44,7 @@ int default_profile_points(const Motion& motion, const MotionScale& scale) {
 }
 
 std::string guide_svg(const Solution& solution, const GuideWalls& walls) {
-    const std::string title = solution.scene.title.empty() ? "Inverse cam" : solution.scene.title;
+    const std::string title = solution.scene.title.empty() ? "Guide" : solution.scene.title;
     const std::vector<Vector2d> left = line_of(walls.left, &MechanismPoint::contact),
                                 right = line_of(walls.right, &MechanismPoint::contact),
                                 middle = line_of(walls.left, &MechanismPoint::pitch);

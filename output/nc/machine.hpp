@@ -65,13 +65,13 @@ class Machine {
 /// InputError. `z_offset`: t, m. The paper does not say what t is: here what is subtracted from Z, a choice.
 [[nodiscard]] std::unique_ptr<Machine> table_tilting_machine(double z_offset);
 
-/// Four axes for cylindrical and barrel cams whose roller stands square to the cam's axis. The cam's z lies
+/// Four axes for three-dimensional cams whose roller stands square to the cam's axis. The cam's z lies
 /// along machine X, its x along Y, its y along Z, turned by the rotary axis about X:
 ///   rotary = −90° − atan2(O_y, O_x),  (Y, Z) = R(rotary) (t_x, t_y),  X = t_z.
 /// A tool axis that is not square to z within 1e-9 is an InputError.
 [[nodiscard]] std::unique_ptr<Machine> rotary_table_machine();
 
-/// Three axes for disk cams: X, Y, Z are the tip's, the tool axis is −z within 1e-9, or an InputError.
+/// Three axes for plane cams: X, Y, Z are the tip's, the tool axis is −z within 1e-9, or an InputError.
 [[nodiscard]] std::unique_ptr<Machine> plane_milling_machine();
 
 }  // namespace camopt

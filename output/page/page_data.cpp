@@ -118,7 +118,7 @@ Json rounded_json(double value, int digits) {
 }
 
 bool page_needs_solids(const Solution& solution) {
-    return solution.motion && solution.cam && has_spatial_cam(solution);
+    return solution.motion && solution.cam && has_flanks(solution);
 }
 
 std::string page_data(const View& view, const RunOrigin& origin, const PageDataOptions& options) {
@@ -148,8 +148,8 @@ std::string page_data(const View& view, const RunOrigin& origin, const PageDataO
 std::vector<FolderFile> result_extras(const View& view, const RunOrigin& origin) {
     const Solution& solution = view.solution;
     std::vector<FolderFile> files = {{"report.html", report_html(view, origin)}};
-    if (!solution.cam || !has_spatial_cam(solution)) return files;
-    const SpatialCam cam = solved_spatial_cam(solution);
+    if (!solution.cam || !has_flanks(solution)) return files;
+    const CamFlanks cam = solved_flanks(solution);
     const MotionChain turn = whole_turn(solution);
     const FollowerMotion motion = follower_motion(turn, motion_scale(solution.scene));
     const Drum drum{solution, cam, motion};

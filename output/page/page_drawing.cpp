@@ -225,7 +225,7 @@ Json solid_drawing(const View& view) {
     std::vector<double> angles;
     for (const DeliveredRow& row : view.delivered.rows) angles.push_back(scale.unit_angle * row.x);
     const CamScene scene =
-        cam_scene(solved_spatial_cam(solution), follower_motion(*view.delivered.whole, scale), angles);
+        cam_scene(solved_flanks(solution), follower_motion(*view.delivered.whole, scale), angles);
     const ShownUnit& length = view.units.length;
     Json parts = Json::array(), rollers = Json::array();
     for (const CamScene::Part& part : scene.parts) parts.push_back(mesh_json(part, length));

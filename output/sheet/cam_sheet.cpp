@@ -501,10 +501,13 @@ class CamSheetMaker {
 }  // namespace
 
 std::vector<Sheet> cam_sheets(const Solution& solution, const CamSheetOptions& options) {
-    if (!solution.cam) throw InputError("a workshop drawing needs a disk cam, and this solution has none");
+    if (!solution.cam)
+        throw InputError("a workshop drawing needs a cam with a base circle, and this solution has none");
     const MotionChain motion = drawn_motion(solution);
     const std::optional<ProfileShape> shape = delivered_shape(solution, motion);
-    if (!shape) throw InputError("a workshop drawing needs a disk cam, and this solution has another kind");
+    if (!shape)
+        throw InputError(
+            "a workshop drawing needs a cam with a base circle, and that of this solution has none");
     std::vector<Sheet> sheets;
     const std::vector<ProfileShape> pieces = made_pieces(*shape);
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -35,21 +35,21 @@ void write_step(Paths& written, const std::filesystem::path& path, const FlankGr
     written.push_back(path);
 }
 
-std::string picture_of(const SpatialCam& cam, const FollowerMotion& motion, const FlankGrid& grid,
+std::string picture_of(const CamFlanks& cam, const FollowerMotion& motion, const FlankGrid& grid,
                        const std::string& title) {
     return mesh_svg(drum_parts(cam, motion, grid), drum_view(cam), title);
 }
 
 }  // namespace
 
-bool indexes(const SpatialCam& cam, const FollowerMotion& motion) {
+bool indexes(const CamFlanks& cam, const FollowerMotion& motion) {
     const bool turn = is_whole_turn(motion.end() - motion.begin());
     const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
-    return turn && cam.follower != SpatialFollower::cylindrical_translating && std::abs(advance) > same_angle;
+    return turn && cam.swings && std::abs(advance) > same_angle;
 }
 
-Paths write_cam_files(const std::filesystem::path& folder, const SpatialCam& cam,
-                      const FollowerMotion& motion, const CamExportOptions& options) {
+Paths write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam, const FollowerMotion& motion,
+                      const CamExportOptions& options) {
     const bool indexing = indexes(cam, motion);
     const FollowerMotion way = indexing ? IndexingGroove(cam, motion, cam.roller_length).path() : motion;
     FlankSampling sampling = options.sampling;

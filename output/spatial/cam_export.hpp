@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The files of a three-dimensional cam: points, surfaces, solids, a picture. Frame of
-// profiles/spatial/spatial_cam.hpp; mm in files.
+// scene/cam_flanks.hpp; mm in files.
 #pragma once
 
-#include "profiles/spatial/flank_grid.hpp"
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/flank_grid.hpp"
 
 #include <filesystem>
 #include <string>
@@ -25,11 +24,11 @@ struct CamExportOptions {
 
 /// Over one turn the follower advances by one pitch: all rollers run through the cam one after the other.
 /// Flanks and groove are then those of a roller from where it comes in to where it leaves.
-[[nodiscard]] bool indexes(const SpatialCam& cam, const FollowerMotion& motion);
+[[nodiscard]] bool indexes(const CamFlanks& cam, const FollowerMotion& motion);
 
 /// Writes what is asked for into the folder, which exists; returns the paths. Throws InputError where a file
 /// cannot be written, UnavailableError for STEP in a build without it.
-std::vector<std::filesystem::path> write_cam_files(const std::filesystem::path& folder, const SpatialCam& cam,
+std::vector<std::filesystem::path> write_cam_files(const std::filesystem::path& folder, const CamFlanks& cam,
                                                    const FollowerMotion& motion,
                                                    const CamExportOptions& options);
 

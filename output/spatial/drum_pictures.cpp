@@ -37,7 +37,7 @@ const char* const drum_style =
     ".peak{fill:#0072b2;stroke:#fff;stroke-width:1.5}"
     ".peak-label{font-weight:600;fill:#005a8c;paint-order:stroke;stroke:#fff;stroke-width:4px}";
 
-FlankGrid drum_grid(const SpatialCam& cam, const FollowerMotion& motion, int sections) {
+FlankGrid drum_grid(const CamFlanks& cam, const FollowerMotion& motion, int sections) {
     return flank_grid(cam, motion, {sections, drum_angles, 0.0, 0.0});
 }
 
@@ -145,7 +145,7 @@ std::vector<PaintedMesh> painted_indexing_cam(TriangleMesh body, TriangleMesh ro
 
 }  // namespace
 
-std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
+std::vector<PaintedMesh> drum_parts(const CamFlanks& cam, const FollowerMotion& motion,
                                     const FlankGrid& grid) {
     if (indexes(cam, motion))
         if (auto body = drawn_indexing_body(cam, motion, {180, 4}))
@@ -157,7 +157,7 @@ std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion&
     return parts;
 }
 
-MeshView drum_view(const SpatialCam& cam) {
+MeshView drum_view(const CamFlanks& cam) {
     MeshView view;
     view.up = Vector3d::UnitY();  // where the roller stands at cam angle 0
     view.azimuth = (90.0 - sense_of(cam.rotation) * 50.0) * degree;

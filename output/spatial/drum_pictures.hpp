@@ -4,13 +4,12 @@
 //
 // Developed: x = R ψ over z, R the mean radius of the roller's outer end, ψ the angle around the drum,
 // counted from the roller at cam angle 0, as the cam angle grows; both flanks at both ends of the roller and
-// the way of its axis. Frame of profiles/spatial/spatial_cam.hpp.
+// the way of its axis. Frame of scene/cam_flanks.hpp.
 #pragma once
 
 #include "output/surface/mesh_files.hpp"
-#include "profiles/spatial/flank_grid.hpp"
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/flank_grid.hpp"
 
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ inline constexpr const char* developed_picture = "developed.svg";
 /// A drum with its motion over the whole turn.
 struct Drum {
     const Solution& solution;
-    const SpatialCam& cam;
+    const CamFlanks& cam;
     const FollowerMotion& motion;
 };
 
@@ -33,9 +32,9 @@ struct Drum {
 [[nodiscard]] std::string developed_svg(const Drum& drum);
 
 /// What is shown of it: an indexing cam with the rollers that hold it; of others both flanks around a core.
-[[nodiscard]] std::vector<PaintedMesh> drum_parts(const SpatialCam& cam, const FollowerMotion& motion,
+[[nodiscard]] std::vector<PaintedMesh> drum_parts(const CamFlanks& cam, const FollowerMotion& motion,
                                                   const FlankGrid& grid);
 /// From the side on which the first part of the motion lies.
-[[nodiscard]] MeshView drum_view(const SpatialCam& cam);
+[[nodiscard]] MeshView drum_view(const CamFlanks& cam);
 
 }  // namespace camopt

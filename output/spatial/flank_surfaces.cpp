@@ -88,11 +88,11 @@ TriangleMesh tube(double inner, double outer, double lower, double upper) {
     return swept_solid(sections, true);
 }
 
-std::vector<CamScene::Part> grooved_parts(const SpatialCam& cam, const FollowerMotion& motion) {
+std::vector<CamScene::Part> grooved_parts(const CamFlanks& cam, const FollowerMotion& motion) {
     const FlankGrid grid = flank_grid(cam, motion, {scene_heights, scene_angles, 0.0, 0.0});
     Extent extent;
     for (const FlankSurface& flank : grid.flanks) widen(extent, flank.points);
-    const double margin = beyond_groove * cam[SpatialDimension::roller_radius];
+    const double margin = beyond_groove * cam.roller_radius;
     const double lower = extent.lower - margin, upper = extent.upper + margin;
     const double bore = bore_share * extent.least_radius;
     const double advance = motion.state(motion.end()).s - motion.state(motion.begin()).s;
@@ -103,14 +103,6 @@ std::vector<CamScene::Part> grooved_parts(const SpatialCam& cam, const FollowerM
     for (const SurfaceGrid& flank : flank_surfaces(grid))
         parts.push_back({flank.name, mesh_of(flank), false});
     return parts;
-}
-
-std::optional<Eigen::Vector3d> pivot_of(const SpatialCam& cam) {
-    const double across = cam[SpatialDimension::lateral_offset],
-                 away = cam[SpatialDimension::center_distance];
-    if (!swings(cam.follower)) return {};
-    if (cam.follower == SpatialFollower::barrel) return Eigen::Vector3d(-across, away, -cam.axial_offset);
-    return Eigen::Vector3d(across, away, cam.axial_offset);
 }
 
 }  // namespace
@@ -164,11 +156,11 @@ TriangleMesh grooved_cam(const FlankGrid& grid, const GroovedBlank& blank) {
     return swept_solid(sections, true);
 }
 
-CamScene cam_scene(const SpatialCam& cam, const FollowerMotion& motion, std::span<const double> angles) {
+CamScene cam_scene(const CamFlanks& cam, const FollowerMotion& motion, std::span<const double> angles) {
     CamScene scene;
-    scene.roller_radius = cam[SpatialDimension::roller_radius];
+    scene.roller_radius = cam.roller_radius;
     scene.roller_length = cam.roller_length;
-    scene.pivot = pivot_of(cam);
+    scene.pivot = cam.pivot;
     double pitch = 0.0;
     int rollers = 1;
     if (indexes(cam, motion)) {
@@ -179,12 +171,11 @@ CamScene cam_scene(const SpatialCam& cam, const FollowerMotion& motion, std::spa
     }
     if (scene.parts.empty()) scene.parts = grooved_parts(cam, motion);
     for (int k = 0; k < rollers; ++k) {
-        SpatialCam shifted = cam;
-        shifted.start += k * pitch;
+        const double start = cam.start + k * pitch;
         std::vector<RollerPlace>& poses = scene.rollers.emplace_back();
         for (const double angle : angles) {
             // At cam angle 0 the cam frame is the one that stands still.
-            const RollerAxis axis = roller_axis(shifted, 0.0, motion.state(angle).s);
+            const RollerAxis axis = cam.axis_at(0.0, start + motion.state(angle).s);
             poses.push_back({axis.foot, axis.direction});
         }
     }

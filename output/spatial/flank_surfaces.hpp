@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The flanks of a three-dimensional cam as what other programs take: tables of points, grids for B-spline
-// surfaces, solids. Frame of profiles/spatial/spatial_cam.hpp; m inside, mm in texts.
+// surfaces, solids. Frame of scene/cam_flanks.hpp; m inside, mm in texts.
 #pragma once
 
 #include "output/surface/bspline_surface.hpp"
 #include "output/surface/triangle_mesh.hpp"
-#include "profiles/spatial/flank_grid.hpp"
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/flank_grid.hpp"
 
 #include <array>
 #include <optional>
@@ -43,7 +42,7 @@ struct GroovedBlank {
 [[nodiscard]] TriangleMesh grooved_cam(const FlankGrid& grid, const GroovedBlank& blank);
 
 // A three-dimensional cam with its rollers as what is drawn and moved: meshes that turn with the cam, and
-// where every roller stands at given cam angles. Frames of profiles/spatial/spatial_cam.hpp; m, rad.
+// where every roller stands at given cam angles. Frames of scene/cam_flanks.hpp; m, rad.
 //
 //   the motion takes a turn and ends one pitch on   the body (indexing_body.hpp), all rollers of the index
 //   the groove closes after one turn                the grooved drum as a solid
@@ -69,7 +68,7 @@ struct CamScene {
 };
 
 /// angles: cam angles within the motion, rad.
-[[nodiscard]] CamScene cam_scene(const SpatialCam& cam, const FollowerMotion& motion,
+[[nodiscard]] CamScene cam_scene(const CamFlanks& cam, const FollowerMotion& motion,
                                  std::span<const double> angles);
 
 }  // namespace camopt

@@ -156,7 +156,7 @@ void IndexingBodyOptions::validate() const {
     if (points < 2) throw InputError(fmt::format("indexing body: points must be >= 2, found {}", points));
 }
 
-TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
+TriangleMesh indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
                            const IndexingBodyOptions& options) {
     options.validate();
     const IndexingGroove groove(cam, motion, cam.roller_length + floor_clearance);
@@ -165,7 +165,7 @@ TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
                                         options.angles / lines_to_bore});
 }
 
-std::optional<TriangleMesh> drawn_indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
+std::optional<TriangleMesh> drawn_indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
                                                 const IndexingBodyOptions& options) {
     try {
         return indexing_body(cam, motion, options);
@@ -174,11 +174,11 @@ std::optional<TriangleMesh> drawn_indexing_body(const SpatialCam& cam, const Fol
     }
 }
 
-TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion) {
+TriangleMesh holding_rollers(const CamFlanks& cam, const FollowerMotion& motion) {
     const double theta = motion.begin(), pitch = motion.state(motion.end()).s - motion.state(theta).s;
     TriangleMesh all;
     for (const int index : {0, 1}) {
-        const RollerAxis axis = roller_axis(cam, theta, motion.state(theta).s + index * pitch);
+        const RollerAxis axis = cam.axis(theta, motion.state(theta).s + index * pitch);
         const Vector3d across = axis.direction.cross(axis.travel);
         std::vector<Line> sections;
         for (const double h : {-0.35, 0.0, 0.5, 1.0}) {
@@ -186,7 +186,7 @@ TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion
             for (int i = 0; i < roller_corners; ++i) {
                 const double angle = units::turn * i / roller_corners;
                 circle.push_back(axis.foot + h * cam.roller_length * axis.direction +
-                                 cam[SpatialDimension::roller_radius] *
+                                 cam.roller_radius *
                                      (std::cos(angle) * axis.travel + std::sin(angle) * across));
             }
             sections.push_back(circle);

@@ -21,15 +21,15 @@ struct IndexingBodyOptions {
 
 /// motion: one whole turn over which s grows by the pitch of the rollers. Throws InputError for another, and
 /// for rollers that do not leave the cam by its ends.
-[[nodiscard]] TriangleMesh indexing_body(const SpatialCam& cam, const FollowerMotion& motion,
+[[nodiscard]] TriangleMesh indexing_body(const CamFlanks& cam, const FollowerMotion& motion,
                                          const IndexingBodyOptions& options = {});
 
 /// The same for pictures; none where rollers do not leave the cam by its ends.
-[[nodiscard]] std::optional<TriangleMesh> drawn_indexing_body(const SpatialCam& cam,
+[[nodiscard]] std::optional<TriangleMesh> drawn_indexing_body(const CamFlanks& cam,
                                                               const FollowerMotion& motion,
                                                               const IndexingBodyOptions& options);
 
 /// The two rollers that hold the rib where the motion begins.
-[[nodiscard]] TriangleMesh holding_rollers(const SpatialCam& cam, const FollowerMotion& motion);
+[[nodiscard]] TriangleMesh holding_rollers(const CamFlanks& cam, const FollowerMotion& motion);
 
 }  // namespace camopt

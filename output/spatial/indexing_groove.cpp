@@ -18,7 +18,6 @@ namespace camopt {
 namespace {
 
 using Eigen::Vector3d;
-using enum SpatialDimension;
 
 constexpr double same_end = 1e-9;  // rad
 constexpr double scan_step = 0.5 * units::degree;
@@ -57,9 +56,9 @@ FollowerMotion rollers_as_one(const FollowerMotion& motion, double from, double 
 
 /// How far from the point along the unit direction the roller at φ reaches; 0: it does not hold the point.
 double IndexingGroove::way_out_of_roller(const Vector3d& point, const Vector3d& direction, double phi) const {
-    const RollerAxis axis = roller_axis(cam_, phi, path_.state(phi).s);
+    const RollerAxis axis = cam_.axis(phi, path_.state(phi).s);
     const Vector3d from = point - axis.foot;
-    const double along = from.dot(axis.direction), under = floor_ - along, r = cam_[roller_radius];
+    const double along = from.dot(axis.direction), under = floor_ - along, r = cam_.roller_radius;
     const Vector3d beside = from - along * axis.direction;
     const double room = r * r - beside.squaredNorm();
     if (!(under > 0.0 && room > 0.0)) return 0.0;
@@ -73,10 +72,10 @@ double IndexingGroove::way_out_of_roller(const Vector3d& point, const Vector3d& 
 
 /// How deep the point lies in the roller at φ; below 0: outside of it.
 double IndexingGroove::depth_in_roller(const Vector3d& point, double phi) const {
-    const RollerAxis axis = roller_axis(cam_, phi, path_.state(phi).s);
+    const RollerAxis axis = cam_.axis(phi, path_.state(phi).s);
     const Vector3d from = point - axis.foot;
     const double along = from.dot(axis.direction);
-    return std::min(cam_[roller_radius] - (from - along * axis.direction).norm(), floor_ - along);
+    return std::min(cam_.roller_radius - (from - along * axis.direction).norm(), floor_ - along);
 }
 
 /// The point moved along the direction out of every place of the roller near φ.
@@ -105,37 +104,36 @@ Vector3d IndexingGroove::contact(double phi, double t) const {
     const FollowerState state = path_.state(phi);
     const bool on_flank = t <= 1.0 || t >= 4.0;
     const double height = t <= 1.0 ? floor_ * t : t >= 4.0 ? floor_ * (5.0 - t) : floor_;
-    const SpatialPoint touched = spatial_point(cam_, phi, state, {height, 1});
+    const FlankPoint touched = cam_.point(phi, state, {height, 1});
     // The flank whose side lies where rollers come from.
     const double in = (touched.normal.z() > 0.0) == enters_above_ ? 1.0 : -1.0;
-    const double r = cam_[roller_radius];
+    const double r = cam_.roller_radius;
     const double share = on_flank ? (t <= 1.0 ? 1.0 : -1.0) : std::cos(0.5 * units::turn * (t - 1.0) / 3.0);
     const Vector3d point = touched.center + in * share * r * touched.normal;
     if (on_flank) return left_of(point, in * share * touched.normal, phi);
-    return left_of(point, roller_axis(cam_, phi, state.s).direction, phi);
+    return left_of(point, cam_.axis(phi, state.s).direction, phi);
 }
 
 double IndexingGroove::outside(double z) const {
-    if (cam_.follower != SpatialFollower::cylindrical_rotating) return radius_;
-    const double along = z - cam_.axial_offset, arm = cam_[arm_length];
-    return cam_[center_distance] - std::sqrt(std::max(arm * arm - along * along, 0.0));
+    if (!cam_.arc) return radius_;
+    const double along = z - cam_.arc->z, arm = cam_.arc->radius;
+    return cam_.arc->from_axis - std::sqrt(std::max(arm * arm - along * along, 0.0));
 }
 
 double IndexingGroove::depth(const Vector3d& point) const {
-    if (cam_.follower != SpatialFollower::cylindrical_rotating) return radius_ - point.head<2>().norm();
-    const double within = cam_[center_distance] - point.head<2>().norm();
-    return std::copysign(std::hypot(within, point.z() - cam_.axial_offset), within) - cam_[arm_length];
+    if (!cam_.arc) return radius_ - point.head<2>().norm();
+    const double within = cam_.arc->from_axis - point.head<2>().norm();
+    return std::copysign(std::hypot(within, point.z() - cam_.arc->z), within) - cam_.arc->radius;
 }
 
 std::string IndexingGroove::turned_words() const {
     using units::millimetre;
     const std::string ends =
         fmt::format("from {:.3f} to {:.3f} mm along the axis", lower_ / millimetre, upper_ / millimetre);
-    if (cam_.follower != SpatialFollower::cylindrical_rotating)
-        return fmt::format("diameter {:.3f} mm, {}", 2.0 * outside(0.0) / millimetre, ends);
+    if (!cam_.arc) return fmt::format("diameter {:.3f} mm, {}", 2.0 * outside(0.0) / millimetre, ends);
     return fmt::format("radius {:.3f} - sqrt({:.3f}^2 - (z - {:.3f})^2) mm at z, {}",
-                       cam_[center_distance] / millimetre, cam_[arm_length] / millimetre,
-                       cam_.axial_offset / millimetre, ends);
+                       cam_.arc->from_axis / millimetre, cam_.arc->radius / millimetre,
+                       cam_.arc->z / millimetre, ends);
 }
 
 /// `from` 0 or 5, inwards +1 or −1. Where the roller's near end lies within the body the groove goes on
@@ -152,12 +150,10 @@ double IndexingGroove::top(double phi, double from, double inwards) const {
 }
 
 void IndexingGroove::choose_ends(double middle, double pitch) {
-    const double r = cam_[roller_radius];
+    const double r = cam_.roller_radius;
     // Where the roller's axis lies along the cam: of its two ends that nearer to the cam's middle, or not.
     const auto z_at = [&](double q, bool near_middle, double sign) {
-        SpatialCam standing = cam_;
-        standing.start = q;
-        const RollerAxis axis = roller_axis(standing, 0.0, 0.0);
+        const RollerAxis axis = cam_.axis_at(0.0, q);
         const double a = axis.foot.z(), b = a + floor_ * axis.direction.z();
         return (sign * a < sign * b) == near_middle ? a : b;
     };
@@ -182,7 +178,7 @@ void IndexingGroove::choose_ends(double middle, double pitch) {
 double IndexingGroove::way_out(double towards) const {
     const bool above = (towards > 0.0) != enters_above_;
     const double sign = above ? 1.0 : -1.0,
-                 end = sign * (above ? upper_ : lower_) + way_beyond * cam_[roller_radius];
+                 end = sign * (above ? upper_ : lower_) + way_beyond * cam_.roller_radius;
     for (int k = 1; k * scan_step < most_turns * units::turn; ++k) {
         const double phi = begin_ + towards * k * scan_step;
         const auto is_out = [&](double t) { return sign * contact(phi, t).z() > end; };
@@ -193,7 +189,7 @@ double IndexingGroove::way_out(double towards) const {
     throw InputError("indexing cam: a roller does not leave the cam within three turns");
 }
 
-IndexingGroove::IndexingGroove(const SpatialCam& cam, const FollowerMotion& motion, double floor)
+IndexingGroove::IndexingGroove(const CamFlanks& cam, const FollowerMotion& motion, double floor)
     : cam_(cam), begin_(motion.begin()), floor_(floor) {
     if (!is_whole_turn(motion.end() - motion.begin()))
         throw InputError(fmt::format("indexing cam: the motion must take one turn, it takes {:g} deg",
@@ -205,9 +201,8 @@ IndexingGroove::IndexingGroove(const SpatialCam& cam, const FollowerMotion& moti
         rollers_as_one(motion, begin_ - most_turns * units::turn, begin_ + (most_turns + 1.0) * units::turn);
     const double first = cam.start + before;
     for (int k = 0; k <= outside_samples; ++k) {
-        SpatialCam standing = cam;
-        standing.start = first + pitch * k / outside_samples;
-        radius_ = std::max(radius_, roller_axis(standing, 0.0, 0.0).foot.head<2>().norm());
+        const RollerAxis axis = cam.axis_at(0.0, first + pitch * k / outside_samples);
+        radius_ = std::max(radius_, axis.foot.head<2>().norm());
     }
     choose_ends(first + 0.5 * pitch, pitch);
     path_ = rollers_as_one(motion, way_out(-1.0), way_out(1.0));

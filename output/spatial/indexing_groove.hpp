@@ -10,14 +10,13 @@
 // the roller's end digs as it turns: how far along n, along e, any place of the roller near φ reaches.
 //
 // The body is turned, as far as the near ends of rollers go between their places in the dwell:
-//   barrel                 ρ <= max |c|                         (ρ, z: about the cam's axis)
-//   cylindrical_rotating   (dy − ρ)² + (z − dz)² >= f_l²
+//   a roller square to the cam's axis   ρ <= max |c|                 (ρ, z: about the cam's axis)
+//   one whose near end runs on an arc   (a − ρ)² + (z − z0)² >= l²   (RollerArc: from_axis, z, radius)
 // between ends at lower <= z <= upper, a quarter of the roller's radius beyond its grooves in the dwell,
 // nearer where rollers could not leave the cam there: a choice. m, rad.
 #pragma once
 
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <Eigen/Core>
 
@@ -36,7 +35,7 @@ class IndexingGroove {
  public:
     /// motion: one turn over which s grows by the pitch. Throws InputError for another, and for rollers that
     /// do not leave the cam by its ends.
-    IndexingGroove(const SpatialCam& cam, const FollowerMotion& motion, double floor);
+    IndexingGroove(const CamFlanks& cam, const FollowerMotion& motion, double floor);
 
     /// From where a roller is about to come in to where it has left the body by its other end.
     [[nodiscard]] const FollowerMotion& path() const { return path_; }
@@ -66,7 +65,7 @@ class IndexingGroove {
     void choose_ends(double middle, double pitch);
     [[nodiscard]] double way_out(double towards) const;
 
-    SpatialCam cam_;
+    CamFlanks cam_;
     FollowerMotion path_;
     double begin_ = 0.0, floor_ = 0.0, radius_ = 0.0, lower_ = 0.0, upper_ = 0.0;
     bool enters_above_ = false;  // rollers come in at the upper end

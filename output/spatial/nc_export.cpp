@@ -6,7 +6,7 @@
 #include "output/nc/milling/groove_passes.hpp"
 #include "output/spatial/cam_export.hpp"
 #include "output/spatial/indexing_groove.hpp"
-#include "profiles/spatial/flank_grid.hpp"
+#include "scene/flank_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -26,8 +26,8 @@ constexpr int checked_angles = 360;
 constexpr double end_share = 0.01;  // of the motion, left out at either end of an open path
 constexpr double checked_step = 2.0 * units::degree, extension_step = 0.5 * units::degree;  // indexing cams
 
-std::vector<int> flanks_cut(const SpatialCam& cam, const NcExportOptions& options, double diameter) {
-    const double roller = 2.0 * cam[SpatialDimension::roller_radius];
+std::vector<int> flanks_cut(const CamFlanks& cam, const NcExportOptions& options, double diameter) {
+    const double roller = 2.0 * cam.roller_radius;
     const bool equal = options.stock == 0.0 && diameter >= roller * (1.0 - equal_diameters);
     return equal ? std::vector{1} : std::vector{1, -1};
 }
@@ -41,7 +41,7 @@ struct LeftPoint {
 /// What is milled: a roller's way over the cam angle, all rollers of an index in one.
 class MilledGroove {
  public:
-    MilledGroove(const SpatialCam& cam, const FollowerMotion& motion, double floor)
+    MilledGroove(const CamFlanks& cam, const FollowerMotion& motion, double floor)
         : cam_(cam), turn_(motion), way_(motion), floor_(floor) {
         if (!indexes(cam, motion)) return;
         indexing_.emplace(cam, motion, floor);
@@ -56,7 +56,7 @@ class MilledGroove {
     [[nodiscard]] std::vector<LeftPoint> flanks(double height) const {
         if (indexing_) return left_at({height / floor_, 5.0 - height / floor_});
         const RollerPath path = roller();
-        const double radius = cam_[SpatialDimension::roller_radius], length = way_.end() - way_.begin();
+        const double radius = cam_.roller_radius, length = way_.end() - way_.begin();
         std::vector<LeftPoint> points;
         for (int k = 0; k <= checked_angles; ++k) {
             const double share = end_share + (1.0 - 2.0 * end_share) * k / checked_angles;
@@ -104,8 +104,7 @@ class MilledGroove {
         const auto clear_from = [&](double begin, double step) {
             for (int k = 0; std::abs(k * step) < units::turn; ++k) {
                 const RollerPose at = path(begin + k * step, floor_);
-                if (distance_to_blank(blank, {at.center, at.axis}, cam_[SpatialDimension::roller_radius]) >
-                    distance)
+                if (distance_to_blank(blank, {at.center, at.axis}, cam_.roller_radius) > distance)
                     return begin + k * step;
             }
             throw InputError(
@@ -141,13 +140,13 @@ class MilledGroove {
         return points;
     }
 
-    const SpatialCam& cam_;
+    const CamFlanks& cam_;
     FollowerMotion turn_, way_;
     double floor_ = 0.0;
     std::optional<IndexingGroove> indexing_;
 };
 
-Blank blank_of(const MilledGroove& groove, const SpatialCam& cam, const BlankChoice& choice) {
+Blank blank_of(const MilledGroove& groove, const CamFlanks& cam, const BlankChoice& choice) {
     Blank extent = groove.extent();
     double deepest = HUGE_VAL;  // radius
     for (const LeftPoint& left : groove.flanks(cam.roller_length))
@@ -182,16 +181,16 @@ double most_stock(const std::vector<LeftPoint>& points, const MilledGroove& groo
 
 }  // namespace
 
-std::unique_ptr<Machine> machine_for(const SpatialCam& cam, double z_offset) {
-    if (cam.follower == SpatialFollower::cylindrical_rotating) return table_tilting_machine(z_offset);
+std::unique_ptr<Machine> machine_for(const CamFlanks& cam, double z_offset) {
+    if (cam.arc) return table_tilting_machine(z_offset);
     return rotary_table_machine();
 }
 
-NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExportOptions& options) {
+NcWork nc_work(const CamFlanks& cam, const FollowerMotion& motion, const NcExportOptions& options) {
     const double working_length = cam.roller_length + options.tip_beyond;
     MilledGroove groove(cam, motion, working_length);
     CutterLocation location;
-    location.roller_radius = cam[SpatialDimension::roller_radius];
+    location.roller_radius = cam.roller_radius;
     location.diameter = options.cutter_diameter.value_or(2.0 * location.roller_radius);
     location.stock = options.stock;
     location.station = cam.roller_length;
@@ -247,16 +246,16 @@ NcWork nc_work(const SpatialCam& cam, const FollowerMotion& motion, const NcExpo
     return work;
 }
 
-CheckedProgram nc_export(const SpatialCam& cam, const FollowerMotion& motion, const Machine& machine,
+CheckedProgram nc_export(const CamFlanks& cam, const FollowerMotion& motion, const Machine& machine,
                          const PostProcessor& post, const NcExportOptions& options) {
     return checked_program(machine, post, nc_work(cam, motion, options));
 }
 
-RollerPath roller_path(const SpatialCam& cam, const FollowerMotion& motion) {
+RollerPath roller_path(const CamFlanks& cam, const FollowerMotion& motion) {
     return [cam, motion](double theta, double station) {
         const FollowerState state = motion.state(theta);
-        const SpatialPoint point = spatial_point(cam, theta, state, {station, 1});
-        return RollerPose{point.center, roller_axis(cam, theta, state.s).direction, point.normal};
+        const FlankPoint point = cam.point(theta, state, {station, 1});
+        return RollerPose{point.center, cam.axis(theta, state.s).direction, point.normal};
     };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "profiles/disk/disk_kind.hpp"
 
+#include "profiles/disk/disk_keys.hpp"
 #include "profiles/disk/disk_spec.hpp"
 #include "scene/follower.hpp"
 
@@ -58,11 +59,16 @@ CamSpec with_given(const CamSpec& spec, const std::map<std::string, double>& giv
 CamKind disk_kind() {
     CamKind kind;
     kind.type = disk_type;
+    kind.spoken = "a disk cam with its follower";
     kind.choosing_table = "cam";
     kind.choosing_key = "follower";
     for (const Follower& follower : followers) kind.variants.push_back(variant(follower));
     kind.with_angle = "an oscillating follower";
     kind.with_length = "a translating follower";
+    kind.is_direct = true;
+    kind.rows = disk_rows();
+    kind.also_called = disk_synonyms();
+    kind.parts_called = follower_part_synonyms();
     kind.add_given = with_given;
     return kind;
 }

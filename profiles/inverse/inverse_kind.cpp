@@ -48,6 +48,7 @@ std::optional<double> default_of(InverseNumber number) {
 CamKind inverse_kind() {
     CamKind kind;
     kind.type = inverse_type;
+    kind.spoken = "an inverse cam with its feeder";
     CamVariant feeder{
         kind.type, "an inverse cam", false, "a roller, in a guide of the moving body", {}, {}, [] {
             return blank_inverse_spec();

@@ -6,6 +6,7 @@
 #include "profiles/inverse/inverse_feeder.hpp"
 #include "profiles/inverse/inverse_formulas.hpp"
 #include "profiles/inverse/inverse_spec.hpp"
+#include "scene/roller_guide.hpp"
 
 #include <fmt/format.h>
 
@@ -128,6 +129,7 @@ class InverseMechanism final : public CamMechanism {
         return found.fault == InverseFault::none ? -found.node.angle : nowhere;
     }
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState& state) const override;
+    [[nodiscard]] std::optional<RollerGuide> guide(std::span<const double> numbers) const override;
 
  private:
     template <int n>
@@ -289,6 +291,23 @@ std::vector<MechanismShape> InverseMechanism::shapes(const MechanismState& state
             {Kind::pivot, "rocker_pivot", {pivot}},
             {Kind::guide, "feeder", {Vector2d(line, start), feeder}},
             {Kind::circle, "roller", {roller}, number(state.dimensions, InverseNumber::roller_radius)}};
+}
+
+/// The feeder's rest is where its displacement counts from.
+std::optional<RollerGuide> InverseMechanism::guide(std::span<const double> numbers) const {
+    const FeederLinkage linkage = linkage_of(numbers);
+    const RollerStroke stroke = stroke_of(numbers);
+    RollerGuide guide;
+    guide.roller_radius = number(numbers, InverseNumber::roller_radius);
+    guide.distance = [stroke](double theta) { return state_of(stroke, theta).distance; };
+    guide.cam_angle = [stroke](double distance) { return time_at(stroke, distance); };
+    guide.angle = [linkage, start = number(numbers, feeder_start)](const FollowerState& output) {
+        return -body_motion(linkage, {output.s + start, output.velocity, output.acceleration}).body.angle;
+    };
+    guide.ratio = [linkage](double angle) {
+        return std::abs(feeder_motion(linkage, {-angle, 1.0, 0.0}).feeder.velocity);
+    };
+    return guide;
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ std::optional<double> default_of(RemoteDimension which) {
 // clang-format off
 std::vector<KeyRow> remote_rows() {
     return {
+        {"", "linkage", table, plain, any, {}, "no linkage",
+         "What leads from the cam's lever to the output, where `cam.type` is `\"remote\"`.", Availability::needs_cam},
         {"cam", "roller_arm", number_or_range, length, positive, {}, "required for remote",
          "From the lever's pivot to the roller's centre."},
         {"cam", "lever_pivot_x", number_or_range, length, any, {}, "required for remote",
@@ -97,6 +99,7 @@ CamVariant variant(RemoteLinkage linkage) {
 CamKind remote_kind() {
     CamKind kind;
     kind.type = remote_type;
+    kind.spoken = "one whose lever moves the output through a linkage";
     kind.choosing_table = "linkage";
     kind.choosing_key = "type";
     using enum RemoteLinkage;

@@ -11,8 +11,8 @@
 // Lengths m, angles rad.
 #pragma once
 
-#include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_extremes.hpp"
+#include "scene/flank_grid.hpp"
 
 namespace camopt {
 

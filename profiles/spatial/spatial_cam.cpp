@@ -42,7 +42,41 @@ RollerAxis standing_axis(const SpatialCam& cam, double q) {
     throw ModelError("a follower of no known type");
 }
 
+/// In the cam frame, with the follower at q.
+RollerAxis axis_at(const SpatialCam& cam, double theta, double q) {
+    RollerAxis axis = standing_axis(cam, q);
+    const double turn = sense_of(cam.rotation) * theta;
+    for (Vector3d* vector : {&axis.foot, &axis.direction, &axis.travel}) *vector = turned_back(*vector, turn);
+    return axis;
+}
+
+/// Of the index or the arm, in the frame that stands still.
+std::optional<Vector3d> pivot_of(const SpatialCam& cam) {
+    const double across = cam[lateral_offset], away = cam[center_distance];
+    if (!swings(cam.follower)) return {};
+    if (cam.follower == SpatialFollower::barrel) return Vector3d(-across, away, -cam.axial_offset);
+    return Vector3d(across, away, cam.axial_offset);
+}
+
 }  // namespace
+
+SpatialCam::operator CamFlanks() const {
+    CamFlanks flanks;
+    flanks.rotation = rotation;
+    flanks.roller_radius = (*this)[roller_radius];
+    flanks.roller_length = roller_length;
+    flanks.start = start;
+    flanks.swings = camopt::swings(follower);
+    flanks.pivot = pivot_of(*this);
+    if (follower == SpatialFollower::cylindrical_rotating)
+        flanks.arc = RollerArc{(*this)[arm_length], (*this)[center_distance], axial_offset};
+    flanks.axis_at = [cam = *this](double theta, double q) { return camopt::axis_at(cam, theta, q); };
+    flanks.point = [cam = *this](double theta, const FollowerState& state, const RollerStation& station) {
+        const SpatialPoint point = spatial_point(cam, theta, state, station);
+        return FlankPoint{point.center, point.contact, point.normal};
+    };
+    return flanks;
+}
 
 const char* name_of(SpatialDimension value) {
     switch (value) {
@@ -59,10 +93,7 @@ const char* name_of(SpatialDimension value) {
 }
 
 RollerAxis roller_axis(const SpatialCam& cam, double theta, double s) {
-    RollerAxis axis = standing_axis(cam, cam.start + s);
-    const double turn = sense_of(cam.rotation) * theta;
-    for (Vector3d* vector : {&axis.foot, &axis.direction, &axis.travel}) *vector = turned_back(*vector, turn);
-    return axis;
+    return axis_at(cam, theta, cam.start + s);
 }
 
 SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,

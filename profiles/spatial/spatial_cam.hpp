@@ -29,6 +29,7 @@
 
 #include "core/follower_state.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
+#include "scene/cam_flanks.hpp"
 #include "scene/cam_spec.hpp"
 
 #include <Eigen/Core>
@@ -64,24 +65,14 @@ struct SpatialCam {
     [[nodiscard]] double& operator[](SpatialDimension index) {
         return dimensions[static_cast<std::size_t>(index)];
     }
+    /// What exports and checks know of it (scene/cam_flanks.hpp), so that they take it as it is.
+    operator CamFlanks() const;  // NOLINT(google-explicit-constructor)
 };
 
 /// Why this cam cannot be built (a dimension not positive, the axis at or beyond the cam's axis, a barrel's
 /// arm beyond a right angle, …); empty: it can. `least`, `most`: the extremes of s.
 [[nodiscard]] std::string geometry_fault(const SpatialCam& cam, double least, double most);
 
-/// A place on the roller: distance h from its near end, and which of the two flanks it touches there.
-struct RollerStation {
-    double height = 0.0;  ///< h, m
-    int flank = 1;        ///< σ_f: +1 or −1
-};
-
-/// The roller's axis at one cam angle; vectors of the cam frame.
-struct RollerAxis {
-    Eigen::Vector3d foot;       ///< c: the near end, h = 0
-    Eigen::Vector3d direction;  ///< e, unit: from the near to the far end
-    Eigen::Vector3d travel;     ///< u, unit: where the axis goes with growing s
-};
 [[nodiscard]] RollerAxis roller_axis(const SpatialCam& cam, double theta, double s);
 
 /// What the cam is at one cam angle and one station.

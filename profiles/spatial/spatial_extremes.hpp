@@ -8,7 +8,6 @@
 // Lengths m, angles rad. Values are those between samples, exact to rounding; places to about 1e-9 rad.
 #pragma once
 
-#include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
 
 #include <optional>

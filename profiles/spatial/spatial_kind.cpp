@@ -18,6 +18,12 @@ using namespace spellings;
 // clang-format off
 std::vector<KeyRow> spatial_rows() {
     return {
+        {"cam", "follower", text, plain, any, {}, "required",
+         "With a cylindrical cam `rotating`, whose lift is an angle, or `translating`, whose lift is a length."},
+        {"cam", "center_distance", number_or_range, length, positive, {}, "required for rotating, barrel",
+         "Cylindrical: to the pivot of a rotating follower. Barrel: from the cam's axis to the rollers' near end."},
+        {"cam", "arm_length", number_or_range, length, positive, {}, "required for rotating, barrel",
+         "To the roller's near end: `rotating`; barrel: the index radius, from the index's axis to the rollers'."},
         {"cam", "cylinder_radius", number_or_range, length, positive, {}, "required for cylindrical, translating",
          "From the cam's axis to the roller's near end; the roller's axis points to the cam's. "
          "`cylindrical` with a `translating` follower only."},
@@ -85,6 +91,7 @@ CamKind kind_of(const char* type, std::vector<CamVariant> variants) {
 
 CamKind barrel_kind() {
     CamKind kind = kind_of(barrel_type, {variant(barrel)});
+    kind.spoken = "a barrel cam with its index";
     kind.rows = spatial_rows();
     return kind;
 }
@@ -92,6 +99,7 @@ CamKind barrel_kind() {
 CamKind cylindrical_kind() {
     CamKind kind =
         kind_of(cylindrical_type, {variant(cylindrical_rotating), variant(cylindrical_translating)});
+    kind.spoken = "a cylindrical cam";
     kind.choosing_table = "cam";
     kind.choosing_key = "follower";
     return kind;

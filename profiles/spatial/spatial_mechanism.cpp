@@ -156,6 +156,9 @@ class SpatialMechanism final : public CamMechanism {
         return point;
     }
     [[nodiscard]] std::vector<MechanismShape> shapes(const MechanismState&) const override { return {}; }
+    [[nodiscard]] std::optional<CamFlanks> flanks(std::span<const double> dimensions) const override {
+        return cam(dimensions);
+    }
 
  private:
     static spatial_formulas::PlaceOnRoller place_on_roller(int station) {
@@ -253,6 +256,10 @@ SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation, std::span<co
     cam.roller_length = number(SpatialNumber::roller_length);
     cam.start = number(SpatialNumber::start);
     return cam;
+}
+
+SpatialCam spatial_cam(const CamSpec& spec, std::span<const double> numbers) {
+    return spatial_cam(spatial_follower(spec), spec.rotation, numbers);
 }
 
 CamSpec spatial_spec(SpatialFollower follower) {

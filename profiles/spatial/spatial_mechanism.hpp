@@ -30,5 +30,7 @@ inline constexpr int mechanism_heights = 3;
 /// The cam with these numbers, in the order of SpatialNumber.
 [[nodiscard]] SpatialCam spatial_cam(SpatialFollower follower, Rotation rotation,
                                      std::span<const double> numbers);
+/// The same of a scene's cam; throws InputError for one of another type.
+[[nodiscard]] SpatialCam spatial_cam(const CamSpec& spec, std::span<const double> numbers);
 
 }  // namespace camopt

@@ -42,10 +42,6 @@ CamSpec blank_spatial_spec(SpatialFollower follower) {
     return spec;
 }
 
-bool is_spatial(const CamSpec& spec) {
-    return spec.type == barrel_type || spec.type == cylindrical_type;
-}
-
 SpatialFollower spatial_follower(const CamSpec& spec) {
     if (spec.type == barrel_type) return barrel;
     const auto choice = spec.choices.find("follower");

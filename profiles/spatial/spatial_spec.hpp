@@ -36,8 +36,6 @@ inline constexpr int spatial_number_count = 7;
 /// them); type "barrel" or "cylindrical", the latter with the
 /// choice "follower" = "rotating" or "translating".
 [[nodiscard]] CamSpec blank_spatial_spec(SpatialFollower follower);
-/// Whether it is such a mechanism.
-[[nodiscard]] bool is_spatial(const CamSpec& spec);
 /// Back again; throws InputError for a spec of another type.
 [[nodiscard]] SpatialFollower spatial_follower(const CamSpec& spec);
 

@@ -22,14 +22,17 @@ Fault dimension_fault(const CamDimension& dimension) {
     return std::nullopt;
 }
 
+constexpr const char* direct_only = "only with a cam that touches the output itself";
+constexpr const char* plane_only = "only with a cam that is a plane outline";
+
 /// Limits that only a cam which touches the output itself can have, or a plane one.
 Fault foreign_limit(const Scene& scene, const CamMechanism& cam) {
     for (const LimitRow& row : limit_rows())
         if (row.in(scene.limits) && ((!cam.is_direct() && row.cams == LimitRow::Cams::disk) ||
                                      (!cam.planar() && row.cams == LimitRow::Cams::planar)))
             return SceneFault{fmt::format("limits.{}", row.name),
-                              "a limit for a cam that is not of type \"disk\"",
-                              "only with cam.type = \"disk\""};
+                              fmt::format("a limit that a cam of type \"{}\" does not have", cam.type()),
+                              row.cams == LimitRow::Cams::planar ? plane_only : direct_only};
     return std::nullopt;
 }
 
@@ -53,8 +56,8 @@ Fault cam_fault(const Scene& scene) {
     if (!scene.cam) return std::nullopt;
     const auto formulas = scene.cam->formulas();
     if (scene.forces && !formulas->is_direct())
-        return SceneFault{"forces", "forces with a cam that is not of type \"disk\"",
-                          "only with cam.type = \"disk\""};
+        return SceneFault{"forces", fmt::format("forces with a cam of type \"{}\"", formulas->type()),
+                          direct_only};
     if (Fault fault = foreign_limit(scene, *formulas)) return fault;
     return formulas->find_fault(*scene.cam, scene.motion);
 }

@@ -64,7 +64,8 @@ Fault drawing_fault(const Scene& scene) {
     if (!scene.drawing) return std::nullopt;
     const Dimension* const base = scene.cam ? scene.cam->find(DimensionIndex::base_radius) : nullptr;
     if (base == nullptr)
-        return SceneFault{"drawing", "a drawing without a disk cam", "only with cam.type = \"disk\""};
+        return SceneFault{"drawing", "a drawing without a base circle",
+                          "only with a cam that has a base radius"};
     const DrawingSpec& drawing = *scene.drawing;
     if (Fault fault = drawing_number_fault(drawing)) return fault;
     if (Fault fault = keyway_fault(drawing)) return fault;

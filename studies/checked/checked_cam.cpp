@@ -12,8 +12,8 @@ namespace camopt {
 
 ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> points) {
     if (!solution.cam) return check_cam(solution, points);
-    if (has_spatial_cam(solution)) return check_spatial_cam(solution, points);
-    if (solution.cam->cam.formulas->has_guide()) return check_inverse_cam(solution, points);
+    if (has_flanks(solution)) return check_flanks(solution, points);
+    if (solution.cam->cam.formulas->has_guide()) return check_guide(solution, points);
     return check_cam(solution, points);
 }
 

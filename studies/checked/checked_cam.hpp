@@ -8,7 +8,7 @@
 
 namespace camopt {
 
-/// By the simulation of its kind: check_cam (studies/check), check_spatial_cam, check_inverse_cam. points:
+/// By the simulation of its kind: check_cam (studies/check), check_flanks, check_guide. points:
 /// about so many, default that of the kind. Throws InputError where the solution has no cam, and where
 /// nothing can be checked.
 [[nodiscard]] ForwardCheckReport checked_cam(const Solution& solution, std::optional<int> points = {});

@@ -4,10 +4,9 @@
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "profiles/inverse/inverse_feeder.hpp"
-#include "profiles/inverse/inverse_mechanism.hpp"
-#include "profiles/inverse/inverse_spec.hpp"
 #include "profiles/sampling.hpp"
+#include "scene/cam_mechanism.hpp"
+#include "scene/roller_guide.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/driven_mechanism.hpp"
@@ -144,39 +143,23 @@ constexpr int walls = 2;
 constexpr int wall_points = 2000;  // of each
 constexpr double margin = 1e-3;    // of the stroke: there the roller leaves the wall that is made
 
-/// The machine of the solved scene and the motion it shall have.
-struct Machine {
-    FeederLinkage linkage;
-    RollerStroke stroke;
-    double feeder_start = 0.0;
+/// The guide of the solved scene and the motion that it shall make.
+struct DrivenGuide {
+    RollerGuide guide;
     const Motion* motion = nullptr;
     MotionScale scale;
 
-    [[nodiscard]] double angle_at(double distance) const {
-        return std::clamp(time_at(stroke, distance), scale.unit_angle * motion->begin(),
+    [[nodiscard]] double cam_angle(double distance) const {
+        return std::clamp(guide.cam_angle(distance), scale.unit_angle * motion->begin(),
                           scale.unit_angle * motion->end());
     }
-    [[nodiscard]] FollowerState feeder_at(double distance) const {
-        const double x = std::clamp(angle_at(distance) / scale.unit_angle, motion->begin(), motion->end());
-        FollowerState feeder = state_of(motion->at(x, x < motion->end() ? Side::right : Side::left), scale);
-        feeder.s += feeder_start;
-        return feeder;
-    }
-    [[nodiscard]] double guide_angle(double distance) const {
-        return -body_motion(linkage, feeder_at(distance)).body.angle;
+    [[nodiscard]] double angle(double distance) const {
+        const double x = std::clamp(cam_angle(distance) / scale.unit_angle, motion->begin(), motion->end());
+        return guide.angle(state_of(motion->at(x, x < motion->end() ? Side::right : Side::left), scale));
     }
     /// |dY/dpsi|, m/rad.
-    [[nodiscard]] double ratio(double distance) const {
-        return std::abs(feeder_motion(linkage, {-guide_angle(distance), 1.0, 0.0}).feeder.velocity);
-    }
+    [[nodiscard]] double ratio(double distance) const { return guide.ratio(angle(distance)); }
 };
-
-Machine machine_of(const Solution& solution, const Motion& motion) {
-    const std::vector<double>& numbers = solution.cam->cam.dimensions;
-    return {linkage_of(numbers), stroke_of(numbers),
-            numbers.at(static_cast<std::size_t>(InverseNumber::feeder_start)), &motion,
-            motion_scale(solution.scene)};
-}
 
 }  // namespace
 
@@ -196,36 +179,36 @@ GuideCheckResult slot_check(const GuideCheckInput& input) {
     });
 }
 
-ForwardCheckReport check_inverse_cam(const Solution& solution, std::optional<int> points) {
-    if (!solution.cam || !solution.cam->cam.formulas->has_guide())
-        throw InputError("an inverse cam is needed, and this solution has none");
+ForwardCheckReport check_guide(const Solution& solution, std::optional<int> points) {
+    std::optional<RollerGuide> guide;
+    if (solution.cam) guide = solution.cam->cam.formulas->guide(solution.cam->cam.dimensions);
+    if (!guide) throw InputError("a cam with a guide is needed, and this solution has none");
     const MotionChain motion = cam_motion(solution);
-    const Machine machine = machine_of(solution, motion);
-    const std::vector<double>& numbers = solution.cam->cam.dimensions;
-    const double begin = state_of(machine.stroke, machine.scale.unit_angle * motion.begin()).distance;
-    const double end = state_of(machine.stroke, machine.scale.unit_angle * motion.end()).distance;
+    const DrivenGuide driven{*guide, &motion, motion_scale(solution.scene)};
+    const double begin = guide->distance(driven.scale.unit_angle * motion.begin());
+    const double end = guide->distance(driven.scale.unit_angle * motion.end());
     GuideCheckInput input;
-    input.designed = [&machine](double distance) { return machine.guide_angle(distance); };
+    input.designed = [&driven](double distance) { return driven.angle(distance); };
     input.begin = begin + margin * (end - begin);
     input.end = end - margin * (end - begin);
     const int count = points.value_or(wall_points);
     input.places = count;
-    input.roller_radius = numbers.at(static_cast<std::size_t>(InverseNumber::roller_radius));
+    input.roller_radius = guide->roller_radius;
     ForwardCheckReport report;
     for (int wall = 0; wall < walls; ++wall) {
         const MechanismProfile profile =
-            mechanism_profile(solution.cam->cam, motion, machine.scale, count, wall);
+            mechanism_profile(solution.cam->cam, motion, driven.scale, count, wall);
         input.points.clear();
         for (const MechanismPoint& point : profile.points) input.points.emplace_back(point.contact.head<2>());
         input.breaks = profile.breaks;
         const GuideCheckResult found = slot_check(input);
         report.points += found.points;
         report.seconds += found.seconds;
-        const double deviation = found.deviation * machine.ratio(found.distance);
+        const double deviation = found.deviation * driven.ratio(found.distance);
         if (wall > 0 && deviation <= report.deviation) continue;
         report.deviation = deviation;
-        report.relative = deviation / machine.scale.lift;
-        report.at = machine.angle_at(found.distance) / machine.scale.unit_angle;
+        report.relative = deviation / driven.scale.lift;
+        report.at = driven.cam_angle(found.distance) / driven.scale.unit_angle;
     }
     return report;
 }

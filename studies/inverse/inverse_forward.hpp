@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The finished guide of an inverse cam, pushed by its roller: does the body swing as designed?
+// The finished guide of a cam that is one, pushed by its roller: does the body swing as designed?
 //
 // Two simulations that know exported points and the roller, and no formula of the guide:
 //   polyline  the roller's centre runs along straight lines between points of the middle line;
@@ -7,8 +7,8 @@
 //   (point_curve.hpp). At
 //             each place of the roller the body is turned until the wall's nearest point is at the distance
 //             r, from the angle of the place before.
-// Lengths m, angles rad, frames of profiles/inverse/guide.hpp. Errors: InputError for points that cannot be
-// used.
+// Lengths m, angles rad, the guide's frame (its body's, the pivot at the origin). Errors: InputError for
+// points that cannot be used.
 #pragma once
 
 #include "studies/delivered/solution.hpp"
@@ -41,12 +41,12 @@ struct GuideCheckResult {
 [[nodiscard]] GuideCheckResult polyline_check(const GuideCheckInput& input);
 [[nodiscard]] GuideCheckResult slot_check(const GuideCheckInput& input);
 
-// The guide of a solved scene with an inverse cam, pushed by its roller.
+// The guide of a solved scene, pushed by its roller.
 
 /// The roller touches either wall of the slot, of `points` (2000) points each (slot_check of
 /// inverse_forward.hpp), at as many places of its stroke. The deviation is that of the feeder, m: the body's
 /// by dY/dpsi at that place; relative: by the lift. Throws InputError for a solution without such a cam or
 /// whose wall cannot be used.
-[[nodiscard]] ForwardCheckReport check_inverse_cam(const Solution& solution, std::optional<int> points = {});
+[[nodiscard]] ForwardCheckReport check_guide(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

@@ -4,10 +4,10 @@
 #include "core/numbers/scalar_search.hpp"
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/flank_grid.hpp"
 #include "profiles/spatial/spatial_extremes.hpp"
 #include "profiles/spatial/spatial_mechanism.hpp"
 #include "profiles/spatial/spatial_spec.hpp"
+#include "scene/flank_grid.hpp"
 #include "studies/delivered/delivered.hpp"
 #include "studies/solve/solve.hpp"
 #include "studies/spatial/spatial_forward_check.hpp"
@@ -156,7 +156,7 @@ BarrelOptima barrel_optima(const Example& example, const SolveControl& control,
             continue;
         }
         const FollowerMotion motion = follower_motion(*solution.motion, motion_scale(solution.scene));
-        const SpatialCam cam = solved_spatial_cam(solution);
+        const SpatialCam cam = spatial_cam(solution.scene.cam.value(), solution.cam->cam.dimensions);
         rows.add("optimised", cam, motion, solution.peaks, word_of(verdict));
         if (!smallest) result.figure.series.push_back(angle_at_tip("optimised", cam, motion));
         if (finished) finished(fmt::format("optimum under {} deg", limit));

@@ -2,7 +2,7 @@
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
 #include "profiles/inverse/guide_points.hpp"
-#include "studies/inverse/inverse_guide.hpp"
+#include "profiles/inverse/wished_guide.hpp"
 #include "studies/papers/paper_000_parts.hpp"
 #include "studies/solve/solve.hpp"
 

@@ -2,8 +2,8 @@
 // Private to studies/papers/: the tables and figures that papers 001 and 002 have in common.
 #pragma once
 
-#include "profiles/spatial/follower_motion.hpp"
 #include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
 #include "studies/papers/paper_catalogue.hpp"
 
 #include <string>

@@ -4,8 +4,7 @@
 #include "core/deadline.hpp"
 #include "core/errors.hpp"
 #include "core/numbers/scalar_search.hpp"
-#include "profiles/spatial/spatial_mechanism.hpp"
-#include "profiles/spatial/spatial_spec.hpp"
+#include "scene/cam_mechanism.hpp"
 #include "studies/delivered/delivered.hpp"
 
 #include <fmt/format.h>
@@ -55,8 +54,8 @@ constexpr double enough = 1e-15;     // m: what is left of a distance after its 
 
 /// From the roller's axis, which goes on by a radius beyond either end but not through the cam to its far
 /// side.
-double distance_from(const SpatialCam& follower, const RollerAxis& axis, const Vector3d& point) {
-    const double radius = follower[SpatialDimension::roller_radius];
+double distance_from(const CamFlanks& follower, const RollerAxis& axis, const Vector3d& point) {
+    const double radius = follower.roller_radius;
     const Vector3d from_foot = point - axis.foot;
     const double along = std::clamp(from_foot.dot(axis.direction), -radius, follower.roller_length + radius);
     return (from_foot - along * axis.direction).norm();
@@ -99,7 +98,7 @@ SpatialForwardCheckResult spatial_forward_check(const SpatialForwardCheckInput& 
     return result;
 }
 
-SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam, const FollowerMotion& motion,
+SpatialForwardCheckRow spatial_forward_check_row(const CamFlanks& cam, const FollowerMotion& motion,
                                                  int count) {
     const Stopwatch watch;
     const FlankGrid grid = flank_grid(cam, motion, FlankSampling{.sections = 2, .angles = count});
@@ -124,14 +123,14 @@ SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam, const Fo
     return row;
 }
 
-FlankContact::FlankContact(const SpatialCam& follower, std::span<const Vector3d> points,
+FlankContact::FlankContact(const CamFlanks& follower, std::span<const Vector3d> points,
                            std::span<const int> breaks, double s)
     : follower_(follower), curve_(points, breaks, false), s_(s) {
     for (const double node : curve_.nodes()) places_.push_back(curve_.at(node));
 }
 
 FlankContact::Nearest FlankContact::nearest(double theta, double s) {
-    const RollerAxis axis = roller_axis(follower_, theta, s);
+    const RollerAxis axis = follower_.axis(theta, s);
     const auto at_place = [&](std::size_t i) { return distance_from(follower_, axis, places_[i]); };
     const auto on_curve = [&](double parameter) {
         return distance_from(follower_, axis, curve_.at(parameter));
@@ -153,9 +152,8 @@ FlankContact::Nearest FlankContact::nearest(double theta, double s) {
 }
 
 FlankContact::Stand FlankContact::at(double theta) {
-    const double radius = follower_[SpatialDimension::roller_radius];
-    const bool slides = follower_.follower == SpatialFollower::cylindrical_translating;
-    const double step = slides ? first_step * radius : first_step;
+    const double radius = follower_.roller_radius;
+    const double step = follower_.swings ? first_step : first_step * radius;
     double before = s_ + step, s = s_;
     double gap_before = nearest(theta, before).distance - radius;
     Nearest found = nearest(theta, s);
@@ -184,20 +182,20 @@ FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale) {
     return result;
 }
 
-bool has_spatial_cam(const Solution& solution) {
+bool has_flanks(const Solution& solution) {
     const std::optional<CamSpec>& cam = solution.scene.cam;
-    return cam && is_spatial(*cam);
+    return cam && cam->formulas()->flanks(cam->middle()).has_value();
 }
 
-SpatialCam solved_spatial_cam(const Solution& solution) {
-    if (!has_spatial_cam(solution) || !solution.cam)
-        throw InputError("a barrel or cylindrical cam is needed, and this solution has none");
-    const CamSpec& spec = solution.scene.cam.value();
-    return spatial_cam(spatial_follower(spec), spec.rotation, solution.cam->cam.dimensions);
+CamFlanks solved_flanks(const Solution& solution) {
+    std::optional<CamFlanks> flanks;
+    if (solution.cam) flanks = solution.cam->cam.formulas->flanks(solution.cam->cam.dimensions);
+    if (!flanks) throw InputError("a three-dimensional cam is needed, and this solution has none");
+    return *std::move(flanks);
 }
 
-ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points) {
-    const SpatialCam cam = solved_spatial_cam(solution);
+ForwardCheckReport check_flanks(const Solution& solution, std::optional<int> points) {
+    const CamFlanks cam = solved_flanks(solution);
     const MotionScale scale = motion_scale(solution.scene);
     const MotionChain motion = whole_turn(solution);
     const FollowerMotion turn = follower_motion(motion, scale);

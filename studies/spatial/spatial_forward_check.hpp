@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The finished spatial cam, turned under its follower: does the follower move as designed?
+// The finished three-dimensional cam, turned under its follower: does the follower move as designed?
 //
 // Each section of each flank, as points and nothing else, drives the follower by itself;
 // the largest difference from the designed motion is the result. An undercut flank, or one that is not that
@@ -8,9 +8,8 @@
 
 #include "core/motion.hpp"
 #include "profiles/sampling.hpp"
-#include "profiles/spatial/flank_grid.hpp"
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
+#include "scene/flank_grid.hpp"
 #include "studies/check/point_curve.hpp"
 #include "studies/delivered/solution.hpp"
 
@@ -28,7 +27,7 @@ struct SpatialForwardCheckInput {
     /// Points of each section of each flank, cam frame, in the order of the cam angle.
     std::vector<std::vector<Eigen::Vector3d>> sections;
     std::vector<int> breaks;  ///< indices of points where the motion changes its formula; of every section
-    SpatialCam follower;      ///< its numbers only
+    CamFlanks follower;       ///< its roller and how it is mounted
     std::function<double(double theta)> designed;  ///< s; its value at `begin` is where the follower starts
     double begin = 0.0, end = 0.0;                 ///< cam angles checked
     int angles = 2001;                             ///< so many, evenly inside (begin, end); >= 2
@@ -63,7 +62,7 @@ struct SpatialForwardCheckRow {
 };
 /// Sections at the near and the far end of the roller; about `count` points over the motion, its breakpoints
 /// among them.
-[[nodiscard]] SpatialForwardCheckRow spatial_forward_check_row(const SpatialCam& cam,
+[[nodiscard]] SpatialForwardCheckRow spatial_forward_check_row(const CamFlanks& cam,
                                                                const FollowerMotion& motion, int count);
 
 // A finished flank pushes its follower: where does the follower stand?
@@ -72,11 +71,11 @@ struct SpatialForwardCheckRow {
 // dimensions and how it is mounted; no motion, no normal, no formula that made the points, not even the
 // height of the section. At a cam angle the follower stands where the distance between the curve and its
 // roller's axis is, at its least, the roller's radius. That place is followed from the angle before
-// (tracking). Frames of profiles/spatial/spatial_cam.hpp; m, rad.
+// (tracking). Frames of scene/cam_flanks.hpp; m, rad.
 class FlankContact {
  public:
     /// breaks: indices of points where the flank may be less smooth. s: where the follower stands at first.
-    FlankContact(const SpatialCam& follower, std::span<const Eigen::Vector3d> points,
+    FlankContact(const CamFlanks& follower, std::span<const Eigen::Vector3d> points,
                  std::span<const int> breaks, double s);
 
     struct Stand {
@@ -94,7 +93,7 @@ class FlankContact {
     /// Least distance between the curve and the roller's axis, near the place of the time before.
     [[nodiscard]] Nearest nearest(double theta, double s);
 
-    SpatialCam follower_;
+    CamFlanks follower_;
     SpacePointCurve curve_;
     std::vector<Eigen::Vector3d> places_;  ///< the curve at its nodes
     std::size_t place_ = 0;
@@ -102,20 +101,20 @@ class FlankContact {
     bool placed_ = false;
 };
 
-// The spatial cam of a solved scene: its dimensions, its motion in SI, its forward check.
+// The three-dimensional cam of a solved scene: its dimensions, its motion in SI, its forward check.
 
 /// The motion must outlive what is returned. Of a cam: its whole_turn (studies/delivered/delivered.hpp).
 [[nodiscard]] FollowerMotion follower_motion(const Motion& motion, const MotionScale& scale);
 
-/// Whether the scene's cam is a barrel or a cylindrical one.
-[[nodiscard]] bool has_spatial_cam(const Solution& solution);
+/// Whether the scene's cam has flanks: whether it is three-dimensional.
+[[nodiscard]] bool has_flanks(const Solution& solution);
 
-/// Of a solution whose scene has one, with the dimensions that were chosen. Throws InputError for another.
-[[nodiscard]] SpatialCam solved_spatial_cam(const Solution& solution);
+/// Of a solution with such a cam, with the dimensions that were chosen. Throws InputError for another.
+[[nodiscard]] CamFlanks solved_flanks(const Solution& solution);
 
 /// Both flanks at both ends of the roller drive the follower over the whole turn: about `points` (2000)
 /// points a section (spatial_forward_check.hpp). The deviation is that of the output, m or rad; relative: by
 /// the lift.
-[[nodiscard]] ForwardCheckReport check_spatial_cam(const Solution& solution, std::optional<int> points = {});
+[[nodiscard]] ForwardCheckReport check_flanks(const Solution& solution, std::optional<int> points = {});
 
 }  // namespace camopt

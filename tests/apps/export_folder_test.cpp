@@ -97,11 +97,11 @@ TEST(ExportOfAFolder, RefusesWhatItCannotUse) {
     };
     refused(folder.path() + out, "found no result.json");
     ASSERT_EQ(run_camopt("solve " + test::scene("drd_cubic_12") + " --out " + result).exit_code, 0);
-    refused(result + out + " --nc", "the rest is for disk, barrel and cylindrical cams");
+    refused(result + out + " --nc", "the rest is for cams, and this scene has none");
     refused(result + out + " --set motion.lift_mm=2", "found with a result folder");
     refused(result + out + " --solver structured", "--solver: found with a result folder");
     ASSERT_EQ(run_camopt("solve " + test::scene("cam_drdrd") + quick + " --out " + result).exit_code, 0);
-    refused(result + out + " --obj", "of a disk cam export writes --csv, --dxf, --drawing");
+    refused(result + out + " --obj", "of a cam of type \"disk\" export writes --csv, --dxf, --drawing");
 }
 
 }  // namespace export_folder_test

@@ -133,13 +133,14 @@ TEST(ExportCommand, RefusesWhatItCannotExport) {
         EXPECT_NE(run.errors.find(reason), std::string::npos) << arguments << run.errors;
     };
     const std::string barrel = test::scene("barrel_paper_cup");
-    refused(test::scene("drd_cubic_12") + out + " --nc", "the rest is for disk, barrel and cylindrical cams");
+    refused(test::scene("drd_cubic_12") + out + " --nc", "the rest is for cams, and this scene has none");
     refused(test::scene("drd_cubic_12") + out, "export writes --csv and --plc of a motion");
     refused(barrel + out + " --digits 3", "--csv");
     refused(barrel + out + " --csv --digits 30", "17");
     refused(test::scene("drd_cubic_12") + out + " --csv --columns v_mm_s", "needs motion.speed_rpm");
     refused(test::scene("drd_cubic_12") + out + " --plc codesis", "did you mean 'codesys'?");
-    refused(test::scene("cam_drdrd") + out + " --obj", "of a disk cam export writes --csv, --dxf, --drawing");
+    refused(test::scene("cam_drdrd") + out + " --obj",
+            "of a cam of type \"disk\" export writes --csv, --dxf, --drawing");
     refused(test::scene("cam_smallest") + out + " --nc", "no return is given");
     refused(barrel + " --nc", "--out");
     refused(barrel + out + " --cutter-mm 10", "--nc");

@@ -34,7 +34,9 @@ std::vector<BrokenScene> broken_drawings() {
     using namespace broken_drawings_parts;
     return {
         {"drawing_without_cam", "objective.jerk = 1\nmotion.type = \"DRD\"\n[drawing]\n",
-         "s.toml:3:1: drawing: found a drawing without a disk cam; allowed: only with cam.type = \"disk\""},
+         "s.toml:3:1: drawing: found a drawing without a base circle; allowed: only with a cam that has a "
+         "base "
+         "radius"},
         {"bore_not_positive", disk_drawing + "bore_mm = 0\n",
          "s.toml:9:11: drawing.bore_mm: found 0; allowed: a number > 0"},
         {"bore_beyond_the_cam", disk_drawing + "bore_mm = 80\n",

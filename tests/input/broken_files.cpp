@@ -123,8 +123,9 @@ std::vector<BrokenScene> broken_files() {
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, dynamics, limits, drawing, solver; did you mean 'title'?"},
+         "s.toml:1:1: titel: found an unknown key; allowed: title, motion, spline, objective, cam, drawing, "
+         "forces, "
+         "measured, dynamics, limits, solver; did you mean 'title'?"},
         {"unknown_misspelt",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -167,8 +168,9 @@ std::vector<BrokenScene> broken_files() {
          "type = \"DRD\"\n"
          "[objective]\n"
          "jerk = 1\n",
-         "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, dynamics, limits, drawing, solver; did you mean 'spline.degree'?"},
+         "s.toml:1:1: degree: found an unknown key; allowed: title, motion, spline, objective, cam, drawing, "
+         "forces, "
+         "measured, dynamics, limits, solver; did you mean 'spline.degree'?"},
         {"unknown_strange",
          "[motion]\n"
          "type = \"DRD\"\n"
@@ -229,8 +231,9 @@ std::vector<BrokenScene> broken_files() {
          "jerk = 1\n"
          "[solvers]\n"
          "name = \"auto\"\n",
-         "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, forces, "
-         "measured, dynamics, limits, drawing, solver; did you mean 'solver'?"},
+         "s.toml:5:2: solvers: found an unknown key; allowed: title, motion, spline, objective, cam, "
+         "drawing, forces, "
+         "measured, dynamics, limits, solver; did you mean 'solver'?"},
         {"motion_is_number",
          "motion = 3\n"
          "[objective]\n"

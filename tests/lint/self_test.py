@@ -19,7 +19,7 @@ CLEAN = {
     "solvers/CMakeLists.txt": "# SPDX-License-Identifier: MIT\nlink(camopt::core)\n",
     "profiles/inverse/i.hpp": SPDX + '#pragma once\n#include "core/a.hpp"\n',
     "profiles/p.hpp": SPDX + "#pragma once\n",
-    "studies/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
+    "studies/papers/s.cpp": SPDX + '#include "profiles/inverse/i.hpp"\n',
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(camopt VERSION 0.2.0 LANGUAGES CXX)\n",
     "README.md": "# Title\nSee [a](core/a.hpp), [here](#title) and `core/a.hpp`.\n",
 }
@@ -34,6 +34,8 @@ PLANTED = [
      "profiles/inverse/ must not include profiles/"),
     ("include_rules", "profiles/p.cpp", SPDX + '#include "profiles/inverse/i.hpp"\n',
      "profiles/ must not include profiles/inverse/"),
+    ("include_rules", "studies/s.cpp", SPDX + '#include "profiles/inverse/i.hpp"\n',
+     "studies/ must not include profiles/inverse/"),
     ("include_rules", "profiles/CMakeLists.txt", "link(camopt::profiles_inverse)\n",
      "profiles/ must not link camopt::profiles_inverse"),
     ("include_rules", "output/nc/n.cpp", SPDX + '#include "profiles/p.hpp"\n', "output/nc/ must not include profiles/"),

@@ -19,11 +19,14 @@ MAY_INCLUDE = {
     "studies": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input"},
     "output": {"core", "scene", "linear", "motions", "splines", "profiles", "objectives", "solvers", "input", "studies"},
 }
-# Mechanisms beside the disk cams: leaves, none of which knows another, so that each can be linked alone.
-LEAVES = {"profiles/inverse", "profiles/remote", "profiles/spatial"}
-for user in ("objectives", "studies", "output"):
-    MAY_INCLUDE[user] |= LEAVES
+# Kinds of cams: leaves, none of which knows another, so that each can be linked alone. Optimizer, studies and outputs
+# ask a cam through scene/cam_mechanism.hpp and know no kind.
+LEAVES = {"profiles/disk", "profiles/inverse", "profiles/remote", "profiles/spatial"}
 MAY_INCLUDE |= {leaf: {"core", "scene", "profiles/kinds"} for leaf in LEAVES}
+# A paper is about one kind of cam; the report that all of them fill is used elsewhere too.
+MAY_INCLUDE["studies/papers"] = MAY_INCLUDE["studies"] | {"studies"} | LEAVES
+for user in ("studies", "output"):
+    MAY_INCLUDE[user] |= {"studies/papers"}
 # What kinds of cams say of themselves, without formulas: readers and lists know no more of them.
 MAY_INCLUDE["profiles/kinds"] = {"core", "scene", "profiles"} | LEAVES
 # The one place that knows them all: what a scene names becomes formulas. Optimizer and studies do without it.
@@ -31,9 +34,10 @@ MAY_INCLUDE["profiles/factory"] = {"core", "scene", "profiles", "profiles/kinds"
 # With the names of all laws and solvers, and formulas for every kind of cam: a scene one can solve.
 MAY_INCLUDE["input/loading"] = {"core", "scene", "motions", "dynamics", "solvers", "input",
                                 "profiles/factory"}
-# Geometry that goes out: programs and surfaces know no cam, and what joins them with one kind of cam no other kind.
+# Geometry that goes out: programs and surfaces know no cam; what joins them with three-dimensional cams knows these
+# by their flanks (scene/cam_flanks.hpp).
 MAY_INCLUDE["output/nc"] = MAY_INCLUDE["output/surface"] = {"core"}
-MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles/spatial"}
+MAY_INCLUDE["output/spatial"] = {"core", "scene", "output", "output/nc", "output/surface"}
 MAY_INCLUDE["output/disk"] = {"core", "scene", "output", "output/nc", "output/surface", "profiles"}
 # The way of a program's cutter as a picture: of any machine, no cam.
 MAY_INCLUDE["output/toolpath"] = {"core", "output", "output/nc"}

@@ -98,10 +98,10 @@ TEST(UniformTable, HasTheLoadsOfACamWithForces) {
     EXPECT_NEAR(number(top[3]), 160.0, 1e-9);
     EXPECT_GT(number(top[4]), 100.0);
     EXPECT_NE(fault_of(test::cam_solution(), {.columns = {"moment_nm"}})
-                  .find("which needs a disk cam with [forces] and a lift that is an angle"),
+                  .find("which needs a cam with [forces] and a lift that is an angle"),
               std::string::npos);
     EXPECT_NE(fault_of(test::sample_solution(), {.columns = {"torque_nm"}})
-                  .find("which needs a disk cam with [forces]; allowed: "),
+                  .find("which needs a cam with [forces]; allowed: "),
               std::string::npos);
 }
 

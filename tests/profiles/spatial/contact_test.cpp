@@ -4,8 +4,8 @@
 #include "profiles/spatial/contact.hpp"
 
 #include "core/errors.hpp"
-#include "profiles/spatial/flank_grid.hpp"
 #include "reference_cams.hpp"
+#include "scene/flank_grid.hpp"
 #include "situations.hpp"
 #include "tests/support/refusal.hpp"
 

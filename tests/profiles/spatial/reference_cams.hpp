@@ -7,7 +7,8 @@
 
 #include "core/units.hpp"
 #include "motions/laws/law_catalogue.hpp"
-#include "profiles/spatial/flank_grid.hpp"
+#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/flank_grid.hpp"
 #include "tests/profiles/test_turn.hpp"
 
 #include <cmath>

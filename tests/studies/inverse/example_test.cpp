@@ -2,7 +2,7 @@
 // The example of docs/papers/000.md: from the weights of a motion to the points of a slot's walls.
 #include "core/units.hpp"
 #include "profiles/inverse/guide_points.hpp"
-#include "studies/inverse/inverse_guide.hpp"
+#include "profiles/inverse/wished_guide.hpp"
 #include "studies/solve/solve.hpp"
 
 #include <gtest/gtest.h>

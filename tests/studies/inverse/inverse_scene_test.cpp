@@ -88,7 +88,7 @@ TEST(InverseScene, KeepsTenDegreesRebuiltFromTheMotionAlone) {
     const auto margin = std::ranges::find(solution.constraints, "undercut_margin", &ConstraintReport::name);
     ASSERT_NE(margin, solution.constraints.end());
     EXPECT_NEAR(margin->worst, best.regularity, 1e-5);
-    const ForwardCheckReport check = check_inverse_cam(solution);
+    const ForwardCheckReport check = check_guide(solution);
     EXPECT_LT(check.relative, 1e-9);
     EXPECT_GT(check.points, 4000);
     // The modified sine in the same machine breaks the limit, and so does the best motion without it.

@@ -98,7 +98,7 @@ TEST(SpatialForwardCheck, FindsOneWrongPoint) {
 
 TEST(SpatialForwardCheck, FindsAWrongRoller) {
     SpatialForwardCheckInput input = input_of(reference_cams().front(), 401);
-    input.follower[SpatialDimension::roller_radius] += 1e-6;
+    input.follower.roller_radius += 1e-6;
     EXPECT_GT(spatial_forward_check(input).deviation, 1e-6);
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Both flanks of a three-dimensional cam as grids of points: sections along the roller times cam angles.
 //
-// All vectors are of the cam frame (spatial_cam.hpp: z is the cam's axis), lengths m, angles rad. The point
+// All vectors are of the cam frame (cam_flanks.hpp: z is the cam's axis), lengths m, angles rad. The point
 // of section i and angle j of a flank stands at index i · angles + j (`FlankGrid::index`). At one angle and
 // one section the points of the two flanks lie opposite each other on the roller: their mean is the centre.
 // The D and U of paper 001 (cutter location) are flanks[0] (σ_f = +1) and flanks[1] (σ_f = −1).
 // A grid is open: its last angle does not join its first.
 #pragma once
 
-#include "profiles/spatial/follower_motion.hpp"
-#include "profiles/spatial/spatial_cam.hpp"
+#include "scene/cam_flanks.hpp"
 
 #include <Eigen/Core>
 
@@ -55,10 +54,10 @@ struct FlankSampling {
 /// Evenly spaced cam angles of the motion with its breakpoints among them, ascending.
 [[nodiscard]] std::vector<double> even_angles(const FollowerMotion& motion, int count);
 
-[[nodiscard]] FlankGrid flank_grid(const SpatialCam& cam, const FollowerMotion& motion,
+[[nodiscard]] FlankGrid flank_grid(const CamFlanks& cam, const FollowerMotion& motion,
                                    const FlankSampling& sampling);
 /// At given sections and angles; `breaks` are those breakpoints of the motion that are among the angles.
-[[nodiscard]] FlankGrid flank_grid(const SpatialCam& cam, const FollowerMotion& motion,
+[[nodiscard]] FlankGrid flank_grid(const CamFlanks& cam, const FollowerMotion& motion,
                                    std::vector<double> heights, std::vector<double> angles);
 
 }  // namespace camopt

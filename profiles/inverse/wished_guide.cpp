@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/inverse/inverse_guide.hpp"
+#include "profiles/inverse/wished_guide.hpp"
 
 #include "core/errors.hpp"
 

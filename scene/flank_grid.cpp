@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profiles/spatial/flank_grid.hpp"
+#include "scene/flank_grid.hpp"
 
 #include "core/errors.hpp"
 
@@ -21,7 +21,7 @@ bool is_break(const FollowerMotion& motion, double angle) {
                        [&](double place) { return std::abs(place - angle) <= nearness; });
 }
 
-std::vector<double> even_heights(const SpatialCam& cam, const FlankSampling& sampling) {
+std::vector<double> even_heights(const CamFlanks& cam, const FlankSampling& sampling) {
     const bool whole = sampling.from_height == 0.0 && sampling.to_height == 0.0;
     const double to = whole ? cam.roller_length : sampling.to_height;
     std::vector<double> heights;
@@ -52,17 +52,17 @@ std::vector<double> even_angles(const FollowerMotion& motion, int count) {
     return angles;
 }
 
-FlankGrid flank_grid(const SpatialCam& cam, const FollowerMotion& motion, const FlankSampling& sampling) {
+FlankGrid flank_grid(const CamFlanks& cam, const FollowerMotion& motion, const FlankSampling& sampling) {
     sampling.validate();
     return flank_grid(cam, motion, even_heights(cam, sampling), even_angles(motion, sampling.angles));
 }
 
-FlankGrid flank_grid(const SpatialCam& cam, const FollowerMotion& motion, std::vector<double> heights,
+FlankGrid flank_grid(const CamFlanks& cam, const FollowerMotion& motion, std::vector<double> heights,
                      std::vector<double> angles) {
     FlankGrid grid;
     grid.heights = std::move(heights);
     grid.angles = std::move(angles);
-    grid.roller_radius = cam[SpatialDimension::roller_radius];
+    grid.roller_radius = cam.roller_radius;
     for (std::size_t side = 0; side < 2; ++side) {
         FlankSurface& flank = grid.flanks[side];
         flank.flank = side == 0 ? 1 : -1;
@@ -72,13 +72,13 @@ FlankGrid flank_grid(const SpatialCam& cam, const FollowerMotion& motion, std::v
     for (std::size_t j = 0; j < grid.angles.size(); ++j) {
         const double theta = grid.angles[j];
         const FollowerState state = motion.state(theta);
-        const RollerAxis axis = roller_axis(cam, theta, state.s);
+        const RollerAxis axis = cam.axis(theta, state.s);
         grid.feet.push_back(axis.foot);
         grid.directions.push_back(axis.direction);
         if (is_break(motion, theta)) grid.breaks.push_back(static_cast<int>(j));
         for (std::size_t i = 0; i < grid.heights.size(); ++i)
             for (FlankSurface& flank : grid.flanks) {
-                const SpatialPoint point = spatial_point(cam, theta, state, {grid.heights[i], flank.flank});
+                const FlankPoint point = cam.point(theta, state, {grid.heights[i], flank.flank});
                 flank.points[grid.index(i, j)] = point.contact;
                 flank.normals[grid.index(i, j)] = -point.normal;
             }
