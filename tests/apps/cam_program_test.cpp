@@ -98,7 +98,7 @@ TEST_F(CamProgram, WritesTheProfileAndChecksIt) {
     EXPECT_NE(run.output.find("What limits it: the pressure angle at "), std::string::npos);
 }
 
-TEST_F(CamProgram, ALaterRunTakesTheDrawingAway) {
+TEST_F(CamProgram, LaterRunRemovesDrawing) {
     const std::string solve = "solve " + file(cam_scene) + " --out '" + out() + "'";
     EXPECT_EQ(run_camopt(solve + " --dxf").exit_code, 0);
     EXPECT_TRUE(wrote("profile.dxf"));
@@ -126,7 +126,7 @@ TEST_F(CamProgram, AnInfeasibleCamIsExplained) {
     EXPECT_NE(run.output.find("increase the base radius to "), std::string::npos) << run.output;
 }
 
-TEST_F(CamProgram, AProgramIsAWholeTurn) {
+TEST_F(CamProgram, ProgramIsOneRevolution) {
     const ProgramRun run = run_camopt("solve " + file(program_scene) + " --out '" + out() + "'");
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     const json found = result();

@@ -19,7 +19,7 @@ using test::run_camopt;
 // Fewer segments and one start: what is solved does not matter here.
 const std::string quick = " --set spline.segments=8 --set solver.starts=1";
 
-TEST(ExportCommand, WritesTheCamAndItsCheckedProgram) {
+TEST(ExportCommand, WritesCamAndCheckedProgram) {
     const test::TemporaryFolder folder;
     const std::string out = " --out " + folder.path();
     const ProgramRun run =
@@ -72,7 +72,7 @@ TEST(ExportCommand, DiskCam) {
     EXPECT_NE(read_text_file(folder.path() + "/cam.nc").find("(machine: three axes"), std::string::npos);
 }
 
-TEST(ExportCommand, TheBlankDecidesHowHighRapidsGo) {
+TEST(ExportCommand, BlankDeterminesRapidHeight) {
     const test::TemporaryFolder folder;
     const ProgramRun run =
         run_camopt("export " + test::scene("barrel_paper_cup") + " --out " + folder.path() + quick +
@@ -88,7 +88,7 @@ TEST(ExportCommand, TheBlankDecidesHowHighRapidsGo) {
 }
 
 // A cutter that is rounder than the cam's hollow: no program, nor the one of an earlier run.
-TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
+TEST(ExportCommand, WritesOnlyProgramsPassingCheck) {
     const test::TemporaryFolder folder;
     const std::string arguments = "export " + test::scene("cam_roller") + " --out " + folder.path() +
                                   " --set solver.starts=1 --nc --chord-mm 0.01 --cutter-mm ";
@@ -105,7 +105,7 @@ TEST(ExportCommand, HandsOutNoProgramThatItsCheckRefuses) {
 }
 
 // A motion alone: no cam is needed.
-TEST(ExportCommand, TableAndElectronicCamOfAMotion) {
+TEST(ExportCommand, WritesTableAndElectronicCam) {
     const test::TemporaryFolder folder;
     const ProgramRun run =
         run_camopt("export " + test::scene("swing_limits") + " --out " + folder.path() +

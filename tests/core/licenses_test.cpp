@@ -32,7 +32,7 @@ TEST(Licenses, ListWhatTheBuildHas) {
     }
 }
 
-TEST(Licenses, TheTermsNameTheGplExactlyWhereAPartIsUnderIt) {
+TEST(Licenses, GplIsNamedExactlyWhenRequired) {
     const std::vector<LicensedPart> parts = licensed_parts();
     const bool gpl = std::ranges::any_of(parts, [](const LicensedPart& part) {
         return part.license.find("GPL-2.0") != std::string::npos &&

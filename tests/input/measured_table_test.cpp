@@ -24,7 +24,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-TEST(MeasuredTable, FindsItsColumnsWhateverStandsBesideThem) {
+TEST(MeasuredTable, FindsColumnsAmongOthers) {
     const MeasuredTable table = measured_table_of(
         "\xEF\xBB\xBF# a remark\r\n\r\nforce_n; s_in ;\"theta_rad\"\r\n7;0.5;1e-1\r\n8;+0.75;0.2\r\n",
         "m.csv");
@@ -106,7 +106,7 @@ TEST_F(MeasuredScene, IsReadFromItsFolder) {
     EXPECT_EQ(read.measured->name, "m.csv");
 }
 
-TEST_F(MeasuredScene, FaultsOfTheTableHaveItsLines) {
+TEST_F(MeasuredScene, TableFaultsNameTheirLines) {
     EXPECT_EQ(refusal_of("theta_deg,s_mm\n0,0\n1,1\n"),
               "m.csv: theta_deg: found 2 rows; allowed: 8 to 1000000 rows");
     std::string low = table;
@@ -125,7 +125,7 @@ TEST_F(MeasuredScene, FaultsOfTheTableHaveItsLines) {
               "allowed: s_mm, s_in or s_m");
 }
 
-TEST_F(MeasuredScene, ATextWithoutAFolderReadsNoFile) {
+TEST_F(MeasuredScene, TextWithoutFolderReadsNoFile) {
     try {
         (void)read_scene(scene, "s.toml", known);
         ADD_FAILURE() << "accepted";
@@ -136,7 +136,7 @@ TEST_F(MeasuredScene, ATextWithoutAFolderReadsNoFile) {
     }
 }
 
-TEST_F(MeasuredScene, ItsTextStandsAlone) {
+TEST_F(MeasuredScene, ItsTextIsSelfContained) {
     write("s.toml", scene);
     const Scene given = read_scene_file(folder_ / "s.toml", known);
     const std::string alone = whole_scene_text(folder_ / "s.toml");

@@ -21,7 +21,7 @@ std::string refusal(FactorKind kind) {
     }
 }
 
-TEST(AbsentFactor, IsRefusedAndNotReplacedByAnother) {
+TEST(AbsentFactor, IsRefusedWithoutSubstitution) {
     const std::string rest =
         " is not built into this camopt; there are auto, chain and simplicial; install libsuitesparse-dev "
         "and "

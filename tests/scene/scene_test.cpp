@@ -214,7 +214,7 @@ TEST(Scene, WrongCamsAreNamed) {
     for (const SceneCase& c : cases) EXPECT_EQ(message_of(cam_scene(), c.change), c.message);
 }
 
-TEST(Scene, ADimensionThatACamHasNotIsRefused) {
+TEST(Scene, UnknownCamDimensionIsRefused) {
     EXPECT_EQ(message_of([](Scene&) { cam_scene().cam->set(DimensionIndex::arm_length, 0.1); }),
               "cam.arm_length: found a dimension that this cam of type \"disk\" does not have; allowed: "
               "base_radius, roller_radius, offset");
@@ -227,7 +227,7 @@ TEST(Scene, ADimensionThatACamHasNotIsRefused) {
               "allowed: only with \"oscillating_roller\"");
 }
 
-TEST(Scene, ProgramsAndCamsInTheirRangesAreAllowed) {
+TEST(Scene, ValidProgramsAndCamsAreAllowed) {
     const auto nothing = [](Scene&) {};
     EXPECT_EQ(message_of(program_scene(), nothing), "accepted");
     EXPECT_EQ(message_of(program_scene(), [](Scene& s) { s.motion.segments[3].to = 0.0; }), "accepted");

@@ -62,7 +62,7 @@ camopt_solve_options watched(Watch& watch) {
     return options;
 }
 
-TEST(CCallbacks, HearOfProgress) {
+TEST(CCallbacks, ReceiveProgress) {
     Watch watch;
     const camopt_solve_options options = watched(watch);
     const CSolution c = c_solved(c_scene_of_file("cam_roller"), &options);
@@ -139,7 +139,7 @@ TEST(CCallbacks, ThrowNothingThroughAnyBackend) {
     }
 }
 
-TEST(CThreads, SolveAtOnceAsOneAfterAnother) {
+TEST(CThreads, ConcurrentSolvesEqualSequentialOnes) {
     const CScene plain = c_scene(paper_toml), cam = c_scene_of_file("cam_roller");
     const auto lists = [](const CSolution& c) {
         return text_of(c, CAMOPT_CERTIFICATE_JSON) + text_of(c, CAMOPT_MOTION_CSV);

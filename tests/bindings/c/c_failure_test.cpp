@@ -17,7 +17,7 @@ void expect_code(const Thrown& thrown, camopt_error code, const char* text) {
     EXPECT_STREQ(camopt_error_text(), text);
 }
 
-TEST(CFailure, HasACodeForWhateverIsThrown) {
+TEST(CFailure, EveryExceptionHasACode) {
     EXPECT_STREQ(camopt_error_text(), "");
     expect_code(Failure(CAMOPT_ERROR_CAPACITY, "too small"), CAMOPT_ERROR_CAPACITY, "too small");
     expect_code(InputError("wrong key"), CAMOPT_ERROR_INPUT, "wrong key");

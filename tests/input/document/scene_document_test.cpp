@@ -57,7 +57,7 @@ TEST(SceneDocument, TakesEveryKindOfValue) {
     EXPECT_EQ(document.scene().motion.via[0].at, 0.3);
 }
 
-TEST(SceneDocument, ReplacesOtherSpellingsAndGoesBackToDefaults) {
+TEST(SceneDocument, ReplacesSynonymsAndRestoresDefaults) {
     SceneDocument document = document_of(document_scene);
     document.set("motion.lift_mm", 20);
     EXPECT_EQ(document.scene().motion.lift, 0.02);
@@ -76,7 +76,7 @@ TEST(SceneDocument, ReplacesOtherSpellingsAndGoesBackToDefaults) {
     EXPECT_TRUE(document.scene().motion.via.empty());
 }
 
-TEST(SceneDocument, RefusesWithTheWordsOfASceneFile) {
+TEST(SceneDocument, RefusesInSceneFileWording) {
     SceneDocument document = document_of(document_scene);
     const auto set = [&](const std::string& key, const SceneValue& value) {
         return refused(document, [&] { document.set(key, value); });
@@ -101,7 +101,7 @@ TEST(SceneDocument, RefusesWithTheWordsOfASceneFile) {
               std::string::npos);
 }
 
-TEST(SceneDocument, LeavesWhatIsMissingToItsReaders) {
+TEST(SceneDocument, LeavesMissingKeysToReaders) {
     SceneDocument document = document_of("");
     document.set("cam.base_radius_mm", 30);
     document.set("objective.jerk", 1);

@@ -58,7 +58,7 @@ struct Made {
     }
 };
 
-TEST(NcDefaults, RoughsInLayersOfHalfTheCutter) {
+TEST(NcDefaults, RoughingLayersAreHalfCutterDeep) {
     const Made made(of_22_mm());
     EXPECT_EQ(made.program.fault(), "");
     EXPECT_TRUE(made.has("(roughing: 4 of 4 layers, 5.75 mm deep each, step-over "))
@@ -76,7 +76,7 @@ TEST(NcDefaults, RoughsInLayersOfHalfTheCutter) {
     EXPECT_GT(made.program.roughed.at(0).check.least_stock, 0.29 * millimetre);
 }
 
-TEST(NcDefaults, FullDepthNeedsItsOptionAndWarns) {
+TEST(NcDefaults, FullDepthNeedsOptionAndWarns) {
     DiskNcOptions options = of_22_mm();
     options.milling.full_depth = true;
     const std::string warning = "the only pass cuts a slot 23 mm deep, 1.9 times the cutter's diameter";

@@ -87,7 +87,7 @@ TEST(ProfileDiagramsSvg, ShowLimitsAndExtremes) {
     }
 }
 
-TEST(ProfileDiagramsSvg, ACurvatureWithoutBoundLeavesTheFrame) {
+TEST(ProfileDiagramsSvg, UnboundedCurvatureLeavesFrame) {
     DiskCam cam = test::sample_cam(FollowerType::oscillating_flat, Rotation::clockwise);
     const MotionChain motion = test::turn_motion("polynomial_4567");
     expect_sound(profile_diagrams_svg(profile_shape(disk_mechanism(cam), motion, {10 * units::degree, 1.0}),

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 // A result folder holds the table that its scene named.
-TEST(RoundTripOfATable, TheFolderStandsAlone) {
+TEST(RoundTripOfATable, FolderIsComplete) {
     const test::TemporaryFolder folder;
     const std::filesystem::path file = std::string(CAMOPT_SOURCE_DIR) + "/scenes/drd_measured.toml";
     const Solution solution = solve(input::read_scene_file(file, known_names()));
@@ -136,7 +136,7 @@ TEST(RoundTripOfATable, TheFolderStandsAlone) {
 }
 
 // What the scene says goes through text: a scene with settings is written anew, and is the same scene.
-TEST(SceneText, WithSettingsIsTheSameSceneInOneText) {
+TEST(SceneText, SettingsAreMergedIntoOneText) {
     const std::string text =
         "title = \"a \\\"b\\\" \\\\ \\u0007\"\n[motion]\ntype = \"DRD\"\nlift_mm = 1e1\nrise_deg = 0.1\n"
         "via = [{ at = 0.25, displacement = 0.1 }]\n[spline]\nbreakpoints = [0, 0.3333333333333333, 1]\n"
@@ -267,7 +267,7 @@ TEST_F(ChangedFolder, NoJson) {
     expect_says(refused(), "found no JSON");
 }
 
-TEST(ResultFolderReader, ASceneWithoutAMotionHasNoneToRead) {
+TEST(ResultFolderReader, InfeasibleSceneHasNoMotion) {
     const test::TemporaryFolder folder;
     const Solution solution = solved_into(folder.path(), "infeasible_velocity_cap", {});
     ASSERT_FALSE(solution.motion);

@@ -77,7 +77,7 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
     return rows;
 }
 
-TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
+TEST_F(TwoSidedFiles, TablesAreOffsetsOfPath) {
     const auto inner = rows_of(file(grooved(), "profile.csv")),
                outer = rows_of(file(grooved(), "second_profile.csv"));
     ASSERT_GT(inner.size(), 190U);
@@ -92,7 +92,7 @@ TEST_F(TwoSidedFiles, BothTablesAreOffsetsOfOnePath) {
     }
 }
 
-TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
+TEST_F(TwoSidedFiles, UniformTableUsesFirstSide) {
     UniformTableOptions options;
     options.columns = {"theta_deg",  "cam_x_mm", "cam_y_mm",      "pitch_x_mm",
                        "pitch_y_mm", "force_n",  "normal_force_n"};
@@ -106,7 +106,7 @@ TEST_F(TwoSidedFiles, TheUniformTableIsOfTheFirstSide) {
     EXPECT_LT(least, -1.0);
 }
 
-TEST_F(TwoSidedFiles, PicturesAndDrawingHaveBothSides) {
+TEST_F(TwoSidedFiles, FiguresShowBothSides) {
     for (const char* layer : {"INNER_FLANK", "OUTER_FLANK", "RIM", "PITCH"})
         EXPECT_NE(file(grooved(), "profile.dxf").find(layer), std::string::npos) << layer;
     for (const char* layer : {"SECOND_CAM", "SECOND_PITCH", "SECOND_ROLLER"})
@@ -168,7 +168,7 @@ TEST_F(TwoSidedFiles, TwoDisksAreTwoPieces) {
     }
 }
 
-TEST_F(TwoSidedFiles, AGrooveIsMilledByAnyCutterThatFits) {
+TEST_F(TwoSidedFiles, FittingCuttersMillTheGroove) {
     const MotionChain motion = drawn_motion(grooved());
     const ProfileShape shape = delivered_shape(grooved(), motion).value();
     ASSERT_EQ(made_pieces(shape).size(), 1u);

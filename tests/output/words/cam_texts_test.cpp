@@ -46,7 +46,7 @@ TEST(KeyWords, NamesAndUnitsOfKeys) {
     EXPECT_EQ(key_words("cam.base_radius_mm.max").unit, "mm");
 }
 
-TEST(KeyWords, ANumberInAListOfTheMotionKeepsItsIndex) {
+TEST(KeyWords, ListNumbersKeepTheirIndex) {
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").words, "motion.via[0].velocity");
     EXPECT_EQ(key_words("motion.via[0].velocity_mm_deg").unit, "mm/deg");
     EXPECT_EQ(key_words("motion.segments[2].via[1].acceleration_m_s2").unit, "m/s²");
@@ -54,7 +54,7 @@ TEST(KeyWords, ANumberInAListOfTheMotionKeepsItsIndex) {
     EXPECT_EQ(key_words("motion.segments[2].to").unit, "");
 }
 
-TEST(KeyWords, AChangeIsAnActionOnTheSideThatStillDoes) {
+TEST(KeyWords, ChangeNamesTheSideStillEffective) {
     EXPECT_EQ(change_words({"cam.base_radius_mm", 30.0, 31.41231}), "increase the base radius to 31.413 mm");
     EXPECT_EQ(change_words({"spline.segments", 7.0, 14.0}), "use 14 segments");
     EXPECT_EQ(change_words({"spline.breakpoints", 7.0, 14.0}), "use 14 segments (every interval cut in two)");
@@ -72,7 +72,7 @@ TEST(KeyWords, AChangeIsAnActionOnTheSideThatStillDoes) {
     EXPECT_EQ(change_words({"motion.speed_rpm", 300.0, 280.0}), "reduce the speed to 280 rpm");
 }
 
-TEST(KeyWords, AChangeNamesWhatGivesWay) {
+TEST(KeyWords, ChangeNamesTheReducedSide) {
     EXPECT_EQ(
         change_words({"motion.segments[2].angle_deg",
                       50.0,
@@ -86,7 +86,7 @@ TEST(KeyWords, AChangeNamesWhatGivesWay) {
               "lengthen the rise to 95 deg, with the return at 95 deg");
 }
 
-TEST(CamWords, DimensionsOfTheFollowerAndThePrimeRadius) {
+TEST(CamWords, ListFollowerDimensionsAndPrimeRadius) {
     EXPECT_EQ(dimensions_text(test::cam_solution()),
               "base radius 30 mm, roller radius 10 mm, offset 0 mm, prime radius 40 mm");
     Solution free = test::infeasible_cam_solution();
@@ -101,7 +101,7 @@ TEST(CamRemarks, SayWhetherTheCamIsUndercut) {
     EXPECT_TRUE(says(undercut, "or a smaller roller helps"));
 }
 
-TEST(CamRemarks, SayWhatLimitsTheCamAndHowSmallItCouldBe) {
+TEST(CamRemarks, NameActiveLimitAndSmallestSize) {
     Solution solution = test::cam_solution();
     EXPECT_TRUE(says(remarks_of(solution), "No limit shapes it"));
     EXPECT_TRUE(says(remarks_of(solution), "any motion whatever needs a prime radius above "));
@@ -123,14 +123,14 @@ TEST(CamRemarks, SayWhenTheFollowerLiftsOff) {
     EXPECT_TRUE(says(remarks_of(solution), "LIFTS OFF the cam at 0 deg: it needs more preload."));
 }
 
-TEST(CamRemarks, AForceThatJustReachesZeroIsNoLiftOff) {
+TEST(CamRemarks, ZeroForceIsNotLiftOff) {
     Solution solution = test::cam_solution();
     solution.cam->summary.forces->least_force = {-1e-9, 0.75};
     EXPECT_FALSE(says(remarks_of(solution), "LIFTS OFF"));
     EXPECT_TRUE(says(remarks_of(solution), "just reaches 0 at 67.5 deg"));
 }
 
-TEST(CamRemarks, ARegularityOfZeroIsACusp) {
+TEST(CamRemarks, ZeroRegularityIsCusp) {
     Solution solution = test::cam_solution();
     solution.cam->summary.regularity = {0.0, 0.5};
     EXPECT_TRUE(says(remarks_of(solution), "A CUSP at 45 deg"));
@@ -139,7 +139,7 @@ TEST(CamRemarks, ARegularityOfZeroIsACusp) {
     EXPECT_TRUE(says(remarks_of(solution), "UNDERCUT at 45 deg"));
 }
 
-TEST(CamRemarks, TellTheForwardCheck) {
+TEST(CamRemarks, ReportForwardCheck) {
     Solution solution = test::cam_solution();
     EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
@@ -152,7 +152,7 @@ TEST(CamRemarks, TellTheForwardCheck) {
     EXPECT_TRUE(says(remarks_of(solution), "no place was found where the follower touches the cam"));
 }
 
-TEST(CheckCam, TheSampleMovesItsFollowerAsDesigned) {
+TEST(CheckCam, SampleMovesFollowerAsDesigned) {
     const Solution solution = test::cam_solution();
     const ForwardCheckReport check = check_cam(solution);
     EXPECT_LT(check.deviation, 1e-9);
@@ -160,7 +160,7 @@ TEST(CheckCam, TheSampleMovesItsFollowerAsDesigned) {
     EXPECT_GT(check_cam(test::undercut_solution()).relative, 1e-3);
 }
 
-TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
+TEST(CheckCam, EarlyReturnIsFollowedByDwell) {
     Solution solution = test::cam_solution();
     EXPECT_EQ(cam_motion(solution).end(), 1.0);
     solution.scene.motion.type = MotionType::rr;
@@ -169,7 +169,7 @@ TEST(CheckCam, AReturnThatEndsBeforeTheTurnIsFollowedByItsDwell) {
 }
 
 // The rest of the turn, half before the rise and half after it; open between the far ends, and said why.
-TEST(CheckCam, ARiseAloneIsDrawnWithItsDwellArcs) {
+TEST(CheckCam, SingleRiseIncludesDwellArcs) {
     Solution solution = test::cam_solution();
     ASSERT_EQ(solution.scene.motion.type, MotionType::drd);
     const MotionChain drawn = drawn_motion(solution);
@@ -184,7 +184,7 @@ TEST(CheckCam, ARiseAloneIsDrawnWithItsDwellArcs) {
     EXPECT_DOUBLE_EQ(drawn_motion(solution).end(), 4.0);
 }
 
-TEST(SolutionText, TellsTheCamInASection) {
+TEST(SolutionText, CamHasItsOwnSection) {
     const std::string text = summary_text(test::cam_solution(), {});
     for (const char* part :
          {"cam: translating roller, the cam turning counterclockwise", "dimensions: base radius 30 mm",
@@ -193,7 +193,7 @@ TEST(SolutionText, TellsTheCamInASection) {
         EXPECT_TRUE(says(text, part)) << part;
 }
 
-TEST(SolutionText, ASceneWithoutACamIsToldAsBefore) {
+TEST(SolutionText, SceneWithoutCamIsUnchanged) {
     const std::string text = summary_text(test::sample_solution(), {});
     for (const char* part : {"cam:", "joint", "undercut", "starts"}) EXPECT_FALSE(says(text, part)) << part;
     EXPECT_TRUE(says(summary_text(test::infeasible_solution(), {}),
@@ -270,7 +270,7 @@ TEST(SolutionText, NamesTheSegmentOfAnExcursion) {
                   "The output goes 1 mm above the stroke of segment 2 (0 to 9 mm) at 150 deg."});
 }
 
-TEST(SolutionText, PeaksHaveTheirSignAndTheOtherSide) {
+TEST(SolutionText, SignedPeaksShowOtherSide) {
     const Solution solution = test::sample_solution();
     const SignedPeaks peaks = signed_peaks(solution, 2);
     EXPECT_DOUBLE_EQ(peaks.largest.value, 8.0);
@@ -281,7 +281,7 @@ TEST(SolutionText, PeaksHaveTheirSignAndTheOtherSide) {
     EXPECT_TRUE(says(report_markdown(solution), "−32 m/s² at 67.5 deg"));
 }
 
-TEST(SolutionText, AProgramHasATableOfItsSegments) {
+TEST(SolutionText, ProgramHasTableOfSegments) {
     const Solution solution = test::program_solution();
     const TextTable table = segment_table(solution);
     ASSERT_EQ(table.rows.size(), 4U);
@@ -297,7 +297,7 @@ TEST(SolutionText, AProgramHasATableOfItsSegments) {
     EXPECT_TRUE(says(text, "22.4039 mm/rad"));
 }
 
-TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
+TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
     EXPECT_EQ(
         conflict_sentence(test::infeasible_cam_solution()),
         "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg fights the cam radius limit at 81 "
@@ -322,7 +322,7 @@ TEST(InfeasibleWords, NameTheLimitsThatFightAndWhere) {
               "angle.");
 }
 
-TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
+TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
     Solution solution = test::infeasible_cam_solution();
     solution.explanation.emplace();
     solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
@@ -333,7 +333,7 @@ TEST(InfeasibleWords, LimitsThatAreImpossibleAloneDoNotFight) {
     EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
 }
 
-TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
+TEST(InfeasibleWords, ReportWhatTimeLeftUnsettled) {
     Solution solution = test::infeasible_cam_solution();
     solution.explanation.emplace();
     Explanation& explanation = *solution.explanation;
@@ -363,7 +363,7 @@ TEST(InfeasibleWords, TellsWhatWasNotSettledInTheTime) {
     EXPECT_TRUE(says(text(), "ended with these (solver.explain_changes)")) << text();
 }
 
-TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
+TEST(InfeasibleWords, LawViolatingLimitIsBlamed) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     EXPECT_EQ(conflict_sentence(solution),
@@ -373,7 +373,7 @@ TEST(InfeasibleWords, ALawThatBreaksALimitIsToBlame) {
     EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
 }
 
-TEST(InfeasibleWords, ALawBetweenFreeDisplacementsIsNotToBlame) {
+TEST(InfeasibleWords, FreeDisplacementsExonerateTheLaw) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     solution.scene.motion.segments[1].to.reset();  // then the spline decides how far the law moves
@@ -400,7 +400,7 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     EXPECT_FALSE(says(report, "profile.svg"));
 }
 
-TEST(Report, TellsTheCamWithItsPictures) {
+TEST(Report, ReportsCamWithPictures) {
     const std::string text = report_markdown(test::cam_solution());
     for (const char* part :
          {"## The cam", "base radius 30 mm", "| largest pressure angle |", "- No undercut",
@@ -409,7 +409,7 @@ TEST(Report, TellsTheCamWithItsPictures) {
     EXPECT_FALSE(says(report_markdown(test::sample_solution()), "The cam"));
 }
 
-TEST(Report, TellsAProgramBySegments) {
+TEST(Report, ReportsProgramBySegments) {
     const std::string text = report_markdown(test::program_solution());
     for (const char* part : {"a program of 4 segments over 360 deg", "## Segments", "| modified sine |",
                              "spline segments | at (deg)", "22.4039 mm/rad | 337.5"})

@@ -145,7 +145,7 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotion) {
     EXPECT_GE(expect_each_does(coarse, text), 5);
 }
 
-TEST(InfeasibleClaims, OneSplineIsNotEveryMotionForACapInTimeEither) {
+TEST(InfeasibleClaims, TimeCapConcernsOnlyOneSpline) {
     Scene scene = roller_scene(4, 60);
     scene.motion.speed = 300 * units::revolution_per_minute;
     // 5 normalised; every motion needs 4, four quintic segments about 5.9.
@@ -160,7 +160,7 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotionForACapInTimeEither) {
     EXPECT_GE(expect_each_does(scene, text), 3);
 }
 
-TEST(InfeasibleClaims, EveryMotionIsSaidWhereNoMotionCan) {
+TEST(InfeasibleClaims, ReportEveryMotionWhenNoneExists) {
     // The smallest prime radius is 24.08 mm (docs/cams.md).
     const Solution solution = solve(roller_scene(8, 14.0));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
@@ -171,7 +171,7 @@ TEST(InfeasibleClaims, EveryMotionIsSaidWhereNoMotionCan) {
     })) << told(solution);
 }
 
-TEST(InfeasibleClaims, ASplineTooCoarseForAnythingIsMendedBySegmentsAlone) {
+TEST(InfeasibleClaims, MoreSegmentsFixCoarseSpline) {
     Scene scene = roller_scene(2, 60);
     scene.spline.degree = 3;
     const Solution solution = solve(scene);
@@ -181,7 +181,7 @@ TEST(InfeasibleClaims, ASplineTooCoarseForAnythingIsMendedBySegmentsAlone) {
     EXPECT_TRUE(says(text, "use ")) << text;
 }
 
-TEST(InfeasibleClaims, EveryChangeThatIsToldHasBeenSolved) {
+TEST(InfeasibleClaims, EveryReportedChangeWasSolved) {
     Scene turning = roller_scene(4, 20);
     turning.motion.type = MotionType::rr;
     turning.motion.rise = 90 * degree;
@@ -248,7 +248,7 @@ TEST(SmallestCam, TheReturnCountsToo) {
     EXPECT_FALSE(says(text, "on this rise")) << text;
 }
 
-TEST(LimitOfAnyCurve, SaysThatItLeavesTheCamOut) {
+TEST(LimitOfAnyCurve, ReportsOmittedCam) {
     const Solution solution = solve(roller_scene(16, 30));
     ASSERT_TRUE(solution.motion && solution.any_curve_limit);
     const std::string text = summary_text(solution, {}), report = report_markdown(solution);

@@ -152,7 +152,7 @@ TEST_P(DiskSides, BoundWhatTheRollersSweep) {
     });
 }
 
-TEST_P(DiskSides, PressureAngleAndRadiusAreThoseOfThePath) {
+TEST_P(DiskSides, PressureAngleAndRadiusMatchPath) {
     repeat(4, [](const DiskCam& cam, std::mt19937&) {
         constexpr double step = 1e-4;
         for (int side = 0; side < 2; ++side)
@@ -199,7 +199,7 @@ struct Situation {
     }
 };
 
-TEST_P(DiskSides, PartialsAreDifferencesAndValuesThoseOfThePoint) {
+TEST_P(DiskSides, PartialsMatchDifferences) {
     const double step = 1e-6;
     repeat(12, [&](const DiskCam& given, std::mt19937& random) {
         DiskCam cam = given;
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(All, DiskSides,
                                     name_of(which.param.form);
                          });
 
-TEST(DiskSides, ACamThatCannotBeBuiltSaysWhy) {
+TEST(DiskSides, UnbuildableCamGivesReason) {
     std::mt19937 random(5U);
     DiskCam cam = random_cam(FollowerType::translating_roller, CamForm::conjugate, random);
     cam.form.roller_distance = 60e-3;
@@ -332,7 +332,7 @@ TEST(DiskMechanism, OnlyGroovesHaveAWall) {
     EXPECT_FALSE(wall(random_cam(FollowerType::translating_roller, CamForm::conjugate, random)));
 }
 
-TEST(DiskMechanism, ArmPivotIsThatOfItsShapes) {
+TEST(DiskMechanism, ArmPivotMatchesShapes) {
     std::mt19937 random(9U);
     for (const FollowerType follower : {FollowerType::translating_roller, FollowerType::oscillating_roller}) {
         const DrivenMechanism cam = disk_mechanism(random_cam(follower, CamForm::open, random));

@@ -206,7 +206,7 @@ double worst_excess(const Scene& scene, const DiskCam& cam, const Motion& motion
 
 class DeliveredCam : public testing::TestWithParam<Case> {};
 
-TEST_P(DeliveredCam, KeepsEveryLimitOfItsScene) {
+TEST_P(DeliveredCam, SatisfiesEveryLimitOfItsScene) {
     Random random(GetParam().seed);
     Scene scene = base_scene(GetParam(), random);
     const Solution free = solve_without_explaining(scene, {});

@@ -60,7 +60,7 @@ TEST(WishedGuide, PeaksAreThoseOfTheMotion) {
     EXPECT_LT(guide.largest_kink(), 1e-12);
 }
 
-TEST(WishedGuide, ReturnIsTheForwardMotionRunFaster) {
+TEST(WishedGuide, ReturnIsFasterForwardMotion) {
     const auto law = make_law("cycloidal");
     const FeederWish wish = reference_wish();
     const double ratio = 2496.4 / 1000.0;
@@ -79,7 +79,7 @@ TEST(WishedGuide, ArcsStepAndSplinesDoNot) {
     EXPECT_NEAR(arcs.pressure_angle / units::degree, 20.295024957442, 1e-9);
 }
 
-TEST(WishedGuide, RefusesWhatTheMachineCannotDo) {
+TEST(WishedGuide, RefusesUnreachableMotions) {
     const auto law = make_law("cycloidal");
     FeederWish wish = reference_wish();
     EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 1); }),

@@ -87,7 +87,7 @@ double worst_violation(const Scene& scene, const Motion& motion) {
     return worst;
 }
 
-TEST(RandomRollerCams, AreProvedAndManyStartsFindNothingBelowTheBound) {
+TEST(RandomRollerCams, BoundsSurviveManyStarts) {
     const int random_scenes = scenes_to_try(12, 50);
     int proved = 0, infeasible = 0, over_boxes = 0;
     for (unsigned seed = 1; seed <= static_cast<unsigned>(random_scenes); ++seed) {
