@@ -76,10 +76,10 @@ class SlopeFit {
     void add(const Span& span, int halvings) {
         if (add_quintic(span) || add_chebyshev(span)) return;
         if (halvings == deepest_halving)
-            throw InputError(
-                fmt::format("dynamics: found a motion whose velocity no polynomial follows near x = {:.9g}; "
-                            "allowed: finite velocities and accelerations",
-                            span.begin));
+            throw InputError(fmt::format(
+                "dynamics: found a motion whose velocity no polynomial approximates near x = {:.9g}; "
+                "allowed: finite velocities and accelerations",
+                span.begin));
         const double middle = span.at(0.5);
         add({span.begin, middle}, halvings + 1);
         add({middle, span.end}, halvings + 1);

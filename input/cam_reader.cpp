@@ -55,7 +55,7 @@ std::optional<CamSpec> read_cam(const SceneSource& source, const MotionSpec& mot
     cam.make = kind->formulas ? kind->formulas : known.cam_formulas;
     if (!cam.make)
         source.fail_member("cam.type", fmt::format("found \"{}\", whose formulas this program does not have; "
-                                                   "allowed: a cam that it brings the formulas of",
+                                                   "allowed: a cam whose formulas are linked",
                                                    kind->type));
     return cam;
 }

@@ -268,7 +268,7 @@ class MotionReader {
         if (!allowed.contains(total))
             source_.fail(
                 given->value().place, joined_key("motion", given->member->name),
-                fmt::format("found {0}, together {1:.10g} {2} of rise and return; allowed: a whole turn, "
+                fmt::format("found {0}, together {1:.10g} {2} of rise and return; allowed: one revolution,  "
                             "{3:.10g} {2}, at most",
                             given->value().shown(), total, given->spelling->unit, allowed.high));
     }

@@ -20,7 +20,7 @@ void require_splines_beside(const MotionSpec& motion, std::size_t index) {
     const auto refuse = [&](const std::string& beside) {
         throw SceneError(
             {fmt::format("motion.segments[{}].law", index),
-             fmt::format("\"{}\", a law whose ends move, beside {}", motion.segments[index].law, beside),
+             fmt::format("\"{}\", a law whose ends move, next to {}", motion.segments[index].law, beside),
              "spline segments on both sides, which join with its velocity"});
     };
     for (const bool after : {false, true}) {

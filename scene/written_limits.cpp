@@ -78,8 +78,8 @@ void complete(const PeakLimitRow& row, PeakLimit& limit, const MotionSpec& motio
     if (limit.normalised == 0.0) limit.normalised = limit.given / scale;
     const double other = limit.normalised * scale;
     if (std::abs(other - limit.given) > same_number * std::max(std::abs(other), std::abs(limit.given)))
-        refuse(member, fmt::format("normalised {} beside given {}", limit.normalised, limit.given),
-               "one of them, or two that say the same");
+        refuse(member, fmt::format("normalised {} together with given {}", limit.normalised, limit.given),
+               "one of them, or two equal values");
 }
 
 void complete(const LimitRow& row, WrittenLimit& limit, bool oscillating) {

@@ -117,7 +117,7 @@ void refuse_absent(const SolverEntry& entry, const NativeOption& option, const O
     for (const std::string& choice : option.choices)
         if (std::ranges::find(option.absent, choice) == option.absent.end()) there.push_back(choice);
     throw UnavailableError(
-        fmt::format("option '{}' of {}: '{}' is not built into this camopt; there are {}; {}", option.name,
+        fmt::format("option '{}' of {}: '{}' is not built into this camopt; available: {}; {}", option.name,
                     entry.name, *word, fmt::join(there, ", "), option.remedy));
 }
 

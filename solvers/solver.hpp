@@ -78,7 +78,7 @@ struct SolveControl {
     Deadline deadline = {};  ///< of all that is done under this control, whatever its parts may take each
     /// Earlier: of searches that have found nothing within the limits. What is left then is for saying why.
     Deadline in_vain = {};
-    /// Of problems with several minima: true where x lies beside a minimum that is known already. A search
+    /// Of problems with several minima: true where x lies near a known minimum already. A search
     /// that asks may end there (Termination::acceptable); its result says no more than that. Empty: none is
     /// known.
     std::function<bool(const Eigen::VectorXd& x)> known = {};

@@ -130,7 +130,7 @@ std::string value_text(const Node& node) {
         case NodeKind::date_or_time:
             break;
     }
-    throw InputError("a scene is written as TOML: found a date or time; allowed: what scenes hold");
+    throw InputError("a scene is written as TOML: found a date or time; allowed: the value types of a scene");
 }
 
 namespace {

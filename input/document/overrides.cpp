@@ -63,7 +63,7 @@ std::vector<KeyPart> key_parts(std::string_view key, const Place& place) {
     }
     if (place.setting != 0)
         fail(place, "",
-             fmt::format("found \"{}\", which is no dotted key; allowed: for example motion.rise_deg or "
+             fmt::format("found \"{}\", which is not a dotted key; allowed: for example motion.rise_deg or "
                          "motion.segments[1].to",
                          printable(whole)));
     fail(place, "", fmt::format("found no dotted key before '='; allowed: {}", example));
@@ -92,15 +92,14 @@ void set(Node& table, std::string_view table_path, const std::string& name, Node
 /// The entry of an array that stands in the table.
 Node& entry(Node& table, const KeyPart& part, const std::string& path, const Place& place) {
     Member* member = table.find(part.name);
-    if (!member) fail(place, path, "found no such array in the scene; allowed: an entry that is there");
+    if (!member) fail(place, path, "found no such array in the scene; allowed: an existing entry");
     Node& array = member->value;
     if (array.kind != NodeKind::array)
         fail(place, path,
              fmt::format("found {}, not an array; allowed: set {} as a whole", array.shown(), path));
     if (*part.index >= array.items.size())
         fail(place, path,
-             fmt::format("found {} entries, counted from 0; allowed: an entry that is there",
-                         array.items.size()));
+             fmt::format("found {} entries, counted from 0; allowed: an existing entry", array.items.size()));
     return array.items[*part.index];
 }
 

@@ -71,7 +71,7 @@ class KeyCheck {
         const CamKind* const own = cam_kind(cam_type());
         if (own == nullptr || std::ranges::find(cam_kinds(), key, choosing) == cam_kinds().end()) return {};
         return own->choosing_key.empty()
-                   ? fmt::format("; cam.type = \"{}\" says what follows already: leave this key out",
+                   ? fmt::format("; cam.type = \"{}\" already determines this value: remove the key",
                                  own->type)
                    : fmt::format("; with cam.type = \"{}\" the key {} chooses it", own->type, choosing(*own));
     }
@@ -108,9 +108,10 @@ class KeyCheck {
             if (&other == given.member) break;
             const KeyRow* row = match_key(given.row->table, other.name).row;
             if (row == given.row || row->name == given.row->instead_of || row->instead_of == given.row->name)
-                source_.fail(given.member->place, joined_key(path, given.member->name),
-                             fmt::format("found beside {}, which says the same; allowed: only one of the two",
-                                         joined_key(path, other.name)));
+                source_.fail(
+                    given.member->place, joined_key(path, given.member->name),
+                    fmt::format("found together with {}, which means the same; allowed: only one of the two",
+                                joined_key(path, other.name)));
         }
     }
 

@@ -181,10 +181,10 @@ std::optional<MeasuredInput> read_measured(const SceneSource& source, const Moti
     const auto theta = source.find("measured", "theta"), s = source.find("measured", "s");
     if (table) {
         if (!known.folder)
-            source.fail(
-                table->value().place, "measured.table",
-                "found a file in a scene that is none itself; allowed: the numbers, theta_deg and s_mm, "
-                "or a scene file that names its table");
+            source.fail(table->value().place, "measured.table",
+                        "found a file name in a scene that was not read from a file; allowed: the numbers, "
+                        "theta_deg and s_mm, "
+                        "or a scene file that names its table");
         input.table = read_measured_table(*known.folder / table->value().text);
         require_unit_of_lift(source, table->value().place, "measured.table", input.table->s_unit, motion);
         input.motion.angle = scaled(input.table->theta, input.table->theta_unit.factor);

@@ -67,7 +67,7 @@ void check_stretch(const Law& law, std::size_t order, const LawStretch& stretch)
         fmt::format("{} that grows by {:.12g} from x = {:.6g} to {:.6g}, where the integral of {} is {:.12g}",
                     derivative_words[order], grown, stretch.begin, stretch.end, derivative_words[order + 1],
                     integral),
-        "derivatives that belong together, with a breakpoint wherever a formula changes");
+        "consistent derivatives, with a breakpoint wherever a formula changes");
 }
 
 /// Throws InputError saying what does not hold: a plain key, the ends of a rise from standstill to
@@ -291,7 +291,7 @@ std::span<const LawInfo> law_catalogue() {
 
 void add_law(const LawMaker& make) {
     const std::unique_ptr<Law> law = make ? make() : nullptr;
-    if (!law) throw InputError("add_law: found nothing that makes a law; allowed: a function that gives one");
+    if (!law) throw InputError("add_law: found an empty function; allowed: a function that returns a law");
     check_own_law(*law);
     laws().add(law->info(), make, [&] {
         throw InputError(fmt::format(

@@ -216,20 +216,20 @@ std::vector<LoadQuantity> quantities_of(const LoadPicture& picture) {
     static const std::optional<WrittenLimit> unlimited;
     const ShownUnits& shown = picture.shown;
     const bool swings = picture.solution.scene.motion.lift_is_angle;
-    std::vector<LoadQuantity> all = {{swings ? "Moment that presses the follower on the cam M"
-                                             : "Force that presses the follower on the cam F",
-                                      swings ? "M" : "F",
-                                      [](const FollowerLoads& load) { return load.force; },
-                                      shown.load,
-                                      {{forces.largest_force, false}, {forces.least_force, true}},
-                                      limit_on(limits, LimitedFigure::contact_force)},
-                                     {"Torque of the camshaft T (> 0: the shaft drives)",
-                                      "T",
-                                      [](const FollowerLoads& load) { return load.torque; },
-                                      shown.torque,
-                                      {{forces.torque, false}},
-                                      limit_on(limits, LimitedFigure::torque),
-                                      true}};
+    std::vector<LoadQuantity> all = {
+        {swings ? "Moment of the follower on the cam M" : "Force of the follower on the cam F",
+         swings ? "M" : "F",
+         [](const FollowerLoads& load) { return load.force; },
+         shown.load,
+         {{forces.largest_force, false}, {forces.least_force, true}},
+         limit_on(limits, LimitedFigure::contact_force)},
+        {"Torque of the camshaft T (> 0: the shaft drives)",
+         "T",
+         [](const FollowerLoads& load) { return load.torque; },
+         shown.torque,
+         {{forces.torque, false}},
+         limit_on(limits, LimitedFigure::torque),
+         true}};
     if (picture.solution.cam->summary.no_contact) return all;
     if (forces.normal_force)
         all.push_back({"Force along the normal N",

@@ -149,7 +149,7 @@ void draw_turn_panel(SvgCanvas& canvas, const TurnDiagram& diagram, const TurnPa
     draw_limits(canvas, frame, panel, labels);
     canvas.text(left, top - 9, panel.caption, "caption");
     if (!frame.vertical.holds(extremes.most) || !frame.vertical.holds(extremes.least))
-        canvas.text(right, top - 9, "it leaves the frame", "warning end");
+        canvas.text(right, top - 9, "beyond the frame", "warning end");
 }
 
 }  // namespace

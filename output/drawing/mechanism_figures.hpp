@@ -18,7 +18,7 @@ namespace camopt {
 /// The curvature of the cam, 1/mm, > 0 convex, with the scene's limit.
 [[nodiscard]] std::string curvature_svg(const Solution& solution, const MechanismProfile& profile);
 
-// guide.svg: the guide of an inverse cam in its body, to scale: both walls, the way of the roller's centre,
+// guide.svg: the guide of an inverse cam in its body, to scale: both walls, the path of the roller's centre,
 // the roller at both ends of the motion, the body's pivot; dimensions and figures beside it. The body's
 // frame.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures of the cam by the cam angle: pressure angle, curvature, regularity, loads. The extremes that are
+// Cam properties by the cam angle: pressure angle, curvature, regularity, loads. The extremes that are
 // marked are those of the summary, so that pictures and tables name the same angles.
 #include "core/units.hpp"
 #include "output/chart/limit_spans.hpp"

@@ -200,7 +200,7 @@ std::string oscillating_roller_fault(const DiskCam& cam, double least, double mo
     const double a = cam[center_distance], l = cam[arm_length], radius = cam[roller_radius];
     const double prime = cam[base_radius] + radius;
     if (!(std::abs(a - l) < prime && prime < a + l))
-        return fmt::format("a prime radius of {} does not lie between {} and {}, what the arm reaches",
+        return fmt::format("a prime radius of {} does not lie between {} and {}, the reach of the arm",
                            length_text(prime), length_text(std::abs(a - l)), length_text(a + l));
     const double start = formulas::oscillating_roller_start(prime, a, l);
     if (!(start + least > 0.0 && start + most < std::numbers::pi))
@@ -253,10 +253,9 @@ std::string form_fault(const DiskCam& cam, double least, double most) {
     const double rest = second_rest_position(cam);
     const bool swings = is_oscillating(cam.follower);
     if (!(rest - most > 0.0) || (swings && !(rest - least < std::numbers::pi)))
-        return fmt::format(
-            "the second roller would pass the {}: {} is left where the follower stands highest",
-            swings ? "line of centres" : "cam centre",
-            swings ? angle_text(rest - most) : length_text(rest - most));
+        return fmt::format("the second roller would pass the {}: {} is left at the largest displacement",
+                           swings ? "line of centres" : "cam centre",
+                           swings ? angle_text(rest - most) : length_text(rest - most));
     const std::string fault = one_disk_fault(second_disk(cam), -most, -least);
     return fault.empty() ? fault : "second disk: " + fault;
 }

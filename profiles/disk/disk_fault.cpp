@@ -156,8 +156,8 @@ Fault second_slide_fault(const DiskSpec& cam, const std::array<double, dimension
     if (rest - highest > 0.0 && std::hypot(rest - highest, across) > second) return std::nullopt;
     return SceneFault{
         "cam.roller_distance",
-        fmt::format("{:.6g} mm, which leaves the second roller {:.6g} mm from the cam's centre where "
-                    "the follower stands highest",
+        fmt::format("{:.6g} mm, which leaves the second roller {:.6g} mm from the cam's centre at "
+                    "the largest displacement",
                     cam.form.roller_distance / shown_mm, (rest - highest) / shown_mm),
         fmt::format("more than its radius of {:.6g} mm, for every base and roller radius allowed",
                     second / shown_mm)};
@@ -180,7 +180,7 @@ Fault second_arm_fault(const DiskSpec& cam, const std::array<double, dimension_c
         fmt::format("{:.6g} deg, which puts the second arm {:.6g} to {:.6g} deg from the line of "
                     "centres, its roller {:.6g} mm from the cam's centre",
                     cam.form.arm_angle / deg, lowest / deg, rest / deg, distance / shown_mm),
-        fmt::format("between 0 and 180 deg, farther than its radius of {:.6g} mm, for every "
+        fmt::format("between 0 and 180 deg, with more than its radius of {:.6g} mm, for every "
                     "dimension allowed",
                     second / shown_mm)};
 }

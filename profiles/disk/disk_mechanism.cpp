@@ -174,7 +174,7 @@ class DiskMechanism final : public CamMechanism {
 std::string DiskMechanism::undercut_words() const {
     if (has_edge(follower_)) return {};
     return fmt::format(
-        "the cam crosses itself there, the part that remains does not lead the follower as designed. A "
+        "the cam intersects itself there; the remaining part does not guide the follower as designed. A "
         "larger "
         "base radius{} {}",
         has_roller(follower_) ? " or a smaller roller" : "",

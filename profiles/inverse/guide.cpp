@@ -142,7 +142,7 @@ std::string fault_of(const GuidePolarSpline& spline) {
     for (std::size_t i = 0; i + 1 < spline.nodes.size(); ++i)
         if (!(spline.nodes[i + 1].distance > spline.nodes[i].distance))
             return fmt::format(
-                "a polar spline whose node {} does not lie farther from the pivot than node {}", i + 2,
+                "a polar spline whose node {} does not lie further from the pivot than node {}", i + 2,
                 i + 1);
     return {};
 }

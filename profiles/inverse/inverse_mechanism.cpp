@@ -79,7 +79,8 @@ class InverseMechanism final : public CamMechanism {
     [[nodiscard]] std::string type() const override { return inverse_type; }
     [[nodiscard]] bool has_guide() const override { return true; }
     [[nodiscard]] std::string undercut_words() const override {
-        return "a wall of the guide crosses itself there and does not lead the roller as designed. A smaller "
+        return "a wall of the guide intersects itself there and does not guide the roller as designed. A "
+               "smaller "
                "roller or a longer stroke helps";
     }
     [[nodiscard]] std::string check_words(int points) const override {

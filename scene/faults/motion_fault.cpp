@@ -36,9 +36,9 @@ Fault return_fault(const MotionSpec& motion) {
     const double total = motion.rise + motion.return_angle.value_or(motion.rise);
     if (!Range::above_up_to(0.0, units::turn).contains(total))
         return SceneFault{"motion.return_angle", fmt::format("{} rad for rise and return together", total),
-                          fmt::format("at most a whole turn, {} rad", units::turn)};
+                          fmt::format("at most one revolution, {} rad", units::turn)};
     if (motion.symmetric && std::abs(motion.length() - 2.0) > same_place)
-        return SceneFault{"motion.symmetric", "true with a return unlike the rise",
+        return SceneFault{"motion.symmetric", "true with a return different from the rise",
                           "false, or equal angles for rise and return"};
     return std::nullopt;
 }

@@ -42,7 +42,7 @@ Fault segment_fault(const ProgramSegment& segment, const std::string& member) {
     if (!segment.to) return std::nullopt;
     if (segment.kind == SegmentKind::dwell)
         return SceneFault{member + ".to", "a displacement in a segment of kind \"dwell\"",
-                          "only in kind \"law\" or \"spline\"; a dwell keeps the displacement it finds"};
+                          "only in kind \"law\" or \"spline\"; a dwell keeps its displacement"};
     if (!std::isfinite(*segment.to))
         return SceneFault{member + ".to", fmt::format("{}", *segment.to), Range{}.number_text()};
     return std::nullopt;
@@ -56,8 +56,8 @@ Fault turn_fault(const MotionSpec& motion) {
     if (allowed) return std::nullopt;
     return SceneFault{"motion.segments",
                       fmt::format("angles that add up to {:.12g} deg", total / units::degree),
-                      motion.closed ? "360 deg, or motion.closed = false for a part of a turn"
-                                    : "360 deg, a whole turn, at most"};
+                      motion.closed ? "360 deg, or motion.closed = false for part of a revolution"
+                                    : "at most 360 deg, one revolution"};
 }
 
 /// Only what must add up to a turn is shared out by a search.
@@ -68,10 +68,10 @@ Fault angle_range_fault(const MotionSpec& motion) {
     const std::string member = fmt::format("motion.segments[{}].angle", first - motion.segments.begin());
     if (!motion.closed)
         return SceneFault{member, "a range in a program that is not closed",
-                          "a number, or a closed program, whose angles add up to a turn"};
+                          "a number, or a closed program, whose angles add up to 360 deg"};
     if (std::ranges::count_if(motion.segments, searched) < 2)
         return SceneFault{member, "the only range of the program",
-                          "a number: the angles add up to a turn, so ranges come in twos at least"};
+                          "a number: the angles add up to 360 deg, so at least two ranges are needed"};
     return std::nullopt;
 }
 
@@ -119,7 +119,7 @@ Fault program_fault(const MotionSpec& motion) {
     if (std::ranges::none_of(motion.segments,
                              [](const auto& segment) { return segment.kind == SegmentKind::spline; }))
         return SceneFault{"motion.segments", "no segment to optimise",
-                          "at least one with kind = \"spline\", its angle and, where it is wanted, the "
+                          "at least one with kind = \"spline\", its angle and, where needed, the "
                           "displacement `to` at its end"};
     if (Fault fault = angle_range_fault(motion)) return fault;
     if (Fault fault = turn_fault(motion)) return fault;

@@ -114,7 +114,7 @@ class MeasuredCheck {
                 return SceneFault{
                     member("s", row),
                     fmt::format("{} at {}", shown(table_.displacement[row]), degrees(table_.angle[row])),
-                    fmt::format("{}, to {}: what the scene asks for at {}", shown(wanted), shown(slack),
+                    fmt::format("{}, to {}: what the scene requires at {}", shown(wanted), shown(slack),
                                 degrees(angle))};
         }
         return std::nullopt;

@@ -137,7 +137,7 @@ double recomputed_bound(const BoxProof& proof) {
         const double most = greatest(proof, step.weights, step.multipliers, step.bounds);
         if (!(most <= step.side + same_side * std::max(1.0, std::abs(step.side))))
             throw ModelError(
-                fmt::format("box proof: step {} says at most {:.17g}; what it follows from allows "
+                fmt::format("box proof: step {} says at most {:.17g}; the steps it follows from allow "
                             "{:.17g}",
                             i, step.side, most));
     }
@@ -148,7 +148,7 @@ double recomputed_bound(const BoxProof& proof) {
         const double most = greatest(proof, cost, part.multipliers, part.bounds);
         if (part.infeasible && !(most < 0.0))
             throw ModelError(
-                "box proof: a part is called infeasible, and its multipliers contradict nothing");
+                "box proof: a part is called infeasible, but its multipliers prove no contradiction");
         if (!part.infeasible) least = std::min(least, proof.constant - most);
     }
     return least;

@@ -103,7 +103,7 @@ double recomputed_bound(const DualityProof& proof) {
         const long double multiplier = proof.multipliers[i];
         if (multiplier == 0.0L) continue;
         const double side = multiplier > 0.0L ? proof.upper[i] : proof.lower[i];
-        if (!std::isfinite(side)) throw ModelError("duality proof: a multiplier leans on a missing bound");
+        if (!std::isfinite(side)) throw ModelError("duality proof: a multiplier refers to a missing bound");
         bound -= multiplier * side;
         size += std::abs(multiplier * side);
         for (decltype(proof.matrix)::InnerIterator entry(proof.matrix, i); entry; ++entry) {

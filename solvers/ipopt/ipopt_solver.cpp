@@ -232,7 +232,7 @@ class IpoptSolver final : public Solver {
         if (!turn) {
             BackendResult stopped;
             stopped.termination = Termination::interrupted;
-            stopped.native_status = "stopped before its turn";
+            stopped.native_status = "stopped while waiting for another solve";
             return stopped;
         }
         SolveGuard guard(options, control);

@@ -49,7 +49,7 @@ enum class Stop {
     interrupted,
     evaluation_error,
     suspect_infeasible,  ///< the multipliers run away along what looks like a proof of infeasibility
-    suspect_unbounded    ///< the point runs away downhill
+    suspect_unbounded    ///< the objective decreases without bound
 };
 
 struct InteriorPointLimits {

@@ -226,18 +226,18 @@ std::optional<BackendResult> SequentialRun::pass() {
         }
         if (over)
             return ended(Termination::numerical_failure,
-                         "no feasible point found: the violation is least nearby");
+                         "no feasible point found: the violation is locally minimal");
     }
     if (!take(model, std::move(step)) && best_ && polishing_ > 0) return finished();
     if (control_.known && control_.known(here_.x))
-        return ended(Termination::acceptable, "beside a minimum that is known");
+        return ended(Termination::acceptable, "near a known minimum");
     if (radius_ < least_radius) {
         if (spoiled_) return ended(Termination::evaluation_error, "no step leads to finite values");
         if (kept(here_)) return ended(Termination::acceptable, "the steps became too small");
         return ended(Termination::numerical_failure, "no feasible point found: the steps became too small");
     }
     if (here_.x.size() > 0 && here_.x.cwiseAbs().maxCoeff() > largest_size)
-        return ended(Termination::unbounded, "the point runs away downhill");
+        return ended(Termination::unbounded, "the objective decreases without bound");
     return std::nullopt;
 }
 

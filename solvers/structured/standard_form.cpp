@@ -180,7 +180,7 @@ void StandardForm::keep_rows() {
         ray.bound_multipliers = bound_multipliers(VectorXd::Zero(shape.variables()), ray.row_multipliers);
         ray_ = std::move(ray);
         return fail(Status::infeasible,
-                    "row " + problem_.row_name(i) + " cannot be kept by the fixed variables");
+                    "row " + problem_.row_name(i) + " cannot be satisfied with the fixed variables");
     }
     std::vector<int> row_index(static_cast<std::size_t>(shape.constraints()), -1);
     for (std::size_t k = 0; k < kept_rows_.size(); ++k)

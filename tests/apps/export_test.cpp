@@ -116,7 +116,7 @@ TEST(ExportCommand, WritesTableAndElectronicCam) {
     EXPECT_NE(table.find("\n147,"), std::string::npos) << table;
     EXPECT_NE(table.find("\n150,"), std::string::npos) << table;
     EXPECT_NE(run.output.find(
-                  "23 rows over the motion, which is not a whole turn, 0 to 150 deg; the last step is 3"),
+                  "23 rows over the motion, which is not one revolution, 0 to 150 deg; the last step is 3"),
               std::string::npos)
         << run.output;
     EXPECT_NE(run.output.find("lossless: s "), std::string::npos) << run.output;

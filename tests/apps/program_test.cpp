@@ -258,8 +258,8 @@ TEST(Program, CheckSaysWhatTheSceneIs) {
         {"Motion: rise between two dwells, lift 10 mm, rise 120 deg, at 300 rpm",
          "Spline: degree 3, 12 uniform segments", "Limits: velocity <= 1.8 (normalised)",
          "0.4 × velocity + 0.4 × acceleration + 0.2 × jerk", "velocity 1.76, acceleration 5.53, jerk 69",
-         "Solved: by structured (chosen), design vector: states, at most 5 s; the verdict to be expected is "
-         "optimal or infeasible, either with its proof"});
+         "Solved: by structured (chosen), design vector: states, at most 5 s; the expected verdict is "
+         "optimal or infeasible, both with a proof"});
 }
 
 TEST(Program, ListsWhatItKnows) {

@@ -113,7 +113,7 @@ TEST_F(MeasuredScene, TableFaultsNameTheirLines) {
     low.replace(low.find("80,10\n"), 6, "80,9\n");
     EXPECT_EQ(
         refusal_of(low),
-        "m.csv:10: s_mm: found 9 mm at 80 deg; allowed: 10 mm, to 0.5 mm: what the scene asks for at 80 deg");
+        "m.csv:10: s_mm: found 9 mm at 80 deg; allowed: 10 mm, to 0.5 mm: what the scene requires at 80 deg");
     std::string shorter = table;
     shorter.replace(shorter.find("80,10\n"), 6, "75,10\n");
     EXPECT_EQ(refusal_of(shorter),
@@ -131,7 +131,8 @@ TEST_F(MeasuredScene, TextWithoutFolderReadsNoFile) {
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "s.toml:3:18: measured.table: found a file in a scene that is none itself; allowed: "
+                     "s.toml:3:18: measured.table: found a file name in a scene that was not read from a "
+                     "file; allowed: "
                      "the numbers, theta_deg and s_mm, or a scene file that names its table");
     }
 }

@@ -67,7 +67,7 @@ TEST(ComparisonText, ReportsLossLimitsAndOmissions) {
     const std::string text = comparison_text(sample());
     for (const char* words : {"Sample & scene", "optimum", "+50.00 %", "∞",
                               "pressure angle 33.5 deg, 3.5 above 30", "left out: turns back at its top",
-                              "The best law that keeps every limit: The <good> law", "base mm"})
+                              "The best law that satisfies every limit: The <good> law", "base mm"})
         EXPECT_TRUE(holds(text, words)) << words << "\n" << text;
 }
 

@@ -52,14 +52,15 @@ TEST(Scene, WrongMembersAreNamed) {
              s.motion.type = MotionType::rr;
              s.motion.rise = 4;
          },
-         "motion.return_angle: found 8 rad for rise and return together; allowed: at most a whole turn, "
+         "motion.return_angle: found 8 rad for rise and return together; allowed: at most one revolution, "
          "6.283185307179586 rad"},
         {[](Scene& s) {
              s.motion.type = MotionType::rr;
              s.motion.return_angle = 1;
              s.motion.symmetric = true;
          },
-         "motion.symmetric: found true with a return unlike the rise; allowed: false, or equal angles for "
+         "motion.symmetric: found true with a return different from the rise; allowed: false, or equal "
+         "angles for "
          "rise and "
          "return"},
         {[](Scene& s) { s.motion.via = {{.at = 2, .displacement = 1}}; },
@@ -161,8 +162,7 @@ TEST(Scene, WrongProgramsAreNamed) {
          "`to`, or motion.closed = false"},
         {[](Scene& s) { s.motion.segments.pop_back(); },
          "motion.segments: found angles that add up to 315 deg; allowed: 360 deg, or motion.closed = false "
-         "for a part "
-         "of a turn"},
+         "for part of a revolution"},
         {[](Scene& s) {
              s.spline.breakpoints = {0, 4};
          },

@@ -130,7 +130,7 @@ TEST(NativeOptions, UnavailableChoiceIsRefusedWithAlternatives) {
         message_of<UnavailableError>([&] {
             check_native_options(entry, {{"factorization", std::string("klu")}});
         }),
-        "option 'factorization' of structured: 'klu' is not built into this camopt; there are auto, chain; "
+        "option 'factorization' of structured: 'klu' is not built into this camopt; available: auto, chain; "
         "install libsuitesparse-dev");
 }
 

@@ -49,7 +49,7 @@
   }
 
   function lawChoice(catalogue, chosen, change) {
-    const host = element('details', { class: 'group laws' }, element('summary', {}, 'laws beside'));
+    const host = element('details', { class: 'group laws' }, element('summary', {}, 'compared laws'));
     catalogue.forEach((law, place) => {
       const box = element('input', { type: 'checkbox', 'data-law': law.key });
       box.addEventListener('change', () => { if (box.checked) chosen.add(law.key); else chosen.delete(law.key); change(); });

@@ -33,7 +33,7 @@ void add_errors(py::module_& module) {
         "Something this build of camopt leaves out; the message says which package brings it.";
     auto& model_error = py::register_exception<ModelError>(module, "ModelError", PyExc_ValueError);
     model_error.attr("__doc__") =
-        "A rule of one's own broke its promises: a wrong shape, a value that is not finite.";
+        "A user-defined rule is invalid: a wrong shape, a value that is not finite.";
 }
 
 }  // namespace camopt::python

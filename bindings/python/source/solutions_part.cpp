@@ -140,7 +140,7 @@ std::optional<double> objective(const SolvedScene& solved) {
 }
 
 void add_rows(py::module_& module) {
-    py::class_<OwnTermReport>(module, "OwnTermValue", "What a cost term of one's own came to.")
+    py::class_<OwnTermReport>(module, "OwnTermValue", "The value of a user-defined cost term.")
         .def_readonly("name", &OwnTermReport::name, "Of the term.")
         .def_readonly("weight", &OwnTermReport::weight, "As given.")
         .def_readonly("reference", &OwnTermReport::reference, "As given.")
@@ -216,7 +216,7 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "\"optimal\", \"local\", \"feasible\", \"infeasible\" or \"failed\".")
         .def_property_readonly(
             "success", [](const SolvedScene& s) { return of(s).motion != nullptr; },
-            "Whether there is a motion that keeps every limit.")
+            "Whether there is a motion that satisfies every limit.")
         .def_property_readonly(
             "message", [](const SolvedScene& s) { return verdict_sentence(of(s)); },
             "The verdict as a sentence.")
@@ -242,7 +242,7 @@ void add_verdict(py::class_<SolvedScene>& type) {
             "The objective that no curve of any kind can pass; None where it is not known.")
         .def_property_readonly(
             "worst_violation", [](const SolvedScene& s) { return of(s).certificate.worst_violation; },
-            "Of all limits over all cam angles, relative; <= 0: all are kept.")
+            "Of all limits over all cam angles, relative; <= 0: all are satisfied.")
         .def_property_readonly(
             "stationarity", [](const SolvedScene& s) { return of(s).certificate.stationarity; },
             "Norm of the gradient of the Lagrangian with the best multipliers; None where not computed.")
@@ -279,7 +279,7 @@ void add_motion_of(py::class_<SolvedScene>& type) {
              "program.")
         .def_property_readonly(
             "own_terms", [](const SolvedScene& s) { return of(s).own_terms; },
-            "The terms of one's own, a list of OwnTermValue.")
+            "The user-defined terms, a list of OwnTermValue.")
         .def_property_readonly("constraints", &constraints, "Every limit of the scene, a list of Constraint.")
         .def("table", &table,
              "The motion as columns {name: array}: those of motion.csv, the unit in the name. 361 even cam "

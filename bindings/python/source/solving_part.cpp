@@ -70,7 +70,7 @@ void add_solving(py::module_& module) {
         .def_readonly("incumbent", &ProgressValue::incumbent, "Objective of the best motion so far, or None.")
         .def_readonly("bound", &ProgressValue::bound, "Proved so far: no motion can pass it; or None.")
         .def_readonly("violation", &ProgressValue::violation,
-                      "Of the incumbent, relative to each limit; <= 0: all are kept.")
+                      "Of the incumbent, relative to each limit; <= 0: all are satisfied.")
         .def("__str__", [](const ProgressValue& now) { return now.message; })
         .def("__repr__", [](const ProgressValue& now) { return "Progress(" + now.message + ")"; });
     module.def(

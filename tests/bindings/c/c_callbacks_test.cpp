@@ -115,7 +115,7 @@ TEST(CCallbacks, ThrowNothingAcross) {
         EXPECT_STREQ(camopt_error_text(), "a callback threw: the button is gone");
         watch.throws_a_number = true;
         EXPECT_EQ(camopt_solve(scene.get(), &options, &solution), CAMOPT_ERROR_CALLBACK);
-        EXPECT_STREQ(camopt_error_text(), "a callback threw something that is no std::exception");
+        EXPECT_STREQ(camopt_error_text(), "a callback threw an exception that is not a std::exception");
         options.cancel = nullptr;
         options.progress = throw_in_progress;
         EXPECT_EQ(camopt_solve(scene.get(), &options, &solution), CAMOPT_ERROR_CALLBACK);

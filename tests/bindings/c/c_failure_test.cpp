@@ -25,7 +25,7 @@ TEST(CFailure, EveryExceptionHasACode) {
     expect_code(ModelError("sizes differ"), CAMOPT_ERROR_INTERNAL, "sizes differ");
     expect_code(std::bad_alloc(), CAMOPT_ERROR_MEMORY, "no memory was left");
     expect_code(std::logic_error("a fault"), CAMOPT_ERROR_INTERNAL, "a fault");
-    expect_code(42, CAMOPT_ERROR_INTERNAL, "something was thrown that is no std::exception");
+    expect_code(42, CAMOPT_ERROR_INTERNAL, "an exception was thrown that is not a std::exception");
 }
 
 TEST(CFailure, LeavesTheTextWhereNothingFails) {

@@ -169,12 +169,13 @@ TEST(SolutionText, HasASentenceForEveryVerdict) {
     EXPECT_TRUE(sentence(Verdict::local).starts_with("Local optimum"));
     certificate.gap = 6.7e-7;
     EXPECT_NE(sentence(Verdict::local).find("at most 0.00007 % from the optimum"), std::string::npos);
-    EXPECT_EQ(sentence(Verdict::feasible),
-              "Feasible: every limit is kept; proved to be at most 0.00007 % from the optimum (time limit).");
+    EXPECT_EQ(
+        sentence(Verdict::feasible),
+        "Feasible: every limit is satisfied; proved to be at most 0.00007 % from the optimum (time limit).");
     certificate.gap.reset();
     EXPECT_EQ(sentence(Verdict::feasible),
-              "Feasible: every limit is kept; that it is optimal is not shown (time limit).");
-    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Infeasible, and proved so"));
+              "Feasible: every limit is satisfied; optimality is not proved (time limit).");
+    EXPECT_TRUE(sentence(Verdict::infeasible).starts_with("Proved infeasible"));
     EXPECT_EQ(sentence(Verdict::failed), "Failed: neither a curve nor a proof was found (time limit).");
 }
 

@@ -80,7 +80,7 @@ TEST(NcDefaults, FullDepthNeedsOptionAndWarns) {
     DiskNcOptions options = of_22_mm();
     options.milling.full_depth = true;
     const std::string warning = "the only pass cuts a slot 23 mm deep, 1.9 times the cutter's diameter";
-    const std::string loose = ", what it cuts off around the cam comes loose";
+    const std::string loose = ", the ring that it cuts off around the cam comes loose";
     const Made made(options);
     EXPECT_EQ(made.program.fault(), "");
     EXPECT_EQ(made.program.travel.passes, 1);

@@ -23,7 +23,7 @@ ContourPoint circle(double theta) {
     return {40.0 * millimetre * out, out};
 }
 
-TEST(FinishedPlaneCam, DepthBesideAboveAndInside) {
+TEST(FinishedPlaneCam, DepthOutsideAboveAndInside) {
     const auto cam = plane_finished_cam({circle, {0.0, test::full_turn}});
     const double radius = 6.0 * millimetre, error = 1e-7;  // of the polygon
     const auto depth = [&](double x, double z) {

@@ -244,7 +244,7 @@ TEST_F(ChangedFolder, Numbers) {
     changed("title: found no such key", [](Json& json) { json.erase("title"); });
     changed("motion.curves[0].degree", [](Json& json) { json["motion"]["curves"][0]["degree"] = 4; });
     changed("parts", [](Json& json) { json["motion"]["parts"].erase(0); });
-    changed("which is what the motion and its scene give", [](Json& json) {
+    changed("as computed from the motion and its scene", [](Json& json) {
         double& number = json["motion"]["curves"][0]["pieces"][3][2].get_ref<double&>();
         number *= 1.0 + 1e-6;
     });
@@ -253,7 +253,7 @@ TEST_F(ChangedFolder, Numbers) {
 
 TEST_F(ChangedFolder, AnotherScene) {
     replace("scene.toml", "lift_mm = ", "lift_mm = 1");
-    expect_says(refused(), "which is what the motion and its scene give");
+    expect_says(refused(), "as computed from the motion and its scene");
     SetUp();
     replace("scene.toml", "segments = [", "segments = [{kind=\"dwell\", angle_deg=1},");
     EXPECT_NE(refused(), "");

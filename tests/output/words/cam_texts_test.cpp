@@ -104,11 +104,11 @@ TEST(CamRemarks, SayWhetherTheCamIsUndercut) {
 TEST(CamRemarks, NameActiveLimitAndSmallestSize) {
     Solution solution = test::cam_solution();
     EXPECT_TRUE(says(remarks_of(solution), "No limit shapes it"));
-    EXPECT_TRUE(says(remarks_of(solution), "any motion whatever needs a prime radius above "));
+    EXPECT_TRUE(says(remarks_of(solution), "every motion needs a prime radius of at least "));
     EXPECT_TRUE(says(remarks_of(solution), "this cam has 40 mm"));
     EXPECT_TRUE(says(remarks_of(solution), "the sector of the motion, 90 deg"));
     solution.constraints.back().active = true;
-    EXPECT_TRUE(says(remarks_of(solution), "What limits it: the pressure angle at "));
+    EXPECT_TRUE(says(remarks_of(solution), "Active limits: the pressure angle at "));
     solution.scene.cam->set(DimensionIndex::base_radius, Dimension(0.03, 0.06));
     EXPECT_TRUE(says(remarks_of(solution), "; the base radius is the least allowed."));
 }
@@ -197,7 +197,7 @@ TEST(SolutionText, SceneWithoutCamIsUnchanged) {
     const std::string text = summary_text(test::sample_solution(), {});
     for (const char* part : {"cam:", "joint", "undercut", "starts"}) EXPECT_FALSE(says(text, part)) << part;
     EXPECT_TRUE(says(summary_text(test::infeasible_solution(), {}),
-                     "One of these alone would do: raise the velocity limit to 312.5 mm/s."));
+                     "Any one of these changes suffices: raise the velocity limit to 312.5 mm/s."));
 }
 
 TEST(SolutionText, IsHonestAboutALocalOptimum) {
@@ -218,7 +218,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
     solution.certificate.verdict = Verdict::failed;
     solution.certificate.reason = Reason::no_feasible_point;
     solution.motion.reset();
-    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, and no proof that there is none"));
+    EXPECT_TRUE(says(summary_text(solution, {}), "from 8 starts, infeasibility is not proved"));
 }
 
 TEST(SolutionText, SaysTheGapThatIsProved) {
@@ -298,10 +298,10 @@ TEST(SolutionText, ProgramHasTableOfSegments) {
 }
 
 TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
-    EXPECT_EQ(
-        conflict_sentence(test::infeasible_cam_solution()),
-        "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg fights the cam radius limit at 81 "
-        "deg: no spline of 4 cubic segments keeps all limits.");
+    EXPECT_EQ(conflict_sentence(test::infeasible_cam_solution()),
+              "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg conflicts with the cam radius "
+              "limit at 81 "
+              "deg: no spline of 4 cubic segments satisfies all limits.");
     EXPECT_EQ(conflict_sentence(test::cam_solution()), "");
     Solution alone = test::infeasible_cam_solution();
     alone.conflict.resize(1);
@@ -317,9 +317,10 @@ TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
                                     .unsettled = {},
                                     .seconds = 0.0,
                                     .allowed = 30.0};
-    EXPECT_EQ(conflict_sentence(alone),
-              "The pressure angle limit at 23.4 deg cannot be kept by any motion that makes the lift in its "
-              "angle.");
+    EXPECT_EQ(
+        conflict_sentence(alone),
+        "The pressure angle limit at 23.4 deg cannot be satisfied by any motion that makes the lift in its "
+        "angle.");
 }
 
 TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
@@ -327,7 +328,7 @@ TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
     solution.explanation.emplace();
     solution.explanation->alone = {"limits.pressure_angle_deg", "limits.cam_radius_min_mm"};
     const std::string text = conflict_sentence(solution);
-    EXPECT_FALSE(says(text, "fight")) << text;
+    EXPECT_FALSE(says(text, "conflicts with")) << text;
     EXPECT_TRUE(
         says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
     EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
@@ -347,16 +348,15 @@ TEST(InfeasibleWords, ReportWhatTimeLeftUnsettled) {
         for (const std::string& remark : infeasible_remarks(solution)) all += remark + "\n";
         return all;
     };
-    EXPECT_TRUE(
-        says(text(),
-             "The search for changes ended after 30 s of 30 s (what solver.max_seconds leaves): others "
-             "may help. It did not settle: offset, all limits together."))
+    EXPECT_TRUE(says(text(),
+                     "The search for changes ended after 30 s of 30 s (the rest of solver.max_seconds); "
+                     "others may suffice. Not decided: offset, all limits together."))
         << text();
     EXPECT_TRUE(says(text(), "More segments do not help: as many as 32 were tried.")) << text();
     explanation.own_limit = true;
     EXPECT_TRUE(says(text(), "of 30 s (solver.explain_seconds)")) << text();
     explanation.end = ExplanationEnd::interrupted;
-    EXPECT_TRUE(says(text(), "The search for changes was interrupted after 30 s: others may help."))
+    EXPECT_TRUE(says(text(), "The search for changes was interrupted after 30 s; others may suffice."))
         << text();
     EXPECT_FALSE(says(text(), "max_seconds")) << text();
     explanation.end = ExplanationEnd::enough;
@@ -367,8 +367,8 @@ TEST(InfeasibleWords, LawViolatingLimitIsBlamed) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     EXPECT_EQ(conflict_sentence(solution),
-              "The velocity limit at 338 deg cannot be kept: the motion there is the law modified sine, "
-              "whatever the splines do.");
+              "The velocity limit at 338 deg cannot be satisfied: the motion there is the law modified sine, "
+              "regardless of the splines.");
     solution.conflict.front().at = 1.0;
     EXPECT_TRUE(says(conflict_sentence(solution), "no spline of 4 cubic segments in each of its parts that"));
 }
@@ -377,7 +377,7 @@ TEST(InfeasibleWords, FreeDisplacementsExonerateTheLaw) {
     Solution solution = test::program_solution();
     solution.conflict = {{"limits.velocity_mm_s", 3.75, 1.0}};
     solution.scene.motion.segments[1].to.reset();  // then the spline decides how far the law moves
-    EXPECT_FALSE(says(conflict_sentence(solution), "whatever the splines do"));
+    EXPECT_FALSE(says(conflict_sentence(solution), "regardless of the splines"));
 }
 
 TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
@@ -395,8 +395,8 @@ TEST(InfeasibleWords, NameTheChangesThatWouldDo) {
     EXPECT_TRUE(says(report_markdown(sure), "## Why no motion exists, and what would have to change"));
     sure.certificate.verdict = Verdict::failed;
     EXPECT_TRUE(says(report_markdown(sure), "## No motion was found, and what would have to change"));
-    EXPECT_TRUE(says(report, "One of these alone would do: increase the base radius to 31.413 mm"));
-    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | no value tried helps"));
+    EXPECT_TRUE(says(report, "Any one of these changes suffices: increase the base radius to 31.413 mm"));
+    EXPECT_TRUE(says(report, "`cam.roller_radius_mm` | 10 | tried without success"));
     EXPECT_FALSE(says(report, "profile.svg"));
 }
 

@@ -164,7 +164,7 @@ TEST(InfeasibleClaims, ReportEveryMotionWhenNoneExists) {
     // The smallest prime radius is 24.08 mm (docs/cams.md).
     const Solution solution = solve(roller_scene(8, 14.0));
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
-    EXPECT_TRUE(says(told(solution), "cannot be kept by any motion that makes the lift in its angle"))
+    EXPECT_TRUE(says(told(solution), "cannot be satisfied by any motion that makes the lift in its angle"))
         << told(solution);
     EXPECT_TRUE(std::ranges::none_of(changes_in(told(solution)), [](const Change& one) {
         return one.words == "segments";
@@ -204,8 +204,8 @@ TEST(InfeasibleClaims, LimitsImpossibleAloneAreRelaxedTogether) {
     const Solution solution = solve(scene);
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
-    EXPECT_FALSE(says(text, "fight")) << text;
-    EXPECT_TRUE(says(text, "Together these would do: ")) << text;
+    EXPECT_FALSE(says(text, "conflicts with")) << text;
+    EXPECT_TRUE(says(text, "A combined change that suffices: ")) << text;
     const std::vector<Change> together = changes_in(text.substr(text.find("Together")));
     EXPECT_EQ(together.size(), 3U) << text;
     Scene changed = scene;

@@ -173,7 +173,7 @@ TEST_P(DiskSides, PressureAngleAndRadiusMatchPath) {
                 EXPECT_NEAR(point.regularity, 1.0 - surface_offset(cam, side) * point.pitch_curvature, 1e-13);
                 EXPECT_NEAR(point.cam_radius, 1.0 / point.pitch_curvature - surface_offset(cam, side),
                             1e-9 * std::abs(point.cam_radius));
-                // The way of the roller's centre as the follower moves by +s, against the normal.
+                // The path of the roller's centre as the follower moves by +s, against the normal.
                 const Vector2d moved = drawn_center(cam, state.s + step * swing_of(cam), side) -
                                        drawn_center(cam, state.s - step * swing_of(cam), side);
                 const Vector2d fixed_normal =

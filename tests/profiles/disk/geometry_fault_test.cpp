@@ -58,9 +58,9 @@ TEST(GeometryFault, FollowerStaysAboveTheCamCentre) {
 TEST(GeometryFault, ArmReachIsBounded) {
     TestCam cam = oscillating_roller(10);
     set(cam.cam, base_radius, 0.009);  // prime radius 19 mm, difference of the lengths 20 mm
-    expect_fault(cam.cam, 0.0, cam.lift, "what the arm reaches");
+    expect_fault(cam.cam, 0.0, cam.lift, "the reach of the arm");
     set(cam.cam, base_radius, 0.171);  // 181 mm, sum 180 mm
-    expect_fault(cam.cam, 0.0, cam.lift, "what the arm reaches");
+    expect_fault(cam.cam, 0.0, cam.lift, "the reach of the arm");
     cam = oscillating_roller(10);
     EXPECT_EQ(geometry_fault(cam.cam, 0.0, 147.0 * degree), "");
     expect_fault(cam.cam, 0.0, 149.0 * degree, "passes the line of centres");

@@ -180,7 +180,7 @@ TEST(RollerLaw, StrokesAndTheirTimes) {
         }
     EXPECT_TRUE(std::isnan(time_at(roller.strokes()[0], 20.0 * inch)));
     EXPECT_EQ(refusal([&] { (void)roller.at(0.3); }),
-              "the roller's motion lasts from 0 to 0.258 s; 0.3 s was asked for");
+              "the roller's motion lasts from 0 to 0.258 s; 0.3 s was requested");
     EXPECT_EQ(refusal([&] {
                   RollerLaw({test::forward_stroke(), test::forward_stroke()});
               }),

@@ -270,7 +270,7 @@ TEST(StructuredBasic, NamesValuesThatAreNotFinite) {
     EXPECT_EQ(solve(QuadraticNlp(data)).termination, Termination::evaluation_error);
 }
 
-TEST(StructuredBasic, KeepsTheLimitsOfTheCaller) {
+TEST(StructuredBasic, RespectsLimitsOfTheCaller) {
     const QuadraticNlp problem(cam_problem(uniform_cam(12)));
     BackendOptions options;
     options.max_iterations = 3;

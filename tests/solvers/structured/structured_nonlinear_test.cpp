@@ -338,7 +338,7 @@ TEST(StructuredNonlinear, NamesUnboundedProblems) {
     EXPECT_EQ(solve(problem, Vector2d(0.0, 0.0)).termination, Termination::unbounded);
 }
 
-TEST(StructuredNonlinear, KeepsTheLimitsOfTheCaller) {
+TEST(StructuredNonlinear, RespectsLimitsOfTheCaller) {
     const PitchCurveNlp problem({40, 1.2, 2.0, 0.62});
     BackendOptions options;
     options.max_iterations = 2;

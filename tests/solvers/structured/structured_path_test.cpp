@@ -52,7 +52,7 @@ TEST(PathPoints, FindsLastSufficientlyDistantPoint) {
     EXPECT_EQ(point_before(path, 10.0), &path[0]) << "the first where none is that far off";
 }
 
-TEST(StructuredPath, IsKeptOnRequest) {
+TEST(StructuredPath, IsReturnedOnRequest) {
     const QuadraticNlp problem(cam_problem(uniform_cam(10)));
     EXPECT_TRUE(solve(problem).path.empty());
     const BackendResult result = solve(problem, keeping_path());

@@ -107,7 +107,7 @@ TEST(LimitActivity, ActiveUndercutLimitIsCusp) {
     const std::string text = text_of(solution);
     EXPECT_TRUE(says(text, "A CUSP at ")) << text;
     EXPECT_FALSE(says(text, "UNDERCUT")) << text;
-    EXPECT_TRUE(says(text, "What limits it: the cam radius at ")) << text;
+    EXPECT_TRUE(says(text, "Active limits: the cam radius at ")) << text;
 }
 
 TEST(LimitActivity, ConvexCamHasNoConcaveRadius) {

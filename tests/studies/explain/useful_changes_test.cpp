@@ -173,7 +173,7 @@ TEST(ExplanationTime, InterruptionIsNotReportedAsTimeout) {
     bool stop = false;
     SolveControl control;
     control.progress = [&](const Progress& progress) {
-        stop = stop || progress.message.find("what would help: limits.") != std::string_view::npos;
+        stop = stop || progress.message.find("suggested changes: limits.") != std::string_view::npos;
     };
     control.stop_requested = [&] { return stop; };
     Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
@@ -192,7 +192,7 @@ TEST(ExplanationTime, FiveSecondLimitIsReported) {
     SolveControl control;
     control.deadline = Deadline::after(1e9, [&] { return now; });
     control.progress = [&](const Progress& progress) {
-        if (progress.message.find("what would help: limits.") != std::string_view::npos) now += 6.0;
+        if (progress.message.find("suggested changes: limits.") != std::string_view::npos) now += 6.0;
     };
     Scene scene = scene_of({"", "scenes/cam_infeasible", {"spline.segments=8"}});
     scene.solver.explain_changes = 100;

@@ -83,15 +83,16 @@ TEST(WishedGuide, RefusesUnreachableMotions) {
     const auto law = make_law("cycloidal");
     FeederWish wish = reference_wish();
     EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 1); }),
-              "1 nodes of the guide were asked for; it needs at least 2");
+              "1 nodes of the guide were requested; it needs at least 2");
     wish.upper = 40.0 * inch;
     EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
-              "the machine cannot move the feeder as wished at 0.110815 s: rocker_misses_pin");
+              "the machine cannot produce the required feeder motion at 0.110815 s: rocker_misses_pin");
     wish = reference_wish();
     wish.to = 20.0 * inch;
-    EXPECT_EQ(refusal([&] { (void)wished_guide(wish, *law, 16); }),
-              "the wished feeder motion: guide from 0.038099999999999995 to 0.35559999999999997 m, rise from "
-              "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
+    EXPECT_EQ(
+        refusal([&] { (void)wished_guide(wish, *law, 16); }),
+        "the required feeder motion: guide from 0.038099999999999995 to 0.35559999999999997 m, rise from "
+        "0.13335 to 0.508 m; must be 0 < begin <= from < to <= end");
 }
 
 }  // namespace inverse_guide_test

@@ -113,7 +113,7 @@ TEST(OwnLaw, OneThatIsNoneIsRefused) {
     expect_law_refused(smoothstep("Smooth Step"),
                        "found this key; allowed: lower case letters, digits and _");
     expect_law_refused(smoothstep("slipped", 0.1), "found y that grows by");
-    expect_law_refused({}, "found nothing that makes a law");
+    expect_law_refused({}, "found an empty function");
     EXPECT_EQ(law_catalogue().size(), before);
 }
 

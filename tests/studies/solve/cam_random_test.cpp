@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random roller cams whose undercut limit is not convex: what is delivered keeps every limit, nearly all of
-// it is proved, and more starts find nothing below what is proved.
+// Random roller cams whose undercut limit is not convex: what is delivered satisfies every limit, nearly all
+// of it is proved, and more starts find nothing below what is proved.
 #include "profiles/disk/disk_mechanism.hpp"
 #include "solvers/certificate/box_proof.hpp"
 #include "studies/solve/solve.hpp"

@@ -72,9 +72,8 @@ TEST(ConstantVelocity, NeighboursJoinWithItsVelocity) {
 TEST(ConstantVelocity, OccursOnlyBetweenSplines) {
     Scene scene = cutter_scene();
     scene.motion.segments[3] = {SegmentKind::law, 50 * degree, "cycloidal", 1.0};
-    EXPECT_NE(refusal(scene).find(
-                  "motion.segments[2].law: found \"constant_velocity\", a law whose ends move, beside "
-                  "motion.segments[3] of kind \"law\""),
+    EXPECT_NE(refusal(scene).find("motion.segments[2].law: found \"constant_velocity\", a law whose ends "
+                                  "move, next to motion.segments[3] of kind \"law\""),
               std::string::npos)
         << refusal(scene);
     scene = cutter_scene();

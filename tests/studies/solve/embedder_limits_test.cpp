@@ -140,9 +140,10 @@ TEST(LimitsFromCpp, ContradictoryNumbersAreRefused) {
         (void)solve(scene);
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "limits.velocity: found normalised 1.7 beside given 5; allowed: one of them, "
-                     "or two that say the same");
+        EXPECT_STREQ(
+            error.what(),
+            "limits.velocity: found normalised 1.7 together with given 5; allowed: one of them, or two "
+            "equal values");
     }
     scene.limits.velocity = PeakLimit(0.0, {}, 5.0, "furlong/s");
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes with free breakpoints against the limit no curve can pass and against fixed breakpoints.
+// Scenes with free breakpoints against the lower bound for every curve and against fixed breakpoints.
 #include "core/errors.hpp"
 #include "objectives/scene_model.hpp"
 #include "solvers/structured/structured_solver.hpp"

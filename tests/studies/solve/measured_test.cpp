@@ -152,7 +152,7 @@ TEST(Measured, FaultsNameTheRow) {
         fault_of([](MeasuredMotion& m) {
             for (double& s : m.displacement) s *= 0.5;
         }),
-        "measured.s[20]: found 6 mm at 114.592 deg; allowed: 12 mm, to 0.6 mm: what the scene asks for at "
+        "measured.s[20]: found 6 mm at 114.592 deg; allowed: 12 mm, to 0.6 mm: what the scene requires at "
         "114.592 deg");
     EXPECT_EQ(fault_of([](MeasuredMotion& m) {
                   m.angle.resize(5);

@@ -177,9 +177,9 @@ TEST(Region, ThatContradictsTheEndsIsInfeasible) {
     EXPECT_EQ(solution.certificate.reason, Reason::conditions_contradict);
     ASSERT_EQ(solution.notes.size(), 1u);
     EXPECT_EQ(solution.notes[0],
-              "motion.via[0].velocity = 180 mm/s from 0 deg to 70 deg contradicts what holds at the ends of "
-              "the motion, "
-              "at its top or where its segments join; more segments were tried and do not help: change it");
+              "motion.via[0].velocity = 180 mm/s from 0 deg to 70 deg contradicts the conditions at the ends "
+              "of the motion, "
+              "at its top or where its segments join; more segments were tried without success: change it");
 }
 
 /// 40 mm in 10 ms leave nothing for the rest of the lift: no condition contradicts, but no limit can be kept.

@@ -59,7 +59,7 @@ TEST_P(Stopping, StopWithoutFeasiblePointIsReported) {
 TEST_P(Stopping, EarlyStopDeliversNoMotion) {
     SolveControl control;
     control.stop_requested = [] { return true; };
-    const Solution solution = solve(scene(), control);  // its start keeps every limit
+    const Solution solution = solve(scene(), control);  // its start satisfies every limit
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, "interrupted");
     EXPECT_FALSE(solution.motion);

@@ -125,7 +125,7 @@ TEST(WithinLift, ProgramReversalsAreTurningPoints) {
 }
 
 /// Between a law that rises at its end and one that falls there has to be an overshoot.
-TEST(WithinLift, IsOpenBesideOutwardMotion) {
+TEST(WithinLift, IsOpenNextToOutwardMotion) {
     Scene scene;
     paper_weights(scene);
     scene.motion.type = MotionType::program;
