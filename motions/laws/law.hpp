@@ -34,13 +34,13 @@ struct LawParameter {
 };
 
 struct LawInfo {
-    std::string key;     ///< as scenes write it
-    std::string title;   ///< for people
+    std::string key;     ///< as in scenes
+    std::string title;   ///< for reports
     std::string source;  ///< who described it
     /// Highest derivative (up to 4) that is continuous everywhere, the joints at x = 0 and x = 1 included.
     int continuity = 0;
     TopEnd top = TopEnd::dwell;
-    /// Its ends rest (y' = 0). One whose ends move stands in programs only, between splines.
+    /// Its ends rest (y' = 0). Laws with moving ends occur only in programs, between splines.
     bool rests = true;
     std::vector<LawParameter> parameters;
 };
