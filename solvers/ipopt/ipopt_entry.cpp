@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the registry says of Ipopt; compiled whether or not this build has it. The options here and no others
+// Ipopt's entry in the registry; compiled whether or not this build has it. Only the options listed here
 // reach Ipopt: linear_solver is restricted to mumps because the packaged 3.11 ends the whole process on ma97.
 #include "solvers/backend_support.hpp"
 #include "solvers/ipopt/ipopt_solver.hpp"

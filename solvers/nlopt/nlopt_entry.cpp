@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the registry says of NLopt's algorithms; compiled whether or not this build has them.
+// Entries of NLopt's algorithms in the registry; compiled whether or not this build has them.
 #include "core/errors.hpp"
 #include "solvers/backend_support.hpp"
 #include "solvers/nlopt/nlopt_adapter.hpp"

@@ -85,7 +85,7 @@ StructuredOptions structured_options(const std::map<std::string, OptionValue>& n
     return options;
 }
 
-// What the registry says of the structured solver; always there, since it needs nothing but Eigen.
+// The structured solver's entry in the registry; always present, since it needs only Eigen.
 SolverEntry structured_entry() {
     SolverEntry entry;
     entry.name = "structured";
