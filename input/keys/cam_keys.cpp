@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of the key table that have to do with a cam, of [dynamics] and of [drawing].
+// The rows of the key table for [cam], [dynamics] and [drawing].
 #include "input/keys/key_spellings.hpp"
 #include "profiles/kinds/cam_kinds.hpp"
 
@@ -15,7 +15,7 @@ const Range arm_angle_range = {.low = 0.0, .high = 360.0, .low_included = false,
 const Range damping_ratios = Range::between(0.0, 2.0);
 constexpr auto needs_cam = Availability::needs_cam;
 
-/// What cam.follower may say, over all kinds.
+/// Allowed values of cam.follower, over all kinds.
 std::vector<std::string_view> words_of_followers() {
     std::vector<std::string_view> words;
     for (const CamKind& kind : cam_kinds())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The units in which quantities may be written, and the ranges several keys share. Internal to input/.
+// The units of quantities, and ranges shared by several keys. Internal to input/.
 #pragma once
 
 #include "core/units.hpp"
@@ -49,7 +49,7 @@ using camopt::spellings::positive;
 
 namespace camopt::input {
 
-/// Rows of [cam], [forces], [drawing] and of what [objective] says about a cam.
+/// Rows of [cam], [forces], [drawing] and the cam's rows of [objective].
 [[nodiscard]] std::vector<KeyRow> cam_rows();
 [[nodiscard]] std::vector<KeyRow> force_rows();
 [[nodiscard]] std::vector<KeyRow> drawing_rows();

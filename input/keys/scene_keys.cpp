@@ -96,7 +96,7 @@ Rows motion() {
     };
 }
 
-/// Set points of the whole motion, or of a segment: `unit` says what places are measured in.
+/// Set points of the whole motion, or of a segment: `unit` is that of their locations.
 Rows set_points(const char* table, const char* unit) {
     static const std::string in_rise = "Where, in units of the rise (DRD 0 to 1, RR 0 to 1 + return/rise) or as "
                                        "a cam angle.";
@@ -163,7 +163,7 @@ Rows spline() {
     };
 }
 
-/// As the manual lists them: what is convex before what is not.
+/// In the order of the manual: convex terms before others.
 std::vector<const CostTerm*> listed_terms() {
     std::vector<const CostTerm*> terms;
     for (const CostTerm& term : cost_terms()) terms.push_back(&term);
@@ -256,7 +256,7 @@ Rows rows_of_kinds() {
     return all;
 }
 
-/// Empty where it has nothing to do with a kind, or all have it.
+/// Empty if it belongs to no kind, or to all.
 std::vector<std::string_view> kinds_that_know(const KeyRow& row) {
     std::vector<std::string_view> types;
     for (const CamKind& kind : cam_kinds())
@@ -283,7 +283,7 @@ Rows all_rows() {
 }  // namespace
 
 const std::vector<KeyRow>& scene_keys() {
-    // A program may add kinds: a table for each number of them, so that rows handed out stay.
+    // A program may add kinds: one table per number of kinds, so that returned rows remain valid.
     static std::mutex mutex;
     static std::map<std::size_t, Rows> tables;
     const std::lock_guard lock(mutex);

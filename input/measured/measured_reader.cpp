@@ -39,7 +39,7 @@ std::vector<double> scaled(std::vector<double> numbers, double factor) {
     return numbers;
 }
 
-/// The row of "measured.theta[17]"; none of anything else.
+/// The row of "measured.theta[17]"; nullopt for other members.
 std::optional<std::size_t> row_of(std::string_view member) {
     const std::size_t open = member.find('[');
     if (open == std::string_view::npos || !member.ends_with(']')) return std::nullopt;
@@ -115,7 +115,7 @@ class TableReader {
             fmt::format("{}:{}: found {}; allowed: {}", table_.file, std::max(line_, 1), found, allowed));
     }
 
-    /// The next one that says something.
+    /// The next line with content.
     std::optional<std::string_view> next_line() {
         while (!text_.empty()) {
             const std::size_t end = text_.find('\n');

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a scene may not ask of a disk cam: numbers out of their ranges, a cam that none of the ranges allows
-// at rest, a form whose second roller has no place. With p = base + roller radius:
+//
+// Faults of a disk cam in a scene: numbers out of their ranges, no buildable cam at rest for any values of
+// the
+// ranges, a form without space for its second roller. With p = base + roller radius:
 //   translating roller, knife: |offset| < p            oscillating roller: |a − l| < p < a + l
 //   oscillating flat: |base + face offset| < a         (a centre distance, l arm length)
 // The second roller of a conjugate cam, Δ the largest displacement given:
@@ -45,7 +47,7 @@ Fault face_fault(const DiskSpec& cam) {
     return SceneFault{"cam.face_half_width", fmt::format("{}", *cam.face_half_width), range.number_text()};
 }
 
-/// In the unit the dimension was written in.
+/// In the unit of the scene file.
 std::string length_text(double value, const Dimension& dimension) {
     const char* unit = "mm";
     double factor = 1e-3;

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Relative to the guide's size: the pieces of a guide given in micrometres still meet.
+// Relative to the guide's size: tolerance for joints of a guide given in micrometres.
 constexpr double meeting_tolerance = 1e-6;
 // cos mu below this (mu above 89.9 deg) counts as a guide along which L does not grow.
 constexpr double least_growth = 2e-3;
@@ -170,8 +170,8 @@ Growth growth_of(const GuidePolarSpline&) {
     return {};  // L grows from node to node
 }
 
-/// L must grow at both ends; in between it then does: cos mu changes its sign once at most on a line or an
-/// arc of less than half a turn.
+/// L must grow at both ends; then it does in between: cos mu changes its sign at most once on a line or an
+/// arc of less than half a circle.
 std::string growth_fault(const GuidePiece& piece, double begin, double end) {
     if (!(begin > 0.0)) return "begins at the pivot; the least distance must be > 0";
     if (!(end > begin))

@@ -14,7 +14,7 @@ namespace camopt {
 
 namespace {
 
-// Relative: strokes given to six digits still meet.
+// Relative: tolerance for strokes given to six digits.
 constexpr double law_meeting_tolerance = 1e-6;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion of a follower over the cam angle, as the generators of whole surfaces take it.
+// The motion of a follower over the cam angle, the input of the generators of whole surfaces.
 #pragma once
 
 #include "core/follower_state.hpp"

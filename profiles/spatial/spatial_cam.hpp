@@ -39,7 +39,7 @@
 
 namespace camopt {
 
-/// The dimensions that limits depend on. m.
+/// The dimensions on which limits depend. m.
 enum class SpatialDimension {
     roller_radius,
     arm_length,  ///< barrel: index radius r_i; rotating: f_l, pivot to the roller's near end; else unused
@@ -70,7 +70,7 @@ struct SpatialCam {
 /// arm beyond a right angle, …); empty: it can. `least`, `most`: the extremes of s.
 [[nodiscard]] std::string geometry_fault(const SpatialCam& cam, double least, double most);
 
-/// A place on the roller: distance h from its near end, and which of the two flanks it touches there.
+/// A location on the roller: distance h from its near end, and which of the two flanks it touches there.
 struct RollerStation {
     double height = 0.0;  ///< h, m
     int flank = 1;        ///< σ_f: +1 or −1
@@ -84,7 +84,7 @@ struct RollerAxis {
 };
 [[nodiscard]] RollerAxis roller_axis(const SpatialCam& cam, double theta, double s);
 
-/// What the cam is at one cam angle and one station.
+/// The cam at one cam angle and one station.
 struct SpatialPoint {
     Eigen::Vector3d center;       ///< C: of the roller's axis, cam frame
     Eigen::Vector3d contact;      ///< C + r n: a point of the flank, cam frame
@@ -95,7 +95,7 @@ struct SpatialPoint {
 [[nodiscard]] SpatialPoint spatial_point(const SpatialCam& cam, double theta, const FollowerState& state,
                                          const RollerStation& station);
 
-/// What limits are made of.
+/// Quantities in limits.
 enum class SpatialQuantity {
     pressure_numerator,    ///< tan φ = numerator / denominator; m
     pressure_denominator,  ///< m; > 0 in a cam without geometry_fault

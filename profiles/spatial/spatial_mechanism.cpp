@@ -16,7 +16,7 @@ namespace {
 
 constexpr int station_count = 2 * mechanism_heights;
 
-/// From the roller's near end, as a share of its length: two stations a height, one a flank.
+/// From the roller's near end, as a part of its length: two stations per height, one per flank.
 double share_of(int station) {
     const int height = station / 2;
     return static_cast<double>(height) / (mechanism_heights - 1);
@@ -73,7 +73,7 @@ class SpatialMechanism final : public CamMechanism {
         if (which == MechanismQuantity::regularity) return true;
         return station == 0 || station == station_count - 2;
     }
-    /// The pressure angle is largest at an end of the roller; where it undercuts first depends.
+    /// The pressure angle is largest at an end of the roller; the first location of undercut varies.
     [[nodiscard]] bool has_all_stations(MechanismQuantity which) const override {
         return which != MechanismQuantity::regularity;
     }

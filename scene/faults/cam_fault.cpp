@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cam of a scene, what its follower carries, and the limits that a cam of this kind cannot have.
+// The cam of a scene, the load of its follower, and the limits that a cam of this kind cannot have.
 #include "scene/cam_mechanism.hpp"
 #include "scene/faults/scene_faults.hpp"
 #include "scene/limit_table.hpp"
@@ -22,7 +22,7 @@ Fault dimension_fault(const CamDimension& dimension) {
     return std::nullopt;
 }
 
-/// Limits that only a cam which touches the output itself can have, or a plane one.
+/// Limits only for a cam that touches the output directly, or for a plane one.
 Fault foreign_limit(const Scene& scene, const CamMechanism& cam) {
     for (const LimitRow& row : limit_rows())
         if (row.in(scene.limits) && ((!cam.is_direct() && row.cams == LimitRow::Cams::disk) ||

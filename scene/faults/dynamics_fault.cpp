@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The [dynamics] table: its numbers, and what residual vibration and dynamic forces can be asked of.
+// The [dynamics] table: its numbers, and the requirements of residual vibration and dynamic forces.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/cost_table.hpp"
@@ -81,7 +81,7 @@ bool asks_response(const Scene& scene) {
            });
 }
 
-/// The first member of the scene that asks for a response.
+/// The first member of the scene that requires a response.
 std::string asking_member(const Scene& scene) {
     for (const ResponseTerm& term : response_terms())
         if (term.weight_in(scene.objective) > 0.0) return fmt::format("objective.{}", term.name);
@@ -105,7 +105,7 @@ Fault motion_for_response_fault(const Scene& scene) {
     return std::nullopt;
 }
 
-/// Residual vibration and forces alone leave the motion free to stray as it likes.
+/// Residual vibration and forces alone do not bound the motion.
 Fault static_term_fault(const Scene& scene) {
     if (!weighs_response(scene.objective)) return std::nullopt;
     const bool weighs = std::ranges::any_of(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold between the members of a motion.
+// Relations between the members of a motion.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -11,7 +11,7 @@
 namespace camopt {
 namespace {
 
-/// Members that mean nothing in a motion of this type.
+/// Members without a meaning in a motion of this type.
 Fault type_fault(const MotionSpec& motion) {
     const auto wrong = [&](const char* member, std::string_view what, const char* allowed) {
         return SceneFault{member, fmt::format("{} in a motion of type \"{}\"", what, name_of(motion.type)),

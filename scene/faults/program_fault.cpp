@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The segments of a program: each for itself, then their angles and where they end.
+// The segments of a program: each separately, then their angles and their final displacement.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -12,7 +12,8 @@
 namespace camopt {
 namespace {
 
-// Of a turn. Angles written with ten digits add up closer than this; a forgotten units::degree is far above.
+// Of a revolution. Angles written with ten digits add up closer than this; a forgotten units::degree is far
+// above.
 constexpr double turn_tolerance = 1e-9;
 // rad: the same rounding at the ends of a range.
 constexpr double range_slack = 1e-9;
@@ -60,7 +61,7 @@ Fault turn_fault(const MotionSpec& motion) {
                                     : "at most 360 deg, one revolution"};
 }
 
-/// Only what must add up to a turn is shared out by a search.
+/// Only angles with a fixed sum are distributed by a search.
 Fault angle_range_fault(const MotionSpec& motion) {
     const auto searched = [](const ProgramSegment& segment) { return segment.angle_range.has_value(); };
     const auto first = std::ranges::find_if(motion.segments, searched);
@@ -87,7 +88,7 @@ Fault end_fault(const MotionSpec& motion) {
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
 
-/// A program whose every displacement is free or 0 is solved by standing still: nothing was asked.
+/// A program whose every displacement is free or 0 is solved by standing still: it prescribes nothing.
 Fault idle_fault(const MotionSpec& motion) {
     const auto moves = [](const ProgramSegment& segment) {
         return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {
@@ -100,7 +101,7 @@ Fault idle_fault(const MotionSpec& motion) {
         motion.segments, [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
     const auto others = std::count_if(first + 1, motion.segments.end(),
                                       [](const auto& segment) { return segment.kind != SegmentKind::dwell; });
-    const bool alone = motion.closed && others == 0;  // what rises must come back
+    const bool alone = motion.closed && others == 0;  // each rise has its return
     return SceneFault{fmt::format("motion.segments[{}].to", std::distance(motion.segments.begin(), first)),
                       "a program in which nothing has to move: every displacement is 0 or free",
                       alone ? "two segments that move, the first with `to`, or motion.closed = false"

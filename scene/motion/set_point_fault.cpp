@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Set points and regions, wherever they stand: places inside their stretch, one at a place, values that make
-// sense together.
+// Set points and regions of all lists: locations inside their stretch, one per location, consistent values.
 #include "core/numbers/range.hpp"
 #include "core/units.hpp"
 #include "scene/faults/scene_faults.hpp"
@@ -14,12 +13,12 @@
 namespace camopt {
 namespace {
 
-/// What the set points of one list are judged by.
+/// The context for validating the set points of one list.
 struct PointStretch {
     std::string member;   ///< of the list
-    double length = 1.0;  ///< largest place
-    double angle = 1.0;   ///< rad, of the unit of places
-    /// Why no region may begin at 0, or end at `length`; empty: it may.
+    double length = 1.0;  ///< largest location
+    double angle = 1.0;   ///< rad, of the unit of locations
+    /// Why no region may begin at 0, or end at `length`; empty: allowed.
     std::string at_begin = {}, at_end = {};
     bool segment = false;  ///< of a program
 };
@@ -62,7 +61,7 @@ Fault region_fault(const PointStretch& stretch, const SetPoint& point, const std
             member + ".from", place_text(stretch, point, point.at),
             stretch.at_begin.empty()
                 ? "a location at or after the beginning"
-                : fmt::format("a place after {}, {}", place_text(stretch, point, 0.0), stretch.at_begin)};
+                : fmt::format("a location after {}, {}", place_text(stretch, point, 0.0), stretch.at_begin)};
     if (!ends || !std::isfinite(*point.until))
         return SceneFault{member + ".to", place_text(stretch, point, *point.until),
                           fmt::format("{} {}{}", stretch.at_end.empty() ? "at most" : "before",

@@ -95,7 +95,7 @@ TEST(SceneDocument, RefusesInSceneFileWording) {
     EXPECT_NE(set("motion.rise_deg", TomlValue{"ninety]"}).find("motion.rise_deg: found no TOML value"),
               std::string::npos);
     EXPECT_NE(set("a key", 1).find("found \"a key\", which is not a dotted key"), std::string::npos);
-    EXPECT_NE(set("", 1).find("no dotted key"), std::string::npos);
+    EXPECT_NE(set("", 1).find("not a dotted key"), std::string::npos);
     EXPECT_NE(set("motion.via[0].at", 1).find("motion.via"), std::string::npos);
     EXPECT_NE(refused(document, [&] { document.unset("motion.lft_mm"); }).find("did you mean 'lift_mm'?"),
               std::string::npos);
