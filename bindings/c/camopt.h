@@ -246,7 +246,7 @@ CAMOPT_C_API camopt_error camopt_parameter_count(const camopt_solution* solution
 CAMOPT_C_API camopt_error camopt_parameter_at(const camopt_solution* solution, size_t index,
                                               camopt_parameter* parameter);
 
-/// A limit of the scene, as written and as kept.
+/// A limit of the scene, as written, and the value reached.
 typedef struct camopt_constraint {
     size_t size;
     const char* name;  ///< "pressure_angle"

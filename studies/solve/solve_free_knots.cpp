@@ -138,11 +138,8 @@ void judge_freely(Solution& solution, const FreeKnotSearch& search, const Scene&
     const JudgeOptions judge{scene.solver.tolerance, scene.solver.wanted_gap()};
     settle_verdict(certificate, search.best.termination, judge);
     if (gap && *gap <= scene.solver.wanted_gap() && certificate.verdict != Verdict::optimal) {
-        solution.notes.push_back(
-            fmt::format("no spline of these breakpoints is better, and that is proved (gap {:.1e}); that "
-                        "other breakpoints "
-                        "are not is what is left open",
-                        *gap));
+        solution.notes.push_back(fmt::format(
+            "proved: no spline of these breakpoints is better (gap {:.1e}); other breakpoints may be", *gap));
     }
     if (!solution.solver.choice.empty()) {
         solution.solver.choice =

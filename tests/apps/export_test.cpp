@@ -28,7 +28,7 @@ TEST(ExportCommand, WritesCamAndCheckedProgram) {
     EXPECT_NE(run.output.find("WARNING            the first pass cuts a slot"), std::string::npos)
         << run.output;
     ASSERT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
     for (const char* const name :
          {"flanks.csv", "groove.stl", "cam.stl", "cam.obj", "cam.svg", "cam.nc", "cam_nc_check.txt"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() + "/" + name)) << name;
@@ -46,7 +46,7 @@ TEST(ExportCommand, TakesAPostProcessor) {
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const std::string program = read_text_file(folder.path() + "/cam.nc");
     EXPECT_EQ(program.substr(0, 15), "G17 G40 G80 G54");
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
 }
 
 TEST(ExportCommand, StepOrWhatToInstall) {
@@ -67,7 +67,7 @@ TEST(ExportCommand, DiskCam) {
     const ProgramRun run = run_camopt("export " + test::scene("cam_drdrd") + " --out " + folder.path() +
                                       " --set solver.starts=1 --stl --nc --cutter-mm 12");
     ASSERT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_NE(run.output.find("every block is where it belongs"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("every block is correct"), std::string::npos) << run.output;
     EXPECT_TRUE(std::filesystem::exists(folder.path() + "/cam.stl"));
     EXPECT_NE(read_text_file(folder.path() + "/cam.nc").find("(machine: three axes"), std::string::npos);
 }

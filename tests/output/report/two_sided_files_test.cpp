@@ -130,12 +130,11 @@ TEST_F(TwoSidedFiles, WordsNameTheSide) {
     for (const char* words : {"oscillating roller on conjugate disks", "first disk: largest pressure angle",
                               "second disk: least convex radius"})
         EXPECT_NE(pair.find(words), std::string::npos) << words;
-    EXPECT_NE(remarks(grooved()).find("The load goes over between inner flank and outer flank"),
+    EXPECT_NE(remarks(grooved()).find("The load changes between inner flank and outer flank"),
               std::string::npos);
-    EXPECT_NE(
-        remarks(grooved()).find("The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it "
-                                "fits all round."),
-        std::string::npos)
+    EXPECT_NE(remarks(grooved()).find(
+                  "The groove is 20.05 mm wide where it is narrowest, the roller 20 mm: it fits everywhere."),
+              std::string::npos)
         << remarks(grooved());
     EXPECT_NE(remarks(conjugate()).find("Both rollers at once: the sum of the gaps at both disks is"),
               std::string::npos);

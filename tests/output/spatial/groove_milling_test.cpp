@@ -178,7 +178,7 @@ TEST(GrooveMilling, RefusesWhatIsOutsideItsRange) {
               std::string::npos);
     EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 2.0; }).find("<= 90 deg"),
               std::string::npos);
-    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }).find("ways to and fro"),
+    EXPECT_NE(refused(0.7, [](MillingChoice& m) { m.ramp_angle = 0.001; }).find("passes to and fro"),
               std::string::npos);
 }
 

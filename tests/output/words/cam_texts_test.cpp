@@ -144,12 +144,12 @@ TEST(CamRemarks, ReportForwardCheck) {
     EXPECT_FALSE(says(remarks_of(solution), "Forward check"));
     solution.cam->forward_check = ForwardCheckReport{1.2e-9, 3e-8, 0.5, 2001, 0.1};
     EXPECT_TRUE(says(remarks_of(solution),
-                     "over 2001 points of the cam, and nothing else, moves as designed within 1.2e-6 mm "
+                     "over 2001 points of the cam alone moves as designed within 1.2e-6 mm "
                      "(3e-8 of the prime radius, at 45 deg)"));
     solution.cam->forward_check->relative = 0.02;
     EXPECT_TRUE(says(remarks_of(solution), "DEPARTS from the designed motion by"));
     solution.cam->forward_check->deviation = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(says(remarks_of(solution), "no place was found where the follower touches the cam"));
+    EXPECT_TRUE(says(remarks_of(solution), "no point was found where the follower touches the cam"));
 }
 
 TEST(CheckCam, SampleMovesFollowerAsDesigned) {
@@ -210,7 +210,7 @@ TEST(SolutionText, IsHonestAboutALocalOptimum) {
                      "Local optimum, the best of 8 starts: no small change improves it, and it is proved to "
                      "be at most 0.00001 % from the optimum."));
     EXPECT_TRUE(says(text, "bound of the convex relaxation 1.1259609"));
-    EXPECT_TRUE(says(report_markdown(solution), "(bound of the convex relaxation): 1.1259609"));
+    EXPECT_TRUE(says(report_markdown(solution), "(convex relaxation): 1.1259609"));
     solution.certificate.verdict = Verdict::feasible;
     EXPECT_TRUE(says(summary_text(solution, {}), "Feasible, the best of 8 starts"));
     solution.certificate.verdict = Verdict::optimal;  // proved is proved
@@ -305,10 +305,10 @@ TEST(InfeasibleWords, NameConflictingLimitsAndLocation) {
     EXPECT_EQ(conflict_sentence(test::cam_solution()), "");
     Solution alone = test::infeasible_cam_solution();
     alone.conflict.resize(1);
-    EXPECT_EQ(
-        conflict_sentence(alone),
-        "The pressure angle limit at 23.4 deg cannot be kept: no spline of 4 cubic segments that makes the "
-        "lift in its angle does.");
+    EXPECT_EQ(conflict_sentence(alone),
+              "The pressure angle limit at 23.4 deg cannot be satisfied by any spline of 4 cubic segments "
+              "that makes the "
+              "lift in its angle does.");
     alone.explanation = Explanation{.together = {},
                                     .any_motion = {"limits.pressure_angle_deg"},
                                     .alone = {},
@@ -331,7 +331,8 @@ TEST(InfeasibleWords, SeparatelyImpossibleLimitsDoNotConflict) {
     EXPECT_FALSE(says(text, "conflicts with")) << text;
     EXPECT_TRUE(
         says(text, "The pressure angle limit from 23.4 to 27.9 deg and at 45 deg cannot be kept: no "));
-    EXPECT_TRUE(says(text, "The cam radius limit at 81 deg cannot be kept: no spline of 4 cubic segments"));
+    EXPECT_TRUE(
+        says(text, "The cam radius limit at 81 deg cannot be satisfied by any spline of 4 cubic segments"));
 }
 
 TEST(InfeasibleWords, ReportWhatTimeLeftUnsettled) {
@@ -352,7 +353,7 @@ TEST(InfeasibleWords, ReportWhatTimeLeftUnsettled) {
                      "The search for changes ended after 30 s of 30 s (the rest of solver.max_seconds); "
                      "others may suffice. Not decided: offset, all limits together."))
         << text();
-    EXPECT_TRUE(says(text(), "More segments do not help: as many as 32 were tried.")) << text();
+    EXPECT_TRUE(says(text(), "More segments were tried without success, up to 32.")) << text();
     explanation.own_limit = true;
     EXPECT_TRUE(says(text(), "of 30 s (solver.explain_seconds)")) << text();
     explanation.end = ExplanationEnd::interrupted;

@@ -140,7 +140,7 @@ TEST(InfeasibleClaims, OneSplineIsNotEveryMotion) {
     ASSERT_EQ(solution.certificate.verdict, Verdict::infeasible);
     const std::string text = told(solution);
     EXPECT_FALSE(says(text, "any motion")) << text;
-    EXPECT_TRUE(says(text, "cannot be kept: no spline of 4 quintic segments")) << text;
+    EXPECT_TRUE(says(text, "cannot be satisfied by any spline of 4 quintic segments")) << text;
     EXPECT_TRUE(says(text, "use ")) << text;
     EXPECT_GE(expect_each_does(coarse, text), 5);
 }

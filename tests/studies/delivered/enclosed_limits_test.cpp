@@ -100,7 +100,7 @@ TEST(EnclosedLimits, ViolationsBetweenSamplesFailVerdict) {
     audit_delivered(solution);
     EXPECT_EQ(solution.certificate.verdict, Verdict::failed);
     EXPECT_EQ(solution.certificate.reason, Reason::limit_not_kept);
-    EXPECT_NE(solution.notes.back().find("limits.pressure_angle_deg is not kept"), std::string::npos);
+    EXPECT_NE(solution.notes.back().find("limits.pressure_angle_deg is violated"), std::string::npos);
 }
 
 TEST(EnclosedLimits, OfSeveralRulesAreVerifiedTogether) {
