@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The optimization problem every backend sees:
+// The optimization problem for every backend:
 //
 //     min f(x)   subject to   x_L <= x <= x_U,   g_L <= g(x) <= g_U
 //

@@ -20,9 +20,9 @@ enum class KeyType {
     number,           ///< a finite number
     number_or_range,  ///< a finite number, or a table of two: { min = …, max = … }
     numbers,          ///< an array of finite numbers
-    table,            ///< a table with rows of its own
+    table,            ///< a table with its own rows
     tables,           ///< an array of such tables
-    text_or_table,    ///< a string, or a table with rows of its own
+    text_or_table,    ///< a string, or a table with its own rows
     options,          ///< a table of any keys with text, boolean or number values
 };
 

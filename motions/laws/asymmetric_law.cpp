@@ -60,7 +60,7 @@ void require_suitable(const std::unique_ptr<Law>& law, double split) {
     }
 }
 
-/// y, y', … of a part whose x and y are `stretch` times those of f, but for the constant of y.
+/// y, y', … of a part whose x and y are `stretch` times those of f, except for the constant of y.
 template <class T>
 std::array<T, 5> stretched(std::array<T, 5> y, double stretch) {
     double factor = stretch;

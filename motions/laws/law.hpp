@@ -3,7 +3,7 @@
 //
 //   y(0) = 0, y(1) = 1, y'(0) = y'(1) = 0;  x = cam angle / rise angle, y = displacement / lift, ' is d/dx.
 //
-// A law stands between two dwells (`TopEnd::dwell`), but for those for cams with one dwell (the double
+// A law lies between two dwells (`TopEnd::dwell`), except those for cams with one dwell (the double
 // harmonic and its like): at their top the return follows at once and mirrors the rise, y(1 + t) = y(1 - t)
 // (`TopEnd::turning_point`). What lies outside counts: a jump of y'' at x = 0 or at a dwell's end is an
 // impulse of the jerk.

@@ -11,7 +11,7 @@ namespace camopt {
 namespace {
 
 constexpr int orders = 6;       // y … y^{(5)}
-constexpr int rule_orders = 4;  // those a rule sees
+constexpr int rule_orders = 4;  // those in a rule
 
 /// The lowest derivative in a rule, and whether it is the only one.
 int lowest_order(const PointRule& rule) {

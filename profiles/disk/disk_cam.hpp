@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Disk cams: one point of the follower's motion makes one point of the cam.
 //
-// Frames. The cam centre is the origin. In the frame that stands still, the cam turns by σθ about +z, with
+// Frames. The cam centre is the origin. In the fixed frame the cam turns by σθ about +z, with
 // σ = +1 counterclockwise, −1 clockwise; θ >= 0 is the cam angle of the motion. Cam frame = Rot(−σθ) · fixed.
 //   translating: follower axis x = offset e, lift along +y; roller centre C = (e, s0 + s),
 //                s0 = sqrt((base + roller)² − e²); flat face: the line y = base + s.

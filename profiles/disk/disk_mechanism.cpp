@@ -76,7 +76,7 @@ class DiskMechanism final : public CamMechanism {
         if (swings()) return own[DimensionIndex::center_distance];
         return own[DimensionIndex::base_radius] + own[DimensionIndex::roller_radius];
     }
-    /// Both flanks of a groove have one normal; a pushed face and a knife edge have limits of their own.
+    /// Both flanks of a groove have one normal; a pushed face and a knife edge have separate limits.
     [[nodiscard]] bool binds(MechanismQuantity which, int station) const override {
         if (which == MechanismQuantity::regularity) return !has_edge(follower_);
         if (which != MechanismQuantity::pressure_numerator) return true;

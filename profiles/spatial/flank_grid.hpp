@@ -2,7 +2,7 @@
 // Both flanks of a three-dimensional cam as grids of points: sections along the roller times cam angles.
 //
 // All vectors are of the cam frame (spatial_cam.hpp: z is the cam's axis), lengths m, angles rad. The point
-// of section i and angle j of a flank stands at index i · angles + j (`FlankGrid::index`). At one angle and
+// of section i and angle j of a flank has the index i · angles + j (`FlankGrid::index`). At one angle and
 // one section the points of the two flanks lie opposite each other on the roller: their mean is the centre.
 // The D and U of paper 001 (cutter location) are flanks[0] (σ_f = +1) and flanks[1] (σ_f = −1).
 // A grid is open: its last angle does not join its first.

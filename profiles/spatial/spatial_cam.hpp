@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Three-dimensional cams whose follower carries a cylindrical roller: the kinematics of the roller's axis.
 //
-// Frames. The cam's axis is z. In the frame that stands still the cam turns by σθ about +z, with σ = +1
+// Frames. The cam's axis is z. In the fixed frame the cam turns by σθ about +z, with σ = +1
 // counterclockwise, −1 clockwise; θ is the cam angle of the motion. Cam frame = Rot_z(−σθ) · fixed. The
 // roller's axis is the line C(θ, h) = c(θ) + h e(θ), h >= 0 along the roller from its near end. Its place in
 // the fixed frame follows from the follower's position q = start + s alone:

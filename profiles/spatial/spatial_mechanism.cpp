@@ -186,8 +186,8 @@ class SpatialMechanism final : public CamMechanism {
 
 /// Of a slide it is linear. Of a barrel cam it is, with the index's angle ψ,
 ///   ±r ψ' cos φ − ρ sin u,  u = φ ± ψ,
-/// convex where 0 <= u <= π. A motion that rests at its ends and keeps the limit to both sides stays there:
-/// its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
+/// convex where 0 <= u <= π. A motion that rests at its ends and satisfies the limit on both sides stays
+/// there: its largest and least ψ have ψ' = 0, where the limit says sin u >= 0 for both sides.
 Curvature SpatialMechanism::pressure_shape(std::span<const int> active) const {
     if (follower_ == SpatialFollower::cylindrical_translating) return Curvature::linear;
     if (follower_ != SpatialFollower::barrel) return Curvature::general;

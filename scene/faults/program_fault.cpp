@@ -88,7 +88,7 @@ Fault end_fault(const MotionSpec& motion) {
                       "0, where it began, or no `to`, or motion.closed = false"};
 }
 
-/// A program whose every displacement is free or 0 is solved by standing still: it prescribes nothing.
+/// A program whose every displacement is free or 0 is solved by a dwell: it prescribes nothing.
 Fault idle_fault(const MotionSpec& motion) {
     const auto moves = [](const ProgramSegment& segment) {
         return segment.to.value_or(0.0) != 0.0 || std::ranges::any_of(segment.via, [](const SetPoint& point) {

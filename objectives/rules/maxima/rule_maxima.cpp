@@ -179,7 +179,8 @@ std::vector<SmoothPiece> pieces_of(const ChainPart& part) {
         const auto at = static_cast<std::size_t>(segment);
         const double begin = part.x0 + part.x_scale * breakpoints[at];
         const double end = part.x0 + part.x_scale * breakpoints[at + 1];
-        if (end <= part.begin + same_value || begin >= part.end - same_value) continue;  // of the part beside
+        if (end <= part.begin + same_value || begin >= part.end - same_value)
+            continue;  // of the adjacent part
         Eigen::VectorXd y = part.y_scale * curve->derivative_polynomial(segment, 0);
         for (int k = 0; k < static_cast<int>(y.size()); ++k) y[k] /= std::pow(part.x_scale, k);
         y[0] += part.y0;
